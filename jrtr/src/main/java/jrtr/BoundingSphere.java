@@ -37,8 +37,7 @@ public record BoundingSphere(Vector3fc center, float radius) {
         float sum = x.lengthSquared() + y.lengthSquared() + z.lengthSquared();
         float skew = Math.max(Math.abs(x.dot(y)), Math.max(Math.abs(y.dot(z)), Math.abs(z.dot(x))));
         // Rounded columns of a rotation are orthogonal to about 1e-6. The factor 1.0001 covers columns that are less
-        // orthogonal but pass
-        // this test.
+        // orthogonal but pass this test.
         if (skew <= 1e-5f * sum) {
             return 1.0001f * Math.max(x.length(), Math.max(y.length(), z.length()));
         }

@@ -31,6 +31,7 @@ import jrtr.GraphicsException;
  */
 public final class DisplayFaults {
     private static final Pattern DISPLAY = Pattern.compile("(?:unix/?)?([^:/]*):(\\d{1,5})(?:\\.\\d+)?");
+    // TCP port of display 0.
     private static final int FIRST_PORT = 6000;
     private static final int LAST_DISPLAY = 0xffff - FIRST_PORT;
 

@@ -56,8 +56,7 @@ public record GratingPeriod(
     // Share of unmeasured rows up to which the scan is not cropped, since a crop may lose half of it.
     private static final double FEW_UNMEASURED = 0.02;
     // Longest side, in meters, of a patch whose repetition counts as its period: half of sunlight's coherence length. A
-    // larger patch holds
-    // enough lines to show their period.
+    // larger patch holds enough lines to show their period.
     private static final double LARGEST_REPEATED = 32.5e-6;
     // Sine of 2 degrees, the largest angle between a wave and the direction that the user gives.
     private static final double CONE = 0.035;

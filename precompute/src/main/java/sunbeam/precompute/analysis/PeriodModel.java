@@ -22,8 +22,7 @@ final class PeriodModel {
     // Minimum number of periods in the scan for a sure period; fewer may be chance, or waviness.
     static final double FEWEST_PERIODS = 4;
     // Minimum number of periods in the scan for a probable period: the Hann window spreads heights that do not repeat
-    // over frequencies of
-    // up to two periods.
+    // over frequencies of up to two periods.
     private static final double FEWEST_SEEN = 3;
     // Minimum number of samples per period; fewer may be the alias of a shorter wave.
     private static final double FEWEST_SAMPLES = 4;
@@ -32,8 +31,7 @@ final class PeriodModel {
     // Minimum share of the variance in the wave and its overtones; white noise stays below.
     static final double LEAST_SHARE = 0.08;
     // Minimum half width of the frequency's interval, in cycles per length of the scan: the slope's bias from the
-    // scan's finite size and
-    // sampling.
+    // scan's finite size and sampling.
     private static final double FINITE = 0.01;
     // Largest distance between the frequencies of a wave in the scan and in a part of it, as a share of the frequency.
     private static final double NEAR = 0.3;
@@ -52,8 +50,7 @@ final class PeriodModel {
     // in 600 surfaces 23.
     private static final double LEAST_OF_STRAIGHT = 20;
     // Minimum prominence and contrast of a line with few periods, which is wide and overlaps its neighborhood: the
-    // prominence of noise
-    // reaches 5, that of three trenches is 6 or more.
+    // prominence of noise reaches 5, that of three trenches is 6 or more.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
     // Minimum share of the variance in straight lines: stretched noise reaches 0.45, gratings of 3.2 periods or more

@@ -18,6 +18,7 @@ record PhaseSlope(double value, double halfWidth) {
     // Overlapping windows per length of a window, so that the phase changes by less than half a turn from one to the
     // next.
     private static final int PER_LENGTH = 3;
+    // Minimum number of windows side by side; in a short scan, these overlap more.
     private static final int FEWEST_WINDOWS = 3;
     // Minimum weight of a window, as a share of the fullest window's; windows in corners of a scan have less.
     private static final double LEAST_FILLED = 0.3;
@@ -35,7 +36,7 @@ record PhaseSlope(double value, double halfWidth) {
             this(new double[count], new double[count], new double[count]);
         }
 
-        /** Returns the magnitude of a window\'s sum, which weights its phase. */
+        /** Returns the magnitude of a window's sum, which weights its phase. */
         double weight(int i) {
             return Math.hypot(re[i], im[i]);
         }

@@ -13,12 +13,11 @@ import sunbeam.precompute.optics.HeightMap;
 final class RepeatedPeriod {
     // Minimum share of the variance in an overtone; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
+    // Maximum number of waves that cross each other.
     private static final int MOST_DIRECTIONS = 3;
     // Minimum shares of the variance in the waves and their overtones, for a known period and for any piece. In a
-    // piece, the waves'
-    // strongest frequencies alone need the third share: noise along one axis also consists of overtones of the patch's
-    // length, but of many
-    // weak ones.
+    // piece, the waves' strongest frequencies alone need the third share: noise along one axis also consists of
+    // overtones of the patch's length, but of many weak ones.
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;

@@ -34,9 +34,10 @@ public record Verdict(Code code, String sentence) {
         }
     }
 
-    /** Shortest and (RED) longest wavelength, in meters, at which the eye sees enough to name a color. */
+    /** Shortest wavelength, in meters, at which the eye sees enough to name a color. */
     static final double VIOLET = 400e-9;
 
+    // Longest such wavelength, meters.
     private static final double RED = 700e-9;
     // Sine of the smallest angle to the mirror direction at which an order can be resolved.
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
@@ -46,8 +47,7 @@ public record Verdict(Code code, String sentence) {
     // Width in degrees below which a band of color has angles with a decimal.
     private static final double NARROW = 2;
     // Tolerances of lattices, because a scanner's axes differ in scale and are not quite at right angles: relative
-    // difference of two
-    // frequencies, and sine of 4 degrees.
+    // difference of two frequencies, and sine of 4 degrees.
     private static final double ALIKE = 0.05;
     private static final double SLANT = 0.07;
 

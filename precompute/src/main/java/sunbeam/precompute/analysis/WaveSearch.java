@@ -33,8 +33,7 @@ final class WaveSearch {
     // more.
     static final double LEAST_CONTRAST = 10;
     // Minimum result of ring for a spectrum that is a ring. Random surfaces with such a spectrum have thousands, noise
-    // with
-    // steadily falling power 2 at most.
+    // with steadily falling power 2 at most.
     static final double LEAST_RING = 4;
     // Number of sectors in half a turn: each is 15 degrees wide, since the rows of a snake's scale stray by 8 degrees.
     private static final int SECTORS = 12;

@@ -9,6 +9,7 @@ package sunbeam.precompute.color;
 public record Chromaticity(double x, double y) {
     // Red end of the locus in nm: beyond, the locus moves by less than the table's rounding.
     private static final int RED_END = 700;
+    // Blue end of the locus in nm.
     private static final int BLUE_END = 380;
     // Distance from white, in x and y, below which rounding would decide the hue.
     private static final double NO_HUE = 1e-3;

@@ -1,7 +1,7 @@
 package sunbeam.precompute.color;
 
 /**
- * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone. shaders/include/display.glsl computes the same in
+ * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone. shaders/include/display.glsl computes this in
  * GLSL.
  *
  * @param exposure factor of XYZ, above 0

@@ -14,9 +14,9 @@ public final class ExactIntegral {
     public static final double CONVERGED = 3e-8;
 
     // Bound on the rounding error of amplitudes, which are sums of total magnitude 1 with errors near 1e-15. A power p
-    // errs by this times
-    // sqrt(p).
+    // errs by this times sqrt(p).
     private static final double AMPLITUDE_ROUNDING = 1e-14;
+    // Halvings of the step after which the integral counts as not convergent.
     private static final int MOST_HALVINGS = 6;
 
     private ExactIntegral() {}

@@ -18,9 +18,8 @@ public record Illuminant(String name, double[] power) {
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
     // Largest second difference of a smooth spectrum over neighboring nanometers, relative to its power, from 400 to
-    // 700 nm and beyond.
-    // D65, for which the wavelengths of method full are designed, has up to 3 % and 8 %; lines of lamps and lasers have
-    // 100 %.
+    // 700 nm and beyond. D65, for which the wavelengths of method full are designed, has up to 3 % and 8 %; lines of
+    // lamps and lasers have 100 %.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;
     // Share of the strongest power below which bends are ignored, since they are invisible.

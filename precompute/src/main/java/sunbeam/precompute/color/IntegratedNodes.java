@@ -15,11 +15,11 @@ import sunbeam.precompute.numerics.Lagrange;
  * nm: where the functions grow exponentially, chords lie above them.
  */
 public final class IntegratedNodes {
+    // Nodes of an interpolating polynomial of degree 11, and how many of them precede the interval of an integrand.
     private static final int POINTS = 12;
     private static final int BEFORE = POINTS / 2 - 1;
     // Gauss points per piece of at most 1 nm and one step, where the integrand is nearly a polynomial: only the
-    // wavelength's function of
-    // the scale is none.
+    // wavelength's function of the scale is none.
     private static final int GAUSS_POINTS = 8;
 
     /**

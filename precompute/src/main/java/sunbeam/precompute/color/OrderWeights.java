@@ -29,8 +29,7 @@ public record OrderWeights(
     // Half of the integration range in widths: exp(-4.5^2) = 2e-9.
     private static final double REACH = 4.5;
     // Steps per width: the trapezoid rule for exp(-(x / width)^2) has the relative error 2 exp(-(pi width / step)^2),
-    // far below rounding at
-    // four.
+    // far below rounding at four.
     private static final int NODES_PER_WIDTH = 4;
 
     /**

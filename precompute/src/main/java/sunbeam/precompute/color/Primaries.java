@@ -9,8 +9,7 @@ public enum Primaries {
     CIE_RGB;
 
     // Inverse of the matrix whose columns are (X, Y, Z) of red, green and blue, in units of 1 / 0.17697: (0.49,
-    // 0.17697, 0), (0.31, 0.8124,
-    // 0.01), (0.2, 0.01063, 0.99).
+    // 0.17697, 0), (0.31, 0.8124, 0.01), (0.2, 0.01063, 0.99).
     private static final double[][] CIE_RGB_OF_XYZ = {
         {2.36461385, -0.89654057, -0.46807328},
         {-0.51516621, 1.42640810, 0.08875810},

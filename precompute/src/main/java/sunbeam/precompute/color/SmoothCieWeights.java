@@ -7,6 +7,7 @@ package sunbeam.precompute.color;
  * mean excess, and a cubic spline interpolates it (Catmull and Rom 1974).
  */
 public final class SmoothCieWeights {
+    // Index of the table's last value, at 780 nm, and samples per nanometer.
     private static final int TABLE_LAST = 400;
     private static final int PER_NANOMETRE = 8;
     /** Number of samples: eight per nanometer from 380 to 780 nm, both ends included. */

@@ -14,7 +14,9 @@ public record SpectralBands(WavelengthBand range, int count) {
     /** Number of bands in one {@link CieTable}: its three channels. */
     public static final int TOGETHER = 3;
 
+    // Smallest distance of neighboring bands, nanometers.
     private static final double LEAST_STEP = 2;
+    // Wavelength of a table's first value, nanometers.
     private static final double FIRST = 380;
 
     public SpectralBands {

@@ -1,6 +1,6 @@
 package sunbeam.precompute.color;
 
-/** sRGB (IEC 61966-2-1): transfer curve and primaries with D65 white. shaders/include/srgb.glsl computes the same in GLSL. */
+/** sRGB (IEC 61966-2-1): transfer curve and primaries with D65 white. shaders/include/srgb.glsl computes it in GLSL. */
 public final class Srgb {
     private static final double[][] TO_XYZ = {
         {0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}
@@ -11,8 +11,7 @@ public final class Srgb {
     };
     private static final int CHANNELS = 256;
     // Number of equal ranges of linear light, each 2.4e-4 wide: the darkest 8-bit values lie 3e-4 apart, so no range
-    // holds two of their
-    // limits.
+    // holds two of their limits.
     private static final int RANGES = 4096;
     // Lower limit of each 8-bit value in linear light, and the 8-bit value at the start of each range.
     private static final double[] BEGINS = begins();

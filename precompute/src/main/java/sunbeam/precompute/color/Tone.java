@@ -1,7 +1,7 @@
 package sunbeam.precompute.color;
 
 /**
- * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl computes the same in GLSL.
+ * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl computes it in GLSL.
  *
  * <p>Red, green and blue are scaled together, which keeps the hue: the largest of them, m, stays m up to s and becomes 1 - (1 - s)^2 / (m +
  * 1 - 2 s) above, a smooth continuation below 1. Colors much brighter than white lose saturation. The form is that of the Khronos PBR

@@ -13,7 +13,9 @@ import sunbeam.precompute.units.Lengths;
  */
 public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final Pattern BETWEEN = Pattern.compile("\\.\\.");
+    // Width of a spectral line.
     private static final double LINE_NANOMETERS = 1;
+    // Ends of the visible band, nanometers.
     private static final double MINIMUM = 380;
     private static final double MAXIMUM = 780;
     private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";

@@ -6,8 +6,7 @@ package sunbeam.precompute.numerics;
  */
 public record GaussLegendre(double[] nodes, double[] weights) {
     // The start has about four digits and each iteration doubles them; the third and further iterations serve zeros
-    // near the ends, whose
-    // start is worse.
+    // near the ends, whose start is worse.
     private static final int ITERATIONS = 6;
 
     /**

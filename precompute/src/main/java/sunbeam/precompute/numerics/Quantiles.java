@@ -12,8 +12,7 @@ import org.apache.commons.math3.stat.ranking.NaNStrategy;
  */
 public final class Quantiles {
     // Value that replaces infinity, since differences of infinite neighbors are NaN. Interpolation towards it exceeds
-    // INFINITE_FROM even at
-    // a share of 1e-16.
+    // INFINITE_FROM even at a share of 1e-16.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;
 

@@ -9,7 +9,9 @@ public record CoherenceWindow(double sigmaMetres) {
     /** Sunlight's coherence length, meters (thesis section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
+    // Longest visible wavelength, meters.
     private static final double LONGEST_WAVELENGTH = 780e-9;
+    // Length, meters, of surface waves above which their scatter counts as gloss.
     private static final double LONGEST_WAVE = 5e-6;
 
     public CoherenceWindow {

@@ -11,6 +11,7 @@ public final class RefractiveIndex {
     /** Index of keratin (thesis section 2.5). */
     public static final RefractiveIndex KERATIN = constant(1.5, 0);
 
+    // Largest n and k that are accepted.
     private static final double LARGEST = 100;
     private static final Pattern NUMBER = Pattern.compile(
             "([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)(?:\\s*\\+\\s*([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)i)?");

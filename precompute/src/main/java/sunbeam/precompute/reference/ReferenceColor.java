@@ -13,10 +13,8 @@ import sunbeam.precompute.patch.HeightLevels;
 public record ReferenceColor(
         ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie, Quadrature quadrature) {
     // Step of 1 / lambda for polynomials of degree 11: 0.7 standard deviations of an order's power, and at most the
-    // step in cycles per
-    // meter that the color matching functions need (2 nm in the blue, 7 nm in the red). Compared with steps of 0.5 pm,
-    // for orders of all
-    // widths and wavelengths, the median error is 5e-9 and the largest 5e-7.
+    // step in cycles per meter that the color matching functions need (2 nm in the blue, 7 nm in the red). Compared
+    // with steps of 0.5 pm, for orders of all widths and wavelengths, the median error is 5e-9 and the largest 5e-7.
     private static final double NODES_PER_DEVIATION = 1 / 0.7;
     private static final double WIDEST_STEP = 12e3;
     // Nodes per period of the interference between top and bottom of the relief.

@@ -19,8 +19,7 @@ import sunbeam.precompute.patch.HeightLevels;
  */
 public final class ReferenceEvaluator {
     // Reach of the window in standard deviations sigma, and of its spectrum in sigma_f: beyond, the amplitude is below
-    // exp(-9^2 / 2) =
-    // 3e-18 and the power below exp(-6.8^2) = 8e-21.
+    // exp(-9^2 / 2) = 3e-18 and the power below exp(-6.8^2) = 8e-21.
     static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
