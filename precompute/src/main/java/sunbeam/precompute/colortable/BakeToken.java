@@ -9,8 +9,8 @@ public interface BakeToken extends AutoCloseable {
     /**
      * Reports progress.
      *
-     * @param samples number of samples done since the last call; 0 only asks whether to go on
-     * @throws java.util.concurrent.CancellationException if the result is not wanted any more
+     * @param samples number of samples done since the last call; 0 for a call that only tests for cancellation
+     * @throws java.util.concurrent.CancellationException if the bake was cancelled
      */
     void step(long samples);
 

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Bakes the tiles of a level on demand: filter coefficients of square roots of X, Y and Z. Keeps the samples, since a tile's prefilter
- * reads its neighbors' samples, too, and evaluates each sample once. Not thread-safe.
+ * Bakes the tiles of a level on demand: filter coefficients of square roots of X, Y and Z. Stores the samples and evaluates each of them
+ * once, since a tile's prefilter also reads samples of neighboring tiles. Not thread-safe.
  */
 public final class LevelBaking {
     /**

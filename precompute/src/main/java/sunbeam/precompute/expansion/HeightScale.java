@@ -3,8 +3,8 @@ package sunbeam.precompute.expansion;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Linear map of heights h to s = (h - center) / halfRange in [-1, 1], before powers are taken: k^n h^n in SI units overflows float32 and
- * even double. The center changes the phase of the whole surface only, never its power.
+ * Linear map of heights h to s = (h - center) / halfRange in [-1, 1], before powers are taken: k^n and h^n in SI units exceed the range of
+ * float32 and even of double. The center changes the phase of the whole surface only, never its power.
  *
  * @param centre height that maps to 0, meters
  * @param halfRange height above the center that maps to 1, meters, above 0

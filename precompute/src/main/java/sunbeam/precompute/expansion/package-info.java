@@ -1,2 +1,2 @@
-/** Expansions of exp(i k w h) that separate what depends on direction from what depends on the surface. */
+/** Expansions of exp(i k w h) into functions of direction and wavelength times functions of the height. */
 package sunbeam.precompute.expansion;

@@ -7,7 +7,7 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Exponent of Fresnel's reflectance in the radiance (shaders/include/fresnel.glsl). */
 public enum FresnelFactor {
-    /** A mirror reflects its reflectance. */
+    /** A mirror's radiance is proportional to its reflectance. */
     ONCE,
     /** The thesis's gain, which makes the radiance 1.75 times as large at 60 degrees from the half vector. */
     SQUARED;
