@@ -151,8 +151,7 @@ public record SceneMethod(Choices choices) {
         }
         Choices own = choices.only(inheritable);
         // Both branches give the same values. They differ in the source that complaints about defaults name: that of
-        // the others if they
-        // choose the method or it is a default, else that of this method.
+        // the others if they choose the method or it is a default, else that of this method.
         return new SceneMethod(
                 others.has(Methods.METHOD) || isDefault(Methods.METHOD)
                         ? others.over(own)

@@ -13,8 +13,7 @@ import sunbeam.app.scene.mesh.format.RawMesh;
  */
 final class CornerNormals {
     // Cosine of the largest angle, 41 degrees, between the mean of one copy of a position and the mean over all copies
-    // that replaces it. A
-    // hard edge of 90 degrees stays hard: the mean over it is 45 degrees from either side.
+    // that replaces it. A hard edge of 90 degrees stays hard: the mean over it is 45 degrees from either side.
     private static final double LEAST_COSINE = 0.75;
 
     private final RawMesh mesh;

@@ -16,8 +16,7 @@ public final class SnakeScales {
     private static final SnakeScales SNAKE = new SnakeScales(new SnakeProfile());
 
     // Numbers of scales from the neck to each sample, up to a common factor: the integral of 1 / (half width in
-    // SnakeProfile.RADIUS) over
-    // the body behind the head, whose length counts as 1.
+    // SnakeProfile.RADIUS) over the body behind the head, whose length counts as 1.
     private final double[] lengths = new double[SAMPLES + 1];
 
     private SnakeScales(SnakeProfile profile) {
