@@ -27,8 +27,7 @@ class ScenePicturesTest {
     // Half of what eyes tell apart (1.0), in the mean of all pixels.
     private static final double MEAN = 0.5;
     // What side by side is just noticed (Mahy, Van Eycken and Oosterlinck 1994: 2.3), in 98 of 100 pixels: glints of a
-    // pixel's width are
-    // sampled, and may move.
+    // pixel's width are sampled, and may move.
     private static final double RARELY_EXCEEDED = 2.3;
     // One sample a pixel: a color's own sampling error is ten times as large (mean 1.6 beside 64 samples), so glints
     // differ in more pixels.

@@ -93,8 +93,7 @@ class SceneSessionTest {
             brightest = Math.max(brightest, gain * exact[1]);
             for (int c = 0; c < 3; c++) {
                 // The plan's tolerance is 1e-3 for each of five sources; directions in float32 add 1e-4 where an
-                // order's
-                // flank is steep. Channels are compared in proportion to the brightest.
+                // order's flank is steep. Channels are compared in proportion to the brightest.
                 double scale = gain * Math.max(exact[0], Math.max(exact[1], exact[2]));
                 assertThat((double) drawn[c])
                         .as("channel %d at (%d, %d)", c, at[0], at[1])

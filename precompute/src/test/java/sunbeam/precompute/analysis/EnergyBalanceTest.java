@@ -28,8 +28,7 @@ class EnergyBalanceTest {
         double period = 740e-9;
         double wavelength = 720e-9;
         // Orders 0 and +-1 from above: |F_0|^2 = cos^2(k w h / 2), |F_1|^2 = sin^2(k w h / 2) (2 / pi)^2 up to the
-        // samples'
-        // sinc; order m is 1 / cos theta_m as bright by the BRDF's factor.
+        // samples' sinc; order m is 1 / cos theta_m as bright by the BRDF's factor.
         double cosine = Math.sqrt(1 - Math.pow(wavelength / period, 2));
         double zero = Math.pow(Math.cos(2 * Math.PI / wavelength * 2 * 60e-9), 2);
         double inOne = Math.pow(Math.sin(2 * Math.PI / wavelength * (1 + cosine) * 60e-9), 2)

@@ -143,8 +143,7 @@ class LevelBakingTest {
             count++;
         }
         // Blu et al.: f'' / sqrt(720) each way, of a product of waves of 12 texels whose square is 1/4 in the mean;
-        // both ways bend
-        // together, so that errors add up where bends do: sqrt(2) to 2 times as much.
+        // both ways bend together, so that errors add up where bends do: sqrt(2) to 2 times as much.
         double bend = Math.pow(2 * Math.PI / 12, 2) * 0.5;
         assertThat(Math.sqrt(squares / count)).isBetween(bend / Math.sqrt(720), 2.2 * bend / Math.sqrt(720));
     }

@@ -107,8 +107,7 @@ class RadialBakerTest {
         HeightMap map = Surfaces.random(30, 24, 250e-9, 500e-9, 4);
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60));
         // STEP is 1e-3's by TableDesign: quintic splines take a tenth of that in the median, and less than the 3e-3 of
-        // its 95th
-        // percentile, which are dark places between orders.
+        // its 95th percentile, which are dark places between orders.
         assertThat(errors[errors.length / 2]).isLessThan(1e-4);
         assertThat(errors[errors.length * 95 / 100]).isLessThan(2e-3);
     }
@@ -133,9 +132,7 @@ class RadialBakerTest {
         // Measured 2e-6, 1.7e-5 and 1.9e-5; places a quarter as far from each other as the finest of these err by 1e-6.
         assertThat(errors[errors.length / 2]).isLessThan(tolerance / 10);
         // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out count (7.8 at
-        // 5e-3):
-        // as much
-        // with one place a step, to four digits.
+        // 5e-3): as much with one place a step, to four digits.
         assertThat(errors[errors.length * 95 / 100]).isLessThan(9 * tolerance);
     }
 
@@ -180,8 +177,7 @@ class RadialBakerTest {
         }
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, 5e-5), places);
         // With places as close as sharp orders need 3.3e-5; where they were 0.014 apart 6.6e-5. The dark between orders
-        // has
-        // 2.2e-3 either way.
+        // has 2.2e-3 either way.
         assertThat(errors[errors.length / 2]).isLessThan(5e-5);
         assertThat(errors[errors.length * 95 / 100]).isLessThan(3e-3);
     }

@@ -39,8 +39,7 @@ class ThesisCorrectionsTest {
 
         double exact = new ReferenceEvaluator(map, window, WindowOrigin.CORNER).coherent(pair, WAVELENGTH);
         // Eq. 2.55's factor would make it pi^2 times as bright, and a DFT without 1 / N 24^2 times. The window's
-        // samples
-        // repeat its spectrum; the next repetition's bins, 3 um^-1 away, are e^-170.
+        // samples repeat its spectrum; the next repetition's bins, 3 um^-1 away, are e^-170.
         assertThat(squared(sum)).isCloseTo(exact, within(1e-9 * exact));
     }
 

@@ -19,8 +19,7 @@ class InterpolationDesignTest {
             }
             double gauss = Math.exp(-0.5 * distance * distance);
             // What was asked for, with a margin for places between those that the design looked at. A design for the
-            // error
-            // relative to the peak errs by 2 per cent at four deviations.
+            // error relative to the peak errs by 2 per cent at four deviations.
             assertThat(Math.abs(sum / gauss - 1)).as("%s deviations", distance).isLessThan(2e-4);
         }
     }

@@ -47,8 +47,7 @@ class PowerFieldsTest {
                 worst = Math.max(worst, Math.abs(found - expected));
             }
             // One row in a hundred may miss the tolerance, none by orders of magnitude; twice is for the worst of the
-            // phases
-            // beside their root mean square.
+            // phases beside their root mean square.
             assertThat(worst).as("bin %d", bin).isCloseTo(0, within(20 * TOLERANCE * (largest + 1e-10)));
         }
     }

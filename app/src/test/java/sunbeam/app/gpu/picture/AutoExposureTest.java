@@ -64,8 +64,7 @@ class AutoExposureTest {
         double well = AutoExposure.TARGET / exposure(luminances);
 
         // Half of the lightness lies below this rank of a distribution that is even in log Y: the share of lightness
-        // below
-        // rank r is (100^(r/3) - 1) / (100^(1/3) - 1).
+        // below rank r is (100^(r/3) - 1) / (100^(1/3) - 1).
         assertThat(well).isBetween(sorted[(int) (0.67 * 5000)], sorted[(int) (0.98 * 5000)]);
     }
 

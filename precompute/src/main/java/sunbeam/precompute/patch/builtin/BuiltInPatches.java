@@ -20,8 +20,8 @@ public final class BuiltInPatches {
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
 
     static {
-        // A sawtooth of 250 nm that rises towards +x and sends light towards -x: order m has the power
-        // sinc^2(k w H / (2 pi) - m), w = -2 near the normal.
+        // A sawtooth of 250 nm that rises towards +x and sends light towards -x: order m has the power sinc^2(k w H /
+        // (2 pi) - m), w = -2 near the normal.
         GENERATORS.put("blaze", () -> grating(x -> 250e-9 * x));
         // Order m has the power J_m(k w amplitude)^2.
         GENERATORS.put("sinusoid", () -> grating(x -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * x)));
