@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 class NoOptionsTest {
     private static final Path SOURCES = Path.of("src", "main", "java");
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|(?m)^\\s*//.*$", Pattern.DOTALL);
-    /** A character or a text, so that a quotation mark as a character opens no text. */
-    private static final Pattern LITERAL = Pattern.compile("'(?:\\\\.|[^'\\\\])+'|\"(?:\\\\.|[^\"\\\\])*\"");
+    /** A character or a text within a line, so that a quotation mark as a character, or an apostrophe in a comment, opens no text. */
+    private static final Pattern LITERAL = Pattern.compile("'(?:\\\\.|[^'\\\\\n])++'|\"(?:\\\\.|[^\"\\\\\n])*+\"");
 
     private static final Pattern OPTION = Pattern.compile("(?<![\\w-])--[a-z]");
 
