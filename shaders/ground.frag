@@ -23,7 +23,7 @@ uniform vec3 groundMiddle;
 uniform vec3 groundAcross;
 uniform vec3 groundAlong;
 uniform vec3 groundNormal;
-// Pixels in the units of jrtr/view_rays.glsl along the side of one fragment.
+// Number of pixels, as viewAt of jrtr/view_rays.glsl counts them, along the side of one fragment.
 uniform float viewPixels;
 // Albedo, linear sRGB.
 uniform vec3 groundColor;

@@ -12,8 +12,8 @@ import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.Shaders;
 
 /**
- * LRU cache of the geometry buffers of a picture's blocks (deferred shading; Saito and Takahashi 1990). The buffers stay valid while only
- * light and weights change.
+ * LRU cache of the geometry buffers of a picture's blocks (deferred shading; Saito and Takahashi 1990). The buffers stay valid while the
+ * scene's {@link SkinGeometry} is the same.
  */
 final class GeometryBuffers implements AutoCloseable {
     /** Capacity in blocks: those of a picture of 2048 x 2048 pixels, which take 290 MB. */

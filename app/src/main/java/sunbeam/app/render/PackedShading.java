@@ -48,7 +48,7 @@ final class PackedShading implements AutoCloseable {
      * @param stride every stride-th pixel of every stride-th row is shaded
      * @param samplesAcross samples of the mesh along a side of the final picture's pixel
      * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are
-     *     missing, the body and {@link #MISSING_COVERAGE}
+     *     missing, the body's color without diffraction and the coverage {@link #MISSING_COVERAGE}
      */
     float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
         int[] covered = covered(buffer.views(part), part, stride);

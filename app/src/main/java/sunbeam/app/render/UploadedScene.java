@@ -57,7 +57,7 @@ final class UploadedScene implements AutoCloseable {
         return body;
     }
 
-    /** Returns the ground if the scene has one; it is drawn only together with the body. */
+    /** Returns the ground if the scene has one and its blend shows the body's own color, not diffraction alone. */
     Optional<Ground> ground(Scene scene) {
         return scene.effectiveSurroundings().ground().isPresent()
                         && scene.blend().hasBody()
@@ -69,7 +69,7 @@ final class UploadedScene implements AutoCloseable {
         return skin;
     }
 
-    /** Returns the geometry of a scene that suits the uploaded data. */
+    /** Returns the geometry of a scene with the same meshes as the uploaded one; draws its shadow map first, if it has shadows. */
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
         Optional<Vector3fc> light = scene.effectiveSurroundings().shadows()
                 ? Optional.of(scene.light().towards())

@@ -95,8 +95,8 @@ public final class LowRankExpansion implements Expansion {
     }
 
     /**
-     * Sums the even Chebyshev polynomials, which are the real part (Jacobi-Anger): with s = cos x, T_2j(s) = cos 2jx = T_j(y), y = 2 s^2 -
-     * 1.
+     * Sums the even Chebyshev polynomials, which are the real part (Jacobi-Anger): with s = cos x and C_m the Chebyshev polynomial of
+     * degree m, C_2j(s) = cos 2jx = C_j(y), y = 2 s^2 - 1.
      */
     @Override
     public double realBasis(int n, double s) {
@@ -105,8 +105,8 @@ public final class LowRankExpansion implements Expansion {
     }
 
     /**
-     * Sums the odd Chebyshev polynomials, which are the imaginary part: T_2j+1(s) = s V_j(y), the Chebyshev polynomials of the third kind
-     * (DLMF 18.5.3).
+     * Sums the odd Chebyshev polynomials, which are the imaginary part: C_2j+1(s) = s V_j(y), with V_j the Chebyshev polynomials of the
+     * third kind (DLMF 18.5.3).
      */
     @Override
     public double imaginaryBasis(int n, double s) {

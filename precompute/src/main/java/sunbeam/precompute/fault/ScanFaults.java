@@ -41,8 +41,9 @@ public final class ScanFaults {
     // Largest correlation of neighboring offsets; it is -0.5 for independent heights of the rows, 0 for a random walk,
     // near 1 for a smooth surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
-    // Largest correlation of offsets farther apart: it is near 1 for a grating. Chance stays below this limit, three
-    // standard deviations.
+    // Largest correlation of offsets farther apart: it is near 1 for a grating. The limit is three standard deviations
+    // of chance for 75
+    // rows.
     private static final double LARGEST_BEYOND = 0.35;
 
     private final HeightMap whole;

@@ -57,7 +57,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }
 
-    /** Plans for a tolerance, in sunlight. */
+    /** Returns the method with a tolerance and sunlight's coherence length. */
     public static FullMethod within(double tolerance) {
         return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
     }

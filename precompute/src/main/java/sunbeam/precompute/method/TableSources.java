@@ -14,10 +14,10 @@ public interface TableSources {
     /** Returns the Fourier table of a plan. */
     FourierTable fourier(SpectrumPlan plan);
 
-    /** Returns another method's shader tables, cached. */
+    /** Returns the cached shader tables of the method that evaluates a color table's texels. */
     ShaderTables tables(MethodPlan plan);
 
-    /** Opens a baker by another method's shader, to be closed by the caller. */
+    /** Opens a baker that runs the shader of these tables; the caller closes it. */
     ColorBaker baker(ShaderTables tables);
 
     /** Shows the progress of baking a number of samples, until the caller closes it. */

@@ -41,7 +41,10 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     enum Kind {
         /** Periodic by construction. */
         BUILT_IN,
-        /** File that a descriptor names: it is repeated as it is, and counts as one period if it looks synthetic. */
+        /**
+         * File that a descriptor (.json) names: it is repeated unless it is cropped or has edges. It counts as one true period if it looks
+         * synthetic.
+         */
         DESCRIBED,
         /** File without a descriptor: it counts as a piece of a surface. */
         GIVEN_DIRECTLY
@@ -117,7 +120,10 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
     }
 
-    /** Returns the faults that the leveling does not remove, each with a remedy. The parts without them are relative to the crop. */
+    /**
+     * Returns the faults that the leveling does not remove, each with a remedy. A part without faults is given as a crop relative to the
+     * present crop's corner.
+     */
     private List<ScanFault> faults(HeightMap measured, Leveling leveling, Crop area) {
         boolean leveled = leveling == Leveling.ROWS || leveling == Leveling.MEDIAN_ROWS;
         return ScanFaults.in(measured, choices.find(CROP)).stream()

@@ -40,7 +40,8 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     }
 
     /**
-     * Returns the rule for a rough patch: equal steps that resolve orders suffice, since no order stands alone at the band's ends.
+     * Returns the rule for a rough patch: equal steps need only resolve orders, without the margin for steep flanks, since no order stands
+     * alone at the band's ends.
      *
      * @param step equal step that resolves an order, cycles per meter
      */

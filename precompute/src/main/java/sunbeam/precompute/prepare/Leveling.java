@@ -48,7 +48,7 @@ public enum Leveling {
         return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();
     }
 
-    /** Subtracts the mean that rounding left. */
+    /** Subtracts the remaining mean, which is rounding, or after {@link #MEDIAN_ROWS} the mean of the differences from the medians. */
     private static HeightMap centered(HeightMap field) {
         double[] heights = field.heights().clone();
         double mean = mean(heights, 0, heights.length);

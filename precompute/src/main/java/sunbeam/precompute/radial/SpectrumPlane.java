@@ -6,8 +6,9 @@ import sunbeam.precompute.numerics.Lagrange;
 /**
  * Powers of a surface's DFT bins, each as the values of its terms, which lie side by side in memory.
  *
- * @param periodX width of the surface, meters: a column's frequency is (firstX + column) / periodX
- * @param periodY height of the surface, meters
+ * @param periodX reciprocal of the distance between columns, meters, which is the surface's width unless bins were decimated: a column's
+ *     frequency is (firstX + column) / periodX
+ * @param periodY reciprocal of the distance between rows, meters
  * @param firstX number of the first column's DFT bin
  * @param firstY number of the first row's DFT bin
  * @param terms number of terms of each power

@@ -7,7 +7,7 @@ import java.util.Optional;
  *
  * @param width length of the area along x, meters; empty if the file does not state it
  * @param height length of the area along y, meters; empty if the file does not state it
- * @param aspect distance between rows divided by that between columns; 1 for square samples
+ * @param aspect distance between rows divided by that between columns if the file states no lengths, else 1
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
     /** Unknown size, square samples. */

@@ -13,7 +13,9 @@ public final class Similar {
 
     private Similar() {}
 
-    /** True if the names differ by at most two insertions, deletions or substitutions, and by less than half of their letters. */
+    /**
+     * True if the names differ by at most two insertions, deletions or substitutions, and by at most half of the shorter name's letters.
+     */
     public static boolean are(String one, String other) {
         return editDistance(one, other) <= Math.min(LARGEST_DISTANCE, Math.min(one.length(), other.length()) / 2);
     }

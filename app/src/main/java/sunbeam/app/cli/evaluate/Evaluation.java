@@ -36,9 +36,9 @@ import sunbeam.precompute.units.Lengths;
  */
 record Evaluation(
         Patch patch, GratingPeriod period, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
-    // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at
-    // distances of 1 / period. At three deviations 1 % of the mirror's order is left; at less, it shifts the ridge by
-    // some percent.
+    // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at distances
+    // of 1 / period. At
+    // three deviations 1 % of the mirror order's amplitude is left; at less, it shifts the ridge by some percent.
     private static final double APART = 3;
 
     /** Significant digits of the ridge's period if the period is certain. */

@@ -32,7 +32,8 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Option {@code --certify}, a picocli mixin: the command compares random samples of its result (pixels or rows) with the exact reference.
+ * Option {@code --certify}, a picocli mixin: the command compares random samples of its result with the exact reference, or those of a
+ * scene's picture with method full.
  */
 public final class CertifyOption {
     private static final int MOST_SAMPLES = 100_000;

@@ -80,7 +80,10 @@ public final class SceneOverrides {
         return patch(scene.with(chosen), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
     }
 
-    /** Refuses a chosen method without the ensemble average if the scene has this average. */
+    /**
+     * Refuses a chosen method without the ensemble average if the scene has this average, unless another average is chosen too. Method gem,
+     * which has no tolerance, has no average to lose.
+     */
     private static void checkAverage(Scene scene, Choices given) {
         boolean lost = given.has(METHOD)
                 && !given.get(METHOD).has(AVERAGE)

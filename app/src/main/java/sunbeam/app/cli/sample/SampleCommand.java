@@ -60,8 +60,8 @@ public final class SampleCommand extends ReportingCommand {
 
     /** Most rows of one file. */
     private static final int MOST_OF_FILE = 100_000_000;
-    // Rows may take this fraction of the heap; tables need the rest.
-    private static final int HEAP_SHARE = 2;
+    // Divisor of the heap: rows may take half of it; tables need the rest.
+    private static final int HEAP_DIVISOR = 2;
     // Copies of all rows that are in memory at once: the HDF5 library takes arrays of arrays, and copies them.
     private static final int HDF5_COPIES = 3;
 
@@ -223,7 +223,7 @@ public final class SampleCommand extends ReportingCommand {
     private void requireRoom(int rows, boolean hdf5) {
         long bytes = RowFile.bytes(rows);
         long batch = RowFile.bytes(Math.min(rows, RowFile.BATCH));
-        long heap = Runtime.getRuntime().maxMemory() / HEAP_SHARE;
+        long heap = Runtime.getRuntime().maxMemory() / HEAP_DIVISOR;
         if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
             throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "
                     + ByteSize.format(HDF5_COPIES * bytes) + " of memory, and " + ByteSize.format(heap)

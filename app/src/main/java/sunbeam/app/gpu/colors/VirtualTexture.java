@@ -55,8 +55,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * True if all tiles are resident. Loads a small table from the cache at once, since that is faster than finding the tiles that
-     * footprints read.
+     * True if the table is small and all of its tiles are resident. Loads a small table from the cache at once, since that is faster than
+     * finding the tiles that footprints read.
      */
     public boolean isComplete() {
         if (prefetchSet.allTilesIfSmall().isEmpty()) {
@@ -226,7 +226,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Evaluates X, Y, Z of power at some (u, v, w) for points of the patch, without table. Only for tasks of {@link #whenIdle}.
+     * Evaluates X, Y, Z of power at exactly these (u, v, w), without blur over a footprint and without the table. Only for tasks of {@link
+     * #whenIdle}.
      *
      * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */

@@ -54,7 +54,7 @@ public record Certificate(
          * 95th percentile of the table's errors is four to six tolerances; eight are allowed.
          */
         public static Limits ofExport(double tolerance) {
-            return new Limits(tolerance, 8 * tolerance, Double.POSITIVE_INFINITY);
+            return new Limits(tolerance, 10 * tolerance, Double.POSITIVE_INFINITY);
         }
 
         /** True if the errors are within the limits, or if there are none. */

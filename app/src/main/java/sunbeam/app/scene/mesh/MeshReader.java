@@ -13,8 +13,8 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 import sunbeam.precompute.text.Text;
 
 /**
- * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of 3 to 1000 corners. Materials, lines and points
- * are ignored.
+ * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of 3 to 1000 corners. Lines and points are
+ * ignored, as are materials, except that a glTF's first texture selects the texture coordinates.
  *
  * <p>The reader repairs and completes a mesh, and warns of what it changed:
  *

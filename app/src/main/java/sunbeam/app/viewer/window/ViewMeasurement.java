@@ -67,7 +67,7 @@ public final class ViewMeasurement {
     // Last displayed frame of the newest state.
     private BufferedImage lastFrame;
     private double lastDivisor = 1;
-    private Optional<PictureDifference> step = Optional.empty();
+    private Optional<PictureDifference> finalDifference = Optional.empty();
 
     private ViewMeasurement(Viewer viewer, Drag drag, double seconds) {
         this.viewer = viewer;
@@ -113,7 +113,7 @@ public final class ViewMeasurement {
                 send(MouseEvent.MOUSE_RELEASED, 0);
             } else if (viewer.presenter().isSettled()
                     && viewer.window().picture().isFinal()) {
-                step = Optional.of(PictureDifference.of(
+                finalDifference = Optional.of(PictureDifference.of(
                         lastFrame, viewer.window().picture().picture().orElseThrow()));
                 finish();
             } else if (since > LONGEST_WAIT_NANOSECONDS) {
@@ -209,7 +209,7 @@ public final class ViewMeasurement {
                 milliseconds(sorted, 0.95),
                 milliseconds(sorted, 1),
                 Decimals.format(lastDivisor),
-                step.map(PictureDifference::text).orElse("more than three minutes"));
+                finalDifference.map(PictureDifference::text).orElse("more than three minutes"));
     }
 
     private static double milliseconds(List<Long> sorted, double share) {

@@ -67,7 +67,7 @@ final class ErrorStatisticsTest {
         Arrays.fill(errors, 90, 100, 0.15);
         assertThat(Certificate.Limits.ofExport(0.02).hold(ErrorStatistics.of(errors)))
                 .isTrue();
-        Arrays.fill(errors, 90, 100, 0.17);
+        Arrays.fill(errors, 90, 100, 0.21);
         assertThat(Certificate.Limits.ofExport(0.02).hold(ErrorStatistics.of(errors)))
                 .isFalse();
         assertThat(Certificate.Limits.ofExport(0.02).hold(ErrorStatistics.of())).isTrue();
