@@ -51,7 +51,7 @@ public record Certificate(
 
         /**
          * Returns the limits of an exported table. Half of the compared pairs of directions are aimed at orders. On their steep flanks the
-         * 95th percentile of the table's errors is four to six tolerances; eight are allowed.
+         * 95th percentile of the table's errors is four to nine tolerances; ten are allowed.
          */
         public static Limits ofExport(double tolerance) {
             return new Limits(tolerance, 10 * tolerance, Double.POSITIVE_INFINITY);
