@@ -9,7 +9,6 @@ public enum Average {
     /** Mean of the power over all positions of the window, as a pixel of a mesh sees it: Stam's angle brackets. */
     ENSEMBLE;
 
-    /** Selects this average in a method's shader. */
     public void defineIn(ShaderTables.Builder tables) {
         for (int i = 0; i < values().length; i++) {
             tables.define(values()[i].constant(), i);

@@ -15,15 +15,13 @@ import sunbeam.precompute.shader.ShaderTables;
  */
 public record BandRule(int fewestNodes, double reach, double panel, double largestPanel) {
     private static final int NODES_PER_PANEL = 4;
-    // Panels at both ends are subdivided.
+    // Panels of one step at both ends, subdivided.
     private static final int GRADED_PANELS = 4;
-    // Nodes of Gauss's rule per equal step: kinks of D65's table, 5 nm apart, lie anywhere in a panel; with twice the
-    // nodes it errs as much as equal steps.
+    // Nodes of Gauss's rule per equal step: with one, the kinks of D65's table, which lie anywhere in a panel, cost
+    // more.
     private static final double GAUSS_NODES_PER_STEP = 2;
-    // Factor by which equal steps are finer than a whole order needs: where the band cuts off an order's middle, only
-    // its flank is left, which falls faster.
+    // Where the band cuts off an order's middle, only its flank is left, which falls this much faster.
     private static final double STEEPEST_FLANK = 2;
-    // Width of the visible band in 1 / lambda, 1 / meters.
     private static final double BAND_WIDTH = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
 
     /**
@@ -39,12 +37,7 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
                 BAND_WIDTH * NODES_PER_PANEL / (GAUSS_NODES_PER_STEP * fewestNodes));
     }
 
-    /**
-     * Returns the rule for a rough patch: equal steps need only resolve orders, without the margin for steep flanks, since no order stands
-     * alone at the band's ends.
-     *
-     * @param step equal step that resolves an order, cycles per meter
-     */
+    /** Returns the rule for a rough patch, where no order stands alone at the band's ends: steps need only resolve an order. */
     BandRule withEqualSteps(double step) {
         return new BandRule(fewestNodes, fewestNodes * step / BAND_WIDTH, panel, largestPanel);
     }
@@ -58,7 +51,6 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
         return NODES_PER_PANEL * ((int) equal + GRADED_PANELS);
     }
 
-    /** Returns the largest number of wavelengths up to this |(u, v)|. */
     int mostNodes(double longestUv) {
         return Math.max(fewestNodes, nodes(longestUv));
     }

@@ -35,12 +35,11 @@ final class BinArrays {
         return layouts;
     }
 
-    /** Returns the layout of the bins: one layer per term, with real and imaginary parts as channels. */
+    /** One layer per term, with real and imaginary parts as channels. */
     private static ArrayLayout terms(Band bandX, Band bandY, int terms) {
         return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), terms, 2);
     }
 
-    /** Returns the shader's tables without the wavelengths. */
     static ShaderTables.Builder tables(
             String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
@@ -62,7 +61,7 @@ final class BinArrays {
                 .reals("windowSigmaBins", sigma * width, sigma * height);
     }
 
-    /** True if the outer loop may run over the terms: its steps count towards the limit, since compilers need not unroll it. */
+    /** The outer loop then runs over the terms; its steps count towards the limit, since compilers need not unroll it. */
     private static boolean areFew(SpectrumPlan plan, Neighborhood neighborhood) {
         long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
         return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;

@@ -14,7 +14,7 @@ import sunbeam.precompute.table.FourierTable;
 
 /**
  * Sum over a neighborhood of bins at fixed wavelengths for all directions (shaders/method/full_bins.glsl): equal steps, as in the thesis,
- * or wavelengths with exact weights for light with spectral lines.
+ * or exact weights for light with spectral lines.
  *
  * @param planned whether the wavelengths keep the tolerance; false if the user chose them
  */
@@ -22,8 +22,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
 
     /**
-     * Returns a sum over all bins that count, at wavelengths with exact weights for any light; wavelengths at which the light has no power
-     * are left out.
+     * Returns a sum over all bins that count, at wavelengths with exact weights for any light.
      *
      * @param widestStep largest step in 1 / lambda, 1 / meters, that resolves the diffracted power
      */
@@ -71,7 +70,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
                 .build(plan.window().sigmaMetres(), plan.specularReach());
     }
 
-    /** Part of cache keys. For a given light, the number of wavelengths and the first two of them determine all. */
+    /** Part of cache keys: for a given light, the number of wavelengths and the first two determine all. */
     @Override
     public String toString() {
         return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths from "

@@ -4,21 +4,17 @@ import sunbeam.precompute.resample.InterpolationDesign;
 
 /**
  * Shares of the tolerance t for each source of error. The promise: the relative error of power, and of X, Y, Z, is at most t in the median
- * and 3 t at the 95th percentile. Directions with a power below {@link #DARKEST_POWER} of the mirror's do not count. The shares of one
- * output add up to less than 1, in the worst case.
+ * and 3 t at the 95th percentile, for powers of {@link #DARKEST_POWER} or more. The shares of one output add up to less than 1.
  *
  * <p>An amplitude a with error e has a power with relative error 2 e / |a|. So errors that do not depend on the direction, of the expansion
- * or of omitted bins, may be t / 2 times the darkest amplitude, 1.6e-5 t in all. Interpolation errs relative to what it interpolates: a
- * bright order's skirt is a Gaussian, and a design's error is the largest difference relative to the Gaussian <i>there</i>, down to the
- * darkest amplitude, 4.6 deviations from the middle.
+ * or of omitted bins, may be t / 2 times the darkest amplitude. Interpolation errs relative to what it interpolates: a bright order's skirt
+ * is a Gaussian, down to the darkest amplitude, 4.6 deviations from the middle.
  *
  * <p>On a rough patch, which scatters light everywhere, no skirt stands alone, and a color sums dozens of wavelengths over dozens of orders
  * with independent errors. Then errors count relative to the dark directions' amplitude, and interpolation and the trapezoid rule may err
- * several times as much. These factors are measured, not derived; directions on the skirt of one bright order above a rough ground keep the
- * promise, too.
+ * several times as much; these factors are measured.
  *
  * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
- * @param roughness roughness of the patch
  */
 public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Smallest power within the promise, relative to the mirror's. */
@@ -42,25 +38,21 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     public static final double COARSEST = 1;
     public static final double STANDARD = 1e-3;
 
-    // Shares of the tolerance for the expansion, for omitted bins and interpolation, and for the rule over wavelengths.
+    // Shares of the tolerance.
     private static final double EXPANSION_SHARE = 0.4;
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
 
-    // Length of skirts (of the specular spot or of a grating's orders) that show above a rough patch's light, in
-    // standard deviations.
+    // Skirts (of the specular spot or of orders) that show above a rough patch's light, in standard deviations.
     private static final double ROUGH_SKIRT = 3.5;
-    // Factor of the errors of interpolation and of the rule over wavelengths on rough patches, where they average out;
-    // measured.
+    // Errors of interpolation and of the rule over wavelengths average out on rough patches; measured.
     private static final double ROUGH_AVERAGING = 8;
-    // Factor of the expansion's error on rough patches: one direction in ten is darker than Roughness.dark, and there 3
-    // t is promised.
+    // One direction in ten is darker than Roughness.dark, and there 3 t is promised.
     private static final double AT_DARK_DIRECTIONS = 2;
 
-    // Relative errors of a panel of size 1 deviation, and of a step of 1 deviation: see panelDeviations and cutSpacing.
+    // See panelDeviations and cutSpacing.
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
-    // Largest panel in deviations; for larger ones the bound in panelDeviations is far from the error.
     private static final double LARGEST_PANEL = 3.5;
 
     public ErrorBudget(double tolerance) {
@@ -68,11 +60,10 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     }
 
     /**
-     * Returns the allowed root-mean-square error of the expansion over the surface. If the window covers the whole patch, it limits the
-     * error of any amplitude, which is a mean of the expansion's errors with factors of magnitude 1.
+     * Returns the allowed root-mean-square error of the expansion over the surface, which bounds the error of any amplitude under a window
+     * that covers the whole patch.
      */
     public double expansion() {
-        // The error spreads like a rough patch's light, but evenly over bright and dark directions.
         double reference = roughness.isRough() ? AT_DARK_DIRECTIONS * roughness.contrast() : DARKEST_AMPLITUDE;
         return 0.5 * EXPANSION_SHARE * tolerance * reference;
     }
@@ -87,7 +78,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
     }
 
-    /** Returns the radius of the neighborhood that counts, in bins; omitted bins are at least half a bin farther from the frequency. */
+    /** Returns the radius of the neighborhood that counts, in bins; omitted bins are at least half a bin farther. */
     public int neighborhoodRadius(double sigmaBins) {
         double reach = Math.sqrt(2 * Math.log(1 / leftOut()));
         return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
@@ -103,7 +94,6 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return InterpolationDesign.compact(interpolated(average), skirt(average));
     }
 
-    /** Returns the allowed relative error of interpolation along one axis; a power has twice the relative error of its amplitude. */
     private double interpolated(Average average) {
         double amplitude = 0.25 * WINDOW_SHARE * tolerance;
         if (roughness.isRough()) {
@@ -124,8 +114,8 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     /**
      * Returns the panel of Gauss's rule with four nodes, in deviations of an order's power, where the band cuts the order. A panel of size
-     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), which for exp(-x^2 / 2) is at most 105;
-     * the integral is sqrt(2 pi).
+     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), at most 105 for exp(-x^2 / 2), whose
+     * integral is sqrt(2 pi).
      */
     public double panelDeviations() {
         return Math.min(LARGEST_PANEL, Math.pow(wavelengths() / PANEL_ERROR, 1.0 / 9));
@@ -139,7 +129,6 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return Math.min(1, Math.pow(wavelengths() / CUT_ERROR, 0.2));
     }
 
-    /** Returns the allowed relative error of the trapezoid rule over wavelengths, for a single order. */
     public double wavelengths() {
         return WAVELENGTHS_SHARE * tolerance * (roughness.isRough() ? ROUGH_AVERAGING : 1);
     }

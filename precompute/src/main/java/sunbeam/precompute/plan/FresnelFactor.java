@@ -9,7 +9,6 @@ import sunbeam.precompute.shader.ShaderTables;
 public enum FresnelFactor {
     /** A mirror's radiance is proportional to its reflectance. */
     ONCE,
-    /** The thesis's gain, which makes the radiance 1.75 times as large at 60 degrees from the half vector. */
     SQUARED;
 
     /** Returns the chosen factor, by default the preset's. */

@@ -31,7 +31,6 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
     public static final GaussianArea THESIS =
             new GaussianArea(STANDARD.window(), WindowOrigin.CORNER, Average.COHERENT);
 
-    /** Settings of an area, without the preset. */
     public static final List<Setting<?>> SETTINGS = List.of(WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE);
 
     public static GaussianArea of(Choices choices) {

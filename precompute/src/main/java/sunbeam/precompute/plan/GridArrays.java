@@ -31,7 +31,7 @@ final class GridArrays {
     private final double sigma;
     private final double step;
     private final int taps;
-    // Positions of the columns along x and of the rows along y, and of the samples along rows and along columns.
+    // Positions of columns along x and of rows along y; samples along rows and along columns.
     private final AxisGrid nodesX;
     private final AxisGrid nodesY;
     private final AxisGrid samplesX;
@@ -43,7 +43,6 @@ final class GridArrays {
         this.average = average;
         this.name = Kinds.name(average);
         double window = plan.window().sigmaFrequency();
-        // The square of a Gaussian is narrower by sqrt(2).
         this.sigma = average == Average.COHERENT ? window : window / Math.sqrt(2);
         this.step = sigma / sampling.interpolation().deviation();
         this.taps = sampling.interpolation().taps();
@@ -54,8 +53,7 @@ final class GridArrays {
     }
 
     /**
-     * Returns the shapes of all arrays. The ensemble has about twice as many terms as the expansion; these are real, four per texel, while
-     * two complex terms share a texel.
+     * The ensemble has about twice as many terms as the expansion; these are real, four per texel, while two complex terms share a texel.
      */
     List<ArrayLayout> layouts(MethodUse use) {
         Expansion expansion = plan.expansion();
@@ -97,10 +95,7 @@ final class GridArrays {
                 grids);
     }
 
-    /**
-     * Returns the range in which both axes are interpolated: the whole range for single wavelengths, the neighborhood of the specular
-     * direction for colors.
-     */
+    /** Both axes are interpolated in the whole range for single wavelengths, near the specular direction for colors. */
     private VisibleRange pointRange(MethodUse use) {
         VisibleRange range = plan.range();
         if (use == MethodUse.SPECTRAL) {
@@ -143,10 +138,7 @@ final class GridArrays {
                 .reals(name + "PointFirst", pointX.first(), pointY.first());
     }
 
-    /**
-     * Adds the two grids for rays: columns at steps along x, which rays cross, and rows at steps along y. Each column or row is one row of
-     * a texture, whose samples neighboring pixels share.
-     */
+    /** Adds the two grids for rays: columns at steps along x, and rows at steps along y. Each column or row is one row of a texture. */
     private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
         TermsLayout layout = layouts.get(0);
         double patchWidth = table.patch().width();

@@ -20,14 +20,12 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Interpolates windowed spectra that were resampled onto grids. A direction's wavelengths are those at which its ray f = (u, v) / lambda
- * crosses a column (or row) of a grid. So only the position along the column is interpolated (shaders/method/full_grid.glsl).
+ * crosses a column (or row) of a grid, so that only the position along the column is interpolated (shaders/method/full_grid.glsl).
  *
- * @param interpolation interpolation along a column or row
  * @param nodeStep distance of columns and of rows, cycles per meter
  * @param longestStep longest step along a ray, cycles per meter; rays that cross many columns skip some
- * @param fewestNodes smallest number of wavelengths. Rays of directions near the specular one cross fewer columns; there both axes are
- *     interpolated
- * @param band rule for the wavelengths of directions near the specular one
+ * @param fewestNodes fewest wavelengths; near the specular direction, where rays cross fewer columns, both axes are interpolated
+ * @param band rule for the wavelengths near the specular direction
  * @param single sampling for single wavelengths; if empty, they are interpolated in a grid that serves both averages
  * @param apart whether columns and rows are in separate textures, for drivers with smaller limits
  */
@@ -54,10 +52,7 @@ public record GridSampling(
         return new GridSampling(design, step, longestStep, fewestNodes, band, single, divided, budget);
     }
 
-    /**
-     * True if the columns resolve orders that the ends of the visible band cut. On rough patches they need not: the ends, where the eye is
-     * least sensitive, are dim beside the rest of the band.
-     */
+    /** True if the columns resolve orders that the ends of the visible band cut; on rough patches these dim ends need not be resolved. */
     public boolean endsCut() {
         return !budget.roughness().isRough();
     }
@@ -75,7 +70,6 @@ public record GridSampling(
                 interpolation.taps(), Sampling.count(fewestNodes, mostNodes(range)));
     }
 
-    /** Returns the number of columns that the longest ray crosses. */
     private int mostNodes(VisibleRange range) {
         double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
         return Math.max(
@@ -110,7 +104,7 @@ public record GridSampling(
         return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
     }
 
-    /** Returns the sampling for a use: for single wavelengths rays have no columns to cross. */
+    /** Single wavelengths have no columns to cross. */
     public Sampling serving(MethodUse use) {
         if (use == MethodUse.COLOR) {
             return this;
@@ -134,7 +128,7 @@ public record GridSampling(
         return layouts;
     }
 
-    /** Returns the bytes of the terms with the origin of phases moved, for both averages, and of two layers that are being resampled. */
+    /** Two copies of the terms, for both averages, and two layers that are being resampled. */
     @Override
     public long workBytes(SpectrumPlan plan) {
         long bins = (long) plan.bandX().count() * plan.bandY().count();

@@ -37,7 +37,6 @@ public final class LightSettings {
                     "Light of a filter or a laser: a band, 500nm..600nm, or one wavelength, 532nm, whose line is 1 nm wide.")
             .withStandard(WavelengthBand.VISIBLE);
 
-    /** Color matching functions. */
     public static final Setting<Observer> OBSERVER = new Setting<>(
                     "observer",
                     Kinds.word("OBSERVER", Observer.class),

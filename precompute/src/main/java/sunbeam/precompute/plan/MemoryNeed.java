@@ -10,35 +10,28 @@ import sunbeam.precompute.text.Text;
 /**
  * Upper estimate of the memory that a plan needs.
  *
- * @param heapBytes peak size of tables and work arrays in Java's heap, bytes
- * @param textureBytes size of all arrays on the graphics card, bytes
- * @param largestTextureBytes size of the largest array, bytes
+ * @param heapBytes peak size of tables and work arrays in Java's heap
+ * @param textureBytes size of all arrays on the graphics card
  * @param longestSide longest side of a texture, texels
- * @param layers largest number of layers of a texture
  */
 public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide, long layers) {
-    /** Limit of one plan's textures: the memory of small graphics cards. */
+    /** Limit for small graphics cards. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
     /** Limit of one texture in Mesa's software renderer: less than 1536 MiB, since it reserves coarser mip levels. */
     public static final long LARGEST_TEXTURE_BYTES = 1500L << 20;
 
-    /** Longest side that OpenGL 3.3 drivers in use support. */
+    /** Limits that OpenGL 3.3 drivers in use support. */
     static final long LONGEST_SIDE = 16384;
 
-    /** Most layers that these drivers support. */
     static final long MOST_LAYERS = 2048;
 
-    // Share of the heap that a plan may use: large arrays leave gaps, and the program needs the rest.
+    // Large arrays leave gaps in the heap, and the program needs the rest.
     private static final double USABLE_HEAP = 0.8;
     private static final long TERM_BYTES = 2 * Float.BYTES;
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
 
-    /**
-     * Returns the memory that a plan needs, for the use of its shader that needs more.
-     *
-     * @param rows number of rows of the patch
-     */
+    /** Returns the memory that a plan needs, for the use of its shader that needs more. */
     public static MemoryNeed of(SpectrumPlan plan, int rows) {
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();
@@ -65,7 +58,6 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return new MemoryNeed(heapBytes, 0, 0, 0, 0).and(layouts);
     }
 
-    /** Adds arrays on the graphics card. */
     public MemoryNeed and(List<ArrayLayout> layouts) {
         MemoryNeed all = this;
         for (ArrayLayout layout : layouts) {
@@ -79,11 +71,7 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return all;
     }
 
-    /**
-     * Returns which limit is exceeded, as the end of a sentence that begins with "this plan"; empty if the plan fits.
-     *
-     * @param heapLimit largest size of the heap, bytes
-     */
+    /** Returns which limit is exceeded, as the end of a sentence that begins with "this plan"; empty if the plan fits. */
     Optional<String> excess(long heapLimit) {
         if (longestSide > LONGEST_SIDE) {
             return excess(
@@ -115,7 +103,6 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
         return Optional.of(Text.format("need " + what, numbers));
     }
 
-    /** Formats bytes: "12 MB". */
     static String inWords(long bytes) {
         return bytes < 1_000_000_000 ? Text.format("%.0f MB", bytes * 1e-6) : Text.format("%.1f GB", bytes * 1e-9);
     }

@@ -12,12 +12,11 @@ import sunbeam.precompute.units.Decimals;
 
 /** Settings of the methods and their plans. Each method lists its own (see {@link sunbeam.precompute.method.MethodType}). */
 public final class MethodSettings {
-    // Largest wavelength step in meters: half the visible band, so that both its ends are sampled.
+    // Half the visible band, so that both its ends are sampled, in meters.
     private static final double LARGEST_STEP = 200e-9;
     private static final double SMALLEST_STEP = 1e-12;
     private static final int MOST_TERMS = 500;
 
-    /** Source of the defaults: the thesis or the planner. */
     public static final Setting<Preset> PRESET = new Setting<>(
             "preset",
             Kinds.word("PRESET", Preset.class),
@@ -25,13 +24,11 @@ public final class MethodSettings {
                     + " coherent; Fresnel's factor squared, CIE RGB, clipped highlights, on a mesh body seen by Fresnel's"
                     + " factor; pq by ring, gem with one order. Other options override it one by one.");
 
-    /** Number of times that Fresnel's reflectance counts in the radiance. */
     public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
             "fresnel",
             Kinds.word("COUNT", FresnelFactor.class),
             "How often Fresnel's reflectance counts in the radiance: once (default) or squared (thesis).");
 
-    /** Relative error to plan for. */
     public static final Setting<Double> TOLERANCE = new Setting<>(
                     "tolerance",
                     Kinds.number(
@@ -53,19 +50,16 @@ public final class MethodSettings {
     public static final Setting<Integer> TERMS =
             new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of its terms.");
 
-    /** Radius of the neighborhood of bins. */
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
             Kinds.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
             "With preset thesis: sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
-    /** Rule for the bin in the neighborhood's middle. */
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
             Kinds.word("BIN", Neighborhood.Anchor.class),
             "With preset thesis: the bin in their middle, floor (default) or nearest.");
 
-    /** Equal step of the wavelength, meters. */
     public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(
             "wavelengthStep",
             Kinds.length(SMALLEST_STEP, LARGEST_STEP),
@@ -96,7 +90,6 @@ public final class MethodSettings {
             Kinds.word("KIND", PeriodInterpolation.class),
             "For pq: sinc (default) or linear between the bins of one period's DFT; ring: sinc over nine bins alone (thesis).");
 
-    /** Number Q of replicas along each axis. */
     public static final Setting<Integer> REPLICAS = new Setting<>(
             "replicas",
             Kinds.integer("Q", 1, Replicas.MOST),

@@ -6,11 +6,9 @@ import sunbeam.precompute.text.Text;
  * Bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
  *
  * @param radiusX bins on each side along x
- * @param radiusY bins on each side along y; another number than along x for patches that are not square
- * @param anchor bin in the middle
+ * @param radiusY bins on each side along y
  */
 public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
-    /** Largest radius that a user may choose. */
     public static final int MAXIMUM_RADIUS = 15;
 
     /** Rule for the middle bin. */
@@ -34,10 +32,7 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return Text.format("%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
     }
 
-    /**
-     * Returns the number of bins needed beyond the visible ones along x: the radius, and one more, since float32 may round a frequency to
-     * the next bin.
-     */
+    /** Returns the number of bins needed beyond the visible ones along x; one more, since float32 may round to the next bin. */
     int marginX() {
         return radiusX + 1;
     }
@@ -46,10 +41,7 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return radiusY + 1;
     }
 
-    /**
-     * Returns the loop steps of one wavelength (shaders/method/neighborhood.glsl), with the last test of each loop, which ends it; loops
-     * over terms are unrolled.
-     */
+    /** Returns the loop steps of one wavelength (shaders/method/neighborhood.glsl), with the last test of each loop. */
     long loopSteps() {
         long rows = 2L * radiusY + 1;
         long columns = 2L * radiusX + 1;

@@ -13,11 +13,9 @@ import sunbeam.precompute.table.FourierTable;
 
 /**
  * Sums the DFT bins around frequencies f = (u, v) / lambda on a direction's ray, each bin a diffraction order of the repeated patch: for
- * small and periodic patches, where few bins count (shaders/method/full_orders.glsl). If the window resolves all orders, each is integrated
- * by itself, around its middle.
+ * small and periodic patches, where few bins count (shaders/method/full_orders.glsl).
  *
- * @param neighborhood bins that are summed around a frequency
- * @param resolved wavelengths around the middle of each order; empty if orders overlap
+ * @param resolved wavelengths around the middle of each order, which is integrated by itself; empty if orders overlap
  * @param band wavelengths of the whole band, for overlapping orders and for the specular one, which has no middle
  */
 public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> resolved, BandRule band)
@@ -40,7 +38,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         }
     }
 
-    /** Returns the sampling of a patch so small that the window resolves every order, for which the nearest bin suffices. */
+    /** The window resolves every order of so small a patch: the nearest bin suffices. */
     static OrderSampling resolved(OrderNodes nodes, BandRule band) {
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }
@@ -65,7 +63,6 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         return neighborhood;
     }
 
-    /** Returns the largest number of wavelengths of a pixel. */
     private long nodes(SpectrumPlan plan) {
         // A ray starts at the specular order and passes at most half of the orders along each axis.
         long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;

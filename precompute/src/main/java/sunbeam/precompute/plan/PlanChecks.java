@@ -27,28 +27,25 @@ import sunbeam.precompute.units.Lengths;
 /** Limits beyond which a plan is refused, and reasons why a plan cannot promise its tolerance. */
 final class PlanChecks {
     // Limit of a pixel's loop steps: Mesa's software renderer silently ends all loops after 65,535
-    // (shaders/include/loops.glsl detects it). On graphics cards a pixel with more would take milliseconds.
+    // (shaders/include/loops.glsl).
     static final long MOST_LOOP_STEPS = 60_000;
 
     // Fewest samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum
-    // at distance 1 / p. The first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to the sum of samples that normalizes a
-    // coherent power.
+    // at distance 1 / p; the first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to a coherent power's normalization.
     private static final double FEWEST_SAMPLES = 4;
 
-    // Coarsest distance of samples that can show diffraction, meters: the first order of a period of two samples is
-    // then 3 degrees from the mirror direction at 550 nm.
+    // Coarsest pitch that can show diffraction, meters: the first order of a period of two samples is then 3 degrees
+    // from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
 
-    // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured for
-    // colors of orders at a coherence length of 65 um.
+    // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured.
     private static final double TYPICAL_ROUNDING = 0.1;
 
-    // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured for grains
-    // and terraces of 20 um on 5 nm of roughness.
+    // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured.
     private static final double PHASE_ROUNDING = 3e-7;
 
-    // Largest phase of an expansion, radians. The time to find its basis grows with the third power of this phase, and
-    // is half a minute here.
+    // Largest phase of an expansion, radians; the time to find its basis, half a minute here, grows with its third
+    // power.
     private static final double LARGEST_PHASE = 800;
 
     private PlanChecks() {}
@@ -66,7 +63,6 @@ final class PlanChecks {
         }
     }
 
-    /** Refuses a window with too few samples of the patch. */
     static void requireSamples(CoherenceWindow window, HeightMap map) {
         double pitch = Math.max(map.columns() > 1 ? map.pitchX() : 0, map.rows() > 1 ? map.pitchY() : 0);
         double coherenceLength = window.coherenceLength();
@@ -94,7 +90,7 @@ final class PlanChecks {
         return expansion;
     }
 
-    /** Refuses Taylor expansions whose terms, squared, overflow float32. A given number of terms may be inaccurate. */
+    /** Refuses Taylor expansions whose squared terms overflow float32. A given number of terms may be inaccurate. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
         if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
             throw taylor(expansion, Text.format("with %d terms leaves the range of float32", expansion.terms()));
@@ -127,13 +123,7 @@ final class PlanChecks {
                 COHERENCE_LENGTH);
     }
 
-    /**
-     * Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um"; empty if the plan fits.
-     *
-     * @param rows number of rows of the patch
-     * @param heapLimit largest size of Java's heap, bytes
-     * @param mostSteps limit of loop steps per pixel
-     */
+    /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um"; empty if the plan fits. */
     static Optional<String> excess(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
         Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
         long steps = plan.sampling().loopSteps(plan);
@@ -198,8 +188,7 @@ final class PlanChecks {
 
     /**
      * Returns the error of colors on flanks of orders. Under a wide window orders are narrow, and float32 resolves a frequency to half a
-     * unit in the last place. Three deviations from an order's middle, at a ten thousandth of its power, the power changes by six times the
-     * relative shift.
+     * unit in the last place. Three deviations from an order's middle the power changes by six times the relative shift.
      */
     private static double reachable(SpectrumPlan plan) {
         double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;

@@ -17,13 +17,11 @@ import sunbeam.precompute.patch.HeightLevels;
  *
  * @param heapLimit largest size of Java's heap, bytes
  * @param mostSteps limit of a shader's loop steps per pixel
- * @param statistics cache of the patch's roughness
  */
 public record Planner(
         HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, StatisticsCache statistics) {
     private static final int THESIS_TERMS = 37;
 
-    /** Plans for this process's heap. */
     public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
         this(map, heights, cie, Runtime.getRuntime().maxMemory());
     }
@@ -36,10 +34,7 @@ public record Planner(
         return new Planner(map, heights, cie, heapLimit, mostSteps, newStatistics);
     }
 
-    /**
-     * Returns a planner for color tables of this average: those of the ensemble average are summed on the CPU, without a shader's limit on
-     * loops.
-     */
+    /** Color tables of the ensemble average are summed on the CPU, without a shader's limit on loops. */
     public Planner ofTables(Average average) {
         return average == Average.ENSEMBLE
                 ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, statistics)
@@ -49,8 +44,6 @@ public record Planner(
     /**
      * Returns the fastest plan that keeps the tolerance and fits into memory.
      *
-     * @param choices choices for tables, bins and wavelengths
-     * @param range directions that can occur
      * @throws sunbeam.precompute.setting.SettingException if there is none, or if a choice does not suit the patch
      */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range) {
@@ -61,7 +54,6 @@ public record Planner(
      * Plans for a patch of known roughness, which takes seconds to measure.
      *
      * @param roughness roughness of the patch, measured under this window or a longer one
-     * @throws sunbeam.precompute.setting.SettingException as {@link #plan(TableChoices, GaussianArea, VisibleRange)}
      */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {
         PlanChecks.requireSamples(area.window(), map);
@@ -88,9 +80,7 @@ public record Planner(
         throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
     }
 
-    /**
-     * Returns the roughness of the patch if the plan depends on it, that is if a grid is interpolated; otherwise {@link Roughness#NONE}.
-     */
+    /** Returns the roughness of the patch if a grid is interpolated; otherwise {@link Roughness#NONE}. */
     public Roughness roughness(TableChoices choices, GaussianArea area, VisibleRange range) {
         return !choices.fixesBins() && SamplingPlanner.interpolates(map, area.window())
                 ? Roughness.measure(map, area.window(), area.origin(), range, statistics)
@@ -109,7 +99,6 @@ public record Planner(
         return need.excess(heapLimit);
     }
 
-    /** Returns the expansion for a patch of unknown roughness. */
     public Expansion expansion(TableChoices choices, VisibleRange range) {
         return expansion(choices, range, new ErrorBudget(choices.tolerance()));
     }

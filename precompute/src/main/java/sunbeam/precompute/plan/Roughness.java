@@ -14,8 +14,8 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.CoherentSamples;
 
 /**
- * Statistics of the power that a patch diffracts in random directions, measured at a few of them with the exact reference. A rough patch,
- * which scatters light everywhere, has no bare skirts, and approximation errors are small beside its light.
+ * Statistics of the power that a patch diffracts in random directions, measured with the exact reference. A rough patch, which scatters
+ * light everywhere, has no bare skirts, and approximation errors are small beside its light.
  *
  * @param bright share of random directions with {@link ErrorBudget#DARKEST_POWER} or more, 0..1
  * @param mean power of these bright directions, relative to a mirror's
@@ -24,19 +24,15 @@ import sunbeam.precompute.reference.CoherentSamples;
  * @param diffracted share of the light that does not go in mirror direction, 0..1; little if grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
-    /** Smallest bright share of a rough patch; lines, a mirror, or a grain of dust leave nearly all directions dark. */
+    /** Lines, a mirror, or a grain of dust leave nearly all directions dark. */
     private static final double FEWEST_BRIGHT = 0.85;
-    /**
-     * Bright share below which orders are isolated: up to a tenth of a grating's directions are bright, and most directions of a surface
-     * with any randomness.
-     */
+    /** Below it orders are isolated: up to a tenth of a grating's directions are bright, most of a surface with any randomness. */
     private static final double FEWEST_LIT = 0.5;
-    // Fewest deviations of a rough patch: with fewer, all light may be the skirt of one bright spot.
+    // With fewer deviations all light may be the skirt of one bright spot.
     private static final double FEWEST_DEVIATIONS = 60;
-    // Smallest diffracted share of a rough patch: with less, a bare mirror's spot outshines a few grains, and its skirt
-    // shows.
+    // With less diffracted light a bare mirror's spot outshines a few grains, and its skirt shows.
     private static final double LEAST_DIFFRACTED = 0.02;
-    // Draws of a direction until it is a sum of two unit vectors.
+    // Until a direction is a sum of two unit vectors.
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
     // Directions evaluated in parallel before the share of dark ones is checked.
@@ -73,7 +69,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return new double[] {bright, mean, dark, deviations, diffracted};
     }
 
-    /** Samples random directions, until all are done or too many are dark. */
+    /** Samples random directions, until too many are dark. */
     private static List<CoherentSamples.Sample> sample(CoherentSamples source, VisibleRange range) {
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
@@ -97,7 +93,6 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return sample.coherent() >= ErrorBudget.DARKEST_POWER;
     }
 
-    /** Returns the statistics of samples; if the share of bright directions is too small, that share only. */
     private static Roughness of(List<CoherentSamples.Sample> samples, double deviations) {
         double[] powers = samples.stream()
                 .filter(Roughness::isBright)
@@ -123,10 +118,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return across / CieTable.MAXIMUM_WAVELENGTH / window.sigmaFrequency();
     }
 
-    /**
-     * Returns the roughness under a shorter window, with its own number of deviations; other statistics stay, since a shorter window only
-     * evens out bright and dark.
-     */
+    /** Other statistics stay, since a shorter window only evens out bright and dark. */
     Roughness withWindow(CoherenceWindow window, VisibleRange range) {
         return new Roughness(bright, mean, dark, deviations(window, range), diffracted);
     }
@@ -165,8 +157,8 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     }
 
     /**
-     * Returns the amplitude of dark directions relative to the mean one, times the square root of the diffracted share of light, 0..1. The
-     * share accounts for a few grains on a mirror: an expansion's error at the grains' phases is as rare as the grains.
+     * Returns the amplitude of dark directions relative to the mean one, times the square root of the diffracted share of light, 0..1: an
+     * expansion's error at the phases of a few grains on a mirror is as rare as the grains.
      */
     public double contrast() {
         return Math.min(1, Math.sqrt(dark / mean * diffracted));

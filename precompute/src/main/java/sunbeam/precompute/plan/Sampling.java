@@ -9,10 +9,7 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.FourierTable;
 
-/**
- * Rule for evaluating the windowed spectrum from DFT bins: the bins or grids to read, and the wavelengths. Has its cost and its shader's
- * tables.
- */
+/** Rule for evaluating the windowed spectrum from DFT bins: the bins or grids to read, and the wavelengths. */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
 
     /** Returns a few words on the bins or the grid, and on the number of wavelengths. */
@@ -40,7 +37,6 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /**
      * Returns the shader's tables; layers of arrays are computed on demand.
      *
-     * @param plan plan that has this sampling
      * @param table Fourier table of the plan; may have fewer terms
      */
     ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie);

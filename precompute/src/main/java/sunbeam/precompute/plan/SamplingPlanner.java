@@ -16,43 +16,36 @@ record SamplingPlanner(
     /** End of the window's spectrum, in standard deviations of its amplitude: exp(-7.5^2 / 2) = 6e-13. */
     static final double GAUSS_REACH = 7.5;
 
-    // Fewest wavelengths of a direction: fewer equal steps would not resolve the color matching functions and D65. 40
-    // steps of 1 / lambda are 5 nm in the blue, 8 nm in the green. The number at the standard tolerance was measured;
-    // more, at finer tolerances, resolve the 5 nm steps of D65's table.
+    // Fewest wavelengths of a direction: 40 steps of 1 / lambda, 5 nm in the blue, 8 nm in the green, resolve the color
+    // matching functions and D65. At the standard tolerance as measured.
     private static final int FEWEST_NODES = 40;
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
     // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to 1.1 %
-    // per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change, relative
-    // to the order's integral of sqrt(2 pi) deviations: at most three tolerances.
+    // per nanometer at multiples of 5 nm, where the trapezoid rule errs by up to h^2 / 12 times this change: at most
+    // three tolerances.
     private static final double CORNER_LENGTH = 4e-6;
     // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has
-    // taps. The columns are as close as this needs, and rays that cross them more steeply than at 45 degrees skip some.
+    // taps. Rays that cross the columns more steeply than at 45 degrees skip some.
     private static final double LARGEST_CENTER = 0.2;
     // Wavelengths per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 6;
-    // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare. Interpolation
-    // errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside: 5 times at
-    // 0.4.
+    // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare: interpolation
+    // errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside.
     private static final double RESOLVED_SIGMA_BINS = 0.4;
 
     private CoherenceWindow window() {
         return area.window();
     }
 
-    /**
-     * Returns the samplings that keep the tolerance, the fastest first; later ones need less memory; a grid is designed when its supplier
-     * is called.
-     */
+    /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory. */
     List<Supplier<Sampling>> choices() {
         if (!cie.isSmooth()) {
-            // Half of the reference's step, which errs by a millionth of an order's maximum: that is too much on its
-            // flanks.
+            // Half of the reference's step, whose error of a millionth of an order's maximum is too much on its flanks.
             double step = 0.5 * ReferenceColor.step(window(), heights, range.longestUv(), range.maximumW());
             return List.of(() -> BinSampling.exact(bins(), cie, step));
         }
-        // The next order is at least half a bin away. Its amplitude there must vanish beside the nearest one's, so that
-        // the valley between orders is dark.
+        // The next order is at least half a bin away. It must vanish there, so that the valley between orders is dark.
         double sigmaBins = window().sigmaFrequency() * Math.max(map.width(), map.height());
         double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
         if (neighbor < 1e-3 * budget.tolerance()) {
@@ -67,7 +60,6 @@ record SamplingPlanner(
         return interpolates(map, window()) ? List.of(fast, compact, apart, bins) : List.of(bins, fast, compact, apart);
     }
 
-    /** Returns the neighborhood of all bins that count. */
     private Neighborhood bins() {
         return new Neighborhood(radius(map.width()), radius(map.height()), Neighborhood.Anchor.NEAREST);
     }
@@ -87,8 +79,8 @@ record SamplingPlanner(
     }
 
     private Sampling orders() {
-        // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); the factor 0.01 is for the slope
-        // of the color matching functions.
+        // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); 0.01 for the color matching
+        // functions' slope.
         double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
         double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
         return OrderSampling.resolved(
@@ -102,9 +94,8 @@ record SamplingPlanner(
     }
 
     private GridSampling grid(InterpolationDesign design) {
-        // Columns are crossed at up to sqrt(2) of their distance. The power of a single order along the ray is a
-        // Gaussian of deviation sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation /
-        // step)^2).
+        // Columns are crossed at up to sqrt(2) of their distance. An order's power along the ray has deviation sigma /
+        // sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
         double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
         double deviation = window().sigmaFrequency() / Math.sqrt(2);
         double uncut = window().sigmaFrequency() / perStep;
@@ -116,14 +107,13 @@ record SamplingPlanner(
         return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
     }
 
-    /** Returns the sampling for single wavelengths, all bins that count; empty if they exceed the limit of a shader's loops. */
+    /** All bins that count; empty if they exceed the limit of a shader's loops. */
     private Optional<OrderSampling> single(BandRule band) {
         return Optional.of(bins())
                 .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)
                 .map(bins -> OrderSampling.overlapping(bins, band));
     }
 
-    /** Returns the factor by which steps of the wavelength are finer than at the standard tolerance. */
     private double relativeFineness() {
         return Math.cbrt(ErrorBudget.STANDARD / budget.tolerance());
     }

@@ -20,9 +20,7 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param tolerance promised relative error; empty for the thesis's choices, which promise none
  * @param range directions that can occur
- * @param expansion expansion of exp(i k w h)
  * @param bandX bins along x to compute and store
- * @param bandY bins along y to compute and store
  * @param origin sample under the window's maximum
  */
 public record SpectrumPlan(
@@ -96,11 +94,7 @@ public record SpectrumPlan(
         return PlanChecks.shortfalls(this);
     }
 
-    /**
-     * Returns one line about memory on the graphics card.
-     *
-     * @param patchRows number of rows of the height map
-     */
+    /** Returns one line about memory on the graphics card. */
     public String cost(int patchRows) {
         return "textures of at most "
                 + MemoryNeed.inWords(MemoryNeed.of(this, patchRows).textureBytes());

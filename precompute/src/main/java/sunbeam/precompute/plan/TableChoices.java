@@ -17,9 +17,8 @@ import sunbeam.precompute.setting.Setting;
 /**
  * User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others.
  *
- * @param promisedTolerance relative error of power and of X, Y, Z that the plan promises, {@link ErrorBudget#FINEST}..{@link
- *     ErrorBudget#COARSEST}; empty for the thesis's choices, which promise nothing
- * @param terms number of the expansion's terms
+ * @param promisedTolerance relative error that the plan promises, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the
+ *     thesis's choices, which promise nothing
  * @param neighborhood bins summed around each frequency, with the thesis's preset only
  * @param wavelengthStep equal step of the wavelength, meters
  */
@@ -88,7 +87,6 @@ public record TableChoices(
         return Optional.empty();
     }
 
-    /** True if the thesis's choices are the defaults. */
     public boolean isThesis() {
         return promisedTolerance.isEmpty();
     }

@@ -98,7 +98,6 @@ public record VisibleRange(
         return AxisGrid.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), step, margin);
     }
 
-    /** Returns the wavelength at which u / lambda reaches farthest to one side. */
     private static double wavelengthTowards(double u, int side) {
         return side * u > 0 ? CieTable.MINIMUM_WAVELENGTH : CieTable.MAXIMUM_WAVELENGTH;
     }
