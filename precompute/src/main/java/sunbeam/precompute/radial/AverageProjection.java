@@ -4,9 +4,8 @@ import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
 
 /**
  * Projects a weight sequence s onto cubic B-spline averages of a function f: sum_i s_i f(i) = sum_k c_k avg_k(f), with one average at every
- * stride-th index. Between averages f is the polynomial of degree 11 that has the twelve averages around. So s may jump (as the light of a
- * filter does) where f is smooth. Where s is smooth, f need not be, since the c_k are then the coefficients of the spline nearest to s. The
- * averages cover at most eight strides beyond both ends of s. Immutable.
+ * stride-th index. Between averages f is the polynomial of degree 11 that has the twelve averages around, so s may jump (as the light of a
+ * filter does) where f is smooth; where s is smooth, f need not be. Immutable.
  */
 final class AverageProjection {
     private static final int POINTS = 12;
@@ -14,14 +13,10 @@ final class AverageProjection {
 
     private final int stride;
     private final int knots;
-    // [index of a value of s modulo stride][one of the twelve averages around]: weight of this value in the average's
-    // c_k
+    // [index in s modulo stride][average]: weight of this value in the c_k of the twelve averages around.
     private final double[][] weights;
 
-    /**
-     * @param stride number of indices from one average to the next
-     * @param length length of the sequences
-     */
+    /** @param stride number of indices from one average to the next */
     AverageProjection(int stride, int length) {
         this.stride = stride;
         this.knots = knots(stride, length);
@@ -34,7 +29,7 @@ final class AverageProjection {
         }
     }
 
-    /** Returns the Lagrange polynomial that is 1 at one of -BEFORE .. POINTS - BEFORE - 1 and 0 at the others. */
+    /** Returns the Lagrange polynomial that is 1 at {@code point - BEFORE} and 0 at the other points. */
     private static PolynomialFunction lagrange(int point) {
         PolynomialFunction product = new PolynomialFunction(new double[] {1});
         for (int other = 0; other < POINTS; other++) {
@@ -73,7 +68,6 @@ final class AverageProjection {
         return sum;
     }
 
-    /** Returns the number of averages. */
     static int knots(int stride, int length) {
         return (length - 1) / stride + POINTS;
     }
@@ -82,12 +76,11 @@ final class AverageProjection {
         return knots;
     }
 
-    /** Returns the index at the center of the first average; negative, since it lies before the sequence. */
+    /** Returns the index at the center of the first average, which lies before the sequence. */
     int firstMiddle() {
         return -BEFORE * stride;
     }
 
-    /** Returns the coefficient c_k of each average. */
     double[] coefficients(double[] sequence) {
         double[] coefficients = new double[knots];
         for (int i = 0; i < sequence.length; i++) {

@@ -3,7 +3,7 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
-/** Lagrange interpolation along w: a sample's color from the colors in slices, in each of which |w| is constant. Immutable. */
+/** Lagrange interpolation of colors along w, between slices in which |w| is constant. Immutable. */
 final class DepthInterpolation {
     /** Slices per sample if slices are equally spaced. */
     private static final int TAPS = 6;
@@ -11,17 +11,17 @@ final class DepthInterpolation {
     private static final int COORDINATES = 3;
     /** Largest |w| of all pairs of directions. */
     private static final double DEEPEST = 2;
-    /** Periods of the fastest wave along w in one slice step of the color table (TableDesign), which interpolates by four taps. */
+    /** Periods of the fastest wave along w in one slice step of the color table (TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
     /** Largest error of Chebyshev interpolation of a wave of amplitude 1. */
     private static final double ERROR = 5e-5;
 
     private final double[] depths;
     private final int taps;
-    // Lagrange denominators of the taps; equally spaced slices have the same for each first tap.
+    // Equally spaced slices have the same denominators for each first tap.
     private final double[] denominators;
 
-    /** @param taps slices per sample: 1 (the slice of its |w|), {@link #TAPS} of equally spaced slices, or all */
+    /** @param taps slices per sample: 1, {@link #TAPS} of equally spaced slices, or all */
     private DepthInterpolation(double[] depths, int taps) {
         this.depths = depths;
         this.taps = taps;
@@ -34,10 +34,9 @@ final class DepthInterpolation {
     }
 
     /**
-     * Returns an interpolation of the given samples with few slices: the distinct |w| of the samples if these are few, else Chebyshev nodes
-     * from the lowest to the highest |w|, else (for many nodes) equally spaced slices.
+     * Returns an interpolation of the given samples with few slices: their distinct |w| if these are few, else Chebyshev nodes, else (for
+     * many nodes) equally spaced slices.
      *
-     * @param uvw u, v, w of each sample
      * @param widestStep distance in |w| at which four taps of equally spaced slices suffice
      */
     static DepthInterpolation fewest(float[] uvw, double widestStep) {
@@ -97,7 +96,7 @@ final class DepthInterpolation {
         return nodes;
     }
 
-    /** Returns slices that do not depend on the samples, so that a sample's color does not depend on its batch. */
+    /** Returns slices with which a sample's color does not depend on its batch. */
     static DepthInterpolation fixed(double widestStep) {
         return equallySpaced(0, DEEPEST, widestStep);
     }
@@ -113,7 +112,6 @@ final class DepthInterpolation {
         return Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
     }
 
-    /** Returns |w| of the slices, ascending. */
     double[] depths() {
         return depths;
     }
@@ -122,7 +120,6 @@ final class DepthInterpolation {
         return taps;
     }
 
-    /** Returns the first of the slices from which a sample is interpolated. */
     int firstTap(double depth) {
         if (taps == depths.length) {
             return 0;

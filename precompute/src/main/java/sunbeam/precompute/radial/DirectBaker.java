@@ -9,12 +9,12 @@ import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 
 /**
- * Bakes each sample by its own sum over wavelengths. It bakes samples near the origin of (u, v), where rays meet, and the exact colors
- * against which interpolated ones are validated. Thread-safe.
+ * Bakes each sample by its own sum over wavelengths: samples near the origin of (u, v), where rays meet, and the exact colors that validate
+ * interpolated ones. Thread-safe.
  */
 final class DirectBaker implements ColorBaker {
     private static final int COLORS = 3;
-    /** Step of ln lambda near the origin, where orders are wide; resolves the terms' coefficients. */
+    /** Step of ln lambda near the origin, where orders are wide. */
     private static final double WIDEST_STEP = 0.01;
     /** Step of ln lambda in units of sigma_f / |f|: 0.7 standard deviations of an order's power, as in the reference. */
     private static final double ORDER_STEP = 0.5;
@@ -24,7 +24,7 @@ final class DirectBaker implements ColorBaker {
     private final WindowedSpectrum powers;
     private final CieTable cie;
     private final double orderStep;
-    // Nodes by the number of halvings of WIDEST_STEP.
+    // By the number of halvings of WIDEST_STEP.
     private final ConcurrentHashMap<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
     DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {
@@ -107,7 +107,7 @@ final class DirectBaker implements ColorBaker {
         return power;
     }
 
-    /** Returns the power at a wavelength in meters. The truncated sum may be slightly negative in dark directions, hence the clamp. */
+    /** The truncated sum may be slightly negative in dark directions, hence the clamp. */
     double power(double u, double v, double w, double wavelength) {
         return Math.max(0, power(powers.sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
     }

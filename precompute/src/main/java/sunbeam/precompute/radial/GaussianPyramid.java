@@ -7,8 +7,8 @@ import java.util.stream.IntStream;
 
 /**
  * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and
- * blurred from the plane of the next longer window. Windows are so short that their Gaussians span many DFT bins. Each sum over a Gaussian
- * is divided by the area of that Gaussian relative to that of the coherence window: planes hold means. Immutable.
+ * blurred from the plane of the next longer window. Sums over a Gaussian are divided by its area relative to the coherence window's: planes
+ * hold means. Immutable.
  */
 public final class GaussianPyramid {
     // Ratio of sigma_f from plane to plane: linear interpolation between planes errs by 0.5 % where an order is bright.
@@ -17,7 +17,6 @@ public final class GaussianPyramid {
     private static final double SPACING = 0.4;
     // Reach of the blurring Gaussians in their sigma_f: exp(-reach^2) = 1e-6.
     private static final double REACH = 3.7;
-    // Nodes along one axis for cubic interpolation.
     private static final int TAPS = 4;
 
     private final int stride;
@@ -44,8 +43,6 @@ public final class GaussianPyramid {
     }
 
     /**
-     * Builds planes from a narrow Gaussian to a wide one.
-     *
      * @param pointSigmaFrequency sigma_f of the coherence window at a point, without slopes; sums under this window are not divided
      * @param narrowest sigma_f of the first plane
      * @param widest sigma_f that the last plane reaches
@@ -69,7 +66,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Gaussians over equally spaced nodes along one axis: nodes per unit of frequency (in meters), and the number of the first node. */
+    /** Gaussians over nodes along one axis: nodes per unit of frequency (meters), number of the first node. */
     private record Lines(double sigmaFrequency, double perFrequency, double first) {
         GaussianWeights weights() {
             return new GaussianWeights(1 / (sigmaFrequency * perFrequency), REACH);
@@ -89,7 +86,6 @@ public final class GaussianPyramid {
         return next;
     }
 
-    /** Blurs along rows, then along columns, and multiplies by a factor. */
     private void sum(double[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
         int side = to.side();
         double[] lines = new double[rows * side * stride];
@@ -131,7 +127,7 @@ public final class GaussianPyramid {
         return planes.size();
     }
 
-    /** Returns the fractional index of a sigma_f among the planes, clamped to these. */
+    /** Returns the fractional index of the plane of a sigma_f, clamped. */
     double place(double sigmaFrequency) {
         double place = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
         return Math.max(0, Math.min(planes.size() - 1.001, place));
@@ -141,7 +137,6 @@ public final class GaussianPyramid {
      * Interpolates the terms at a frequency in the planes {@code first .. end - 1}.
      *
      * @param x frequency along x, cycles per meter
-     * @param y frequency along y, cycles per meter
      * @param terms output, {@link #stride} values per plane
      */
     void at(double x, double y, int first, int end, float[] terms) {
@@ -174,7 +169,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Returns the first of the four nodes around a position, and computes their Lagrange weights. */
+    /** Computes the Lagrange weights of the four nodes around a position, and returns the first. */
     private static int taps(double place, int side, float[] weights) {
         int first = Math.max(0, Math.min((int) Math.floor(place) - 1, side - TAPS));
         double t0 = place - first;

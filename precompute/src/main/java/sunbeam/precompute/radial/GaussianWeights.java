@@ -20,13 +20,7 @@ final class GaussianWeights {
         this.weights = new double[3 + (int) Math.ceil(2 * reach / ratio)];
     }
 
-    /**
-     * Computes the weights around a position.
-     *
-     * @param place position, in bins
-     * @param lowest number of the first bin that exists
-     * @param highest number of the last bin that exists
-     */
+    /** Computes the weights around a position in bins, of which those from lowest to highest exist. */
     void moveTo(double place, int lowest, int highest) {
         first = (int) Math.max(lowest, Math.ceil(place - reach / ratio));
         int last = (int) Math.min(highest, Math.floor(place + reach / ratio));
@@ -42,7 +36,6 @@ final class GaussianWeights {
         }
     }
 
-    /** Returns the number of the first bin within reach. */
     int first() {
         return first;
     }

@@ -4,8 +4,6 @@ package sunbeam.precompute.radial;
  * Knots of cubic B-splines along a ray, equally spaced in ln |f|.
  *
  * @param first ln |f| of the first knot, f in cycles per meter
- * @param spacing distance of knots in ln |f|
- * @param count number of knots
  */
 record LogGrid(double first, double spacing, int count) {
     /** Half the support of a B-spline, in knots. */

@@ -9,8 +9,8 @@ import sunbeam.precompute.color.WavelengthNodes;
 /**
  * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
  * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is a
- * convolution: of the term along the ray with the color matching function times the term's coefficient. An FFT convolves for all positions
- * and wavelengths at once, in double precision. The error is that of {@link AverageProjection}; it is zero where no order is bright.
+ * convolution of the term along the ray with the color matching function times the term's coefficient. One FFT, in double precision, serves
+ * all positions and wavelengths. The error is that of {@link AverageProjection}.
  *
  * <p>Instances are immutable; each thread uses a {@link Line} of its own.
  */
@@ -34,8 +34,6 @@ final class LogPolarConvolution {
     }
 
     /**
-     * Computes the kernels.
-     *
      * @param first ln |(u, v)| of the first position
      * @param count number of positions
      * @param stride number of wavelength steps per position step
@@ -87,7 +85,6 @@ final class LogPolarConvolution {
         return count + AverageProjection.knots(stride, nodes) - 1;
     }
 
-    /** Returns the next power of two, at least 2. */
     static int padded(int length) {
         return Math.max(2, Integer.highestOneBit(length - 1) << 1);
     }
@@ -105,7 +102,7 @@ final class LogPolarConvolution {
         return Arrays.copyOf(interpolation.coefficients(values), padded);
     }
 
-    /** Returns the number of complex transforms, each of which yields two real results: X and Y of each slice, then Z two by two. */
+    /** Returns the number of complex transforms: of X and Y of each slice, then of Z two by two. */
     private int pairs() {
         return slices + (slices + 1) / 2;
     }
@@ -123,7 +120,6 @@ final class LogPolarConvolution {
         return count;
     }
 
-    /** Returns the knots around which averages of the terms along a ray are needed. */
     LogGrid knots() {
         return knots;
     }
@@ -145,12 +141,7 @@ final class LogPolarConvolution {
             this.averages = new double[stride * knots.count()];
         }
 
-        /**
-         * Evaluates the colors along a ray.
-         *
-         * @param batch batch of rays to which the ray belongs
-         * @param target output, {@code [slice * 3 + color][first + position]}
-         */
+        /** @param target output, {@code [slice * 3 + color][first + position]} */
         void colors(RayBatch batch, double angle, float[][] target, int first) {
             batch.averages(angle, averages);
             transformTerms();

@@ -4,29 +4,24 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Log-radial band: the rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
+/** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
-    // Number of rays from which a band has one more pair of sectors. Pairs let two cores share the work; small sectors
-    // would waste time on margin rays, which each sector adds for its splines.
+    // Pairs of sectors let two cores share the work; smaller sectors would waste time on margin rays.
     private static final int RAYS_PER_SECTOR_PAIR = 400;
-    // Step of ln lambda; resolves the terms' coefficients (color matching functions have exact weights).
+    // Step of ln lambda; resolves the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
-    // Least number of wavelength steps per position step: at the ends of the light's band, polynomials and B-splines
-    // extend that far.
+    // At the ends of the light's band, polynomials and B-splines extend that many wavelength steps.
     private static final int LEAST_STRIDE = 3;
     // Largest step between positions, in widths of an order.
     private static final double WIDEST_OF_ORDER = 0.5;
-    // Largest step in widths of an order for light with steep edges: flanks of orders beyond an edge are the steeper
-    // the darker they are.
+    // The same for light with steep edges: flanks of orders beyond an edge are the steeper the darker they are.
     private static final double WIDEST_ON_FLANKS = 0.15;
-    // Limit of the step where orders are wide, in units of widestStep: coefficients of deep reliefs change fast with
-    // the wavelength.
+    // Limit where orders are wide, in units of widestStep: coefficients of deep reliefs change fast with wavelength.
     private static final double MOST_WIDER = 2;
     // Share of the positions in margins above which a larger step is not tried.
     private static final double LARGEST_MARGIN_SHARE = 0.5;
     // Length, relative to a power of two, below which the step is enlarged until that power suffices.
     private static final double MOST_ABOVE_POWER = 1.12;
-    // Factor by which the step grows in each try.
     private static final double STEP_GROWTH = 1.005;
 
     private final double low;
@@ -36,10 +31,7 @@ final class LogRadialBand {
     private final double positionStep;
 
     /**
-     * Lays out the rays.
-     *
      * @param widestStep largest step between positions for light with a smooth spectrum ({@link PowerSpectrum#widestStep})
-     * @param sigmaFrequency sigma_f of the window, cycles per meter
      * @param high |(u, v)| of the outermost positions
      * @param step distance in (u, v) between rays at {@code high}
      */
@@ -55,16 +47,13 @@ final class LogRadialBand {
     }
 
     /**
-     * Steps along a ray: from position to position, and from wavelength to wavelength.
+     * Steps along a ray.
      *
      * @param stride number of wavelength steps per position step
      * @param covered range of ln |f| that a ray of the octave covers
      */
     private record Positions(WavelengthNodes wavelengths, int stride, double covered) {
-        /**
-         * Returns the positions with the largest step up to {@code widest}, or a slightly larger one that halves the length of the
-         * transforms.
-         */
+        /** Returns the largest step up to {@code widest}, or a slightly larger one that halves the length of the transforms. */
         static Positions widest(CieTable cie, double widest, double wavelengthStep) {
             Positions positions = of(cie, widest, wavelengthStep);
             int transform = positions.transform();
@@ -89,7 +78,7 @@ final class LogRadialBand {
             return new Positions(IntegratedNodes.logarithmic(cie, step / stride), stride, covered);
         }
 
-        /** Returns the length of the transforms: a power of two, which may be slightly too short. */
+        /** Returns a power of two, which may be slightly too short. */
         private int transform() {
             int power = Integer.highestOneBit(length() - 1);
             return length() < MOST_ABOVE_POWER * power ? power : 2 * power;
@@ -109,7 +98,6 @@ final class LogRadialBand {
         }
     }
 
-    /** Returns the convolution for the rays of this band. */
     LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
         return new LogPolarConvolution(
                 start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
@@ -137,7 +125,6 @@ final class LogRadialBand {
         return (int) ((long) rays * sector / sectors);
     }
 
-    /** Returns the fractional ray number of a (u, v), 0 to {@link #rays()}. */
     double ray(double u, double v) {
         double turns = Math.atan2(v, u) / (2 * Math.PI);
         return (turns < 0 ? turns + 1 : turns) * rays;
@@ -155,7 +142,6 @@ final class LogRadialBand {
         return at;
     }
 
-    /** Returns the fractional position of |(u, v)| on a ray. */
     double onRay(double radius) {
         return (Math.log(radius) - start()) / positionStep;
     }

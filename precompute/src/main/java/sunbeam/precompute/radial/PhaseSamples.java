@@ -9,17 +9,16 @@ import sunbeam.precompute.numerics.Lagrange;
  * phase zeta no faster than cos(2 zeta), for which the error is 5e-3 (2 step)^6 = 2e-10.
  *
  * @param minimum phase of the first sample, radians
- * @param step difference in phase from sample to sample, radians
  * @param values {@code [sample][function]}
  */
 record PhaseSamples(double minimum, double step, double[][] values) {
     private static final double WIDEST_STEP = 0.03;
-    // Least width of the range of phases, in radians; light that all grazes the surface has one phase only.
+    // Light that all grazes the surface has one phase only.
     private static final double SMALLEST_RANGE = 1e-3;
     private static final int POINTS = 6;
     private static final int BEFORE = POINTS / 2 - 1;
 
-    /** Samples functions over a range of phases; interpolation beyond it returns the values at its ends. */
+    /** Beyond the range, interpolation returns the values at its ends. */
     static PhaseSamples of(DoubleFunction<double[]> functions, double minimum, double maximum) {
         double range = Math.max(SMALLEST_RANGE, maximum - minimum);
         int steps = Math.max(POINTS, (int) Math.ceil(range / WIDEST_STEP));

@@ -3,7 +3,7 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 import sunbeam.precompute.colortable.BakeToken;
 
-/** Polar tile: the rays of one sector of a {@link LogRadialBand}. It evaluates colors on the rays and interpolates samples between them. */
+/** Rays of one sector of a {@link LogRadialBand}, which evaluates colors on them and interpolates samples between them. */
 final class PolarTile {
     private static final int COLORS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
@@ -18,10 +18,6 @@ final class PolarTile {
     private final int rays;
     private final int positions;
 
-    /**
-     * @param sector number of the tile in its band
-     * @param slices interpolation along w, with the |w| at which colors are evaluated
-     */
     PolarTile(LogRadialBand band, int sector, WindowedSpectrum powers, DepthInterpolation slices) {
         this.band = band;
         this.powers = powers;
@@ -32,12 +28,6 @@ final class PolarTile {
         this.positions = convolution.count();
     }
 
-    /**
-     * Interpolates colors of samples within the tile.
-     *
-     * @param uvw u, v, w of each sample
-     * @param token called after each ray
-     */
     float[] bake(float[] uvw, BakeToken token) {
         float[][] planes = planes(token);
         float[] xyz = new float[uvw.length];
@@ -67,7 +57,7 @@ final class PolarTile {
         return xyz;
     }
 
-    /** Computes the spline weights around a (u, v) and returns the index of the first coefficient. */
+    /** Computes the spline weights and returns the index of the first coefficient. */
     private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
         double place = band.onRay(Math.sqrt(u * u + v * v));
         double ray = band.ray(u, v) - firstRay;
@@ -121,10 +111,7 @@ final class PolarTile {
         return planes;
     }
 
-    /**
-     * Returns the end of the batch that begins at a ray: the next ray that is closer to the other axis, 90 degrees away, or beyond the
-     * batch's size.
-     */
+    /** A batch ends where rays are closer to the other axis, 90 degrees away, or too many. */
     private int endOfBatch(int first) {
         boolean alongX = WindowedSpectrum.isAlongX(angle(first));
         int end = first + 1;
@@ -136,9 +123,7 @@ final class PolarTile {
         return end;
     }
 
-    /**
-     * Returns the angle of the tile's ray, counterclockwise from the x axis, in radians; negative for margin rays before ray 0 of the band.
-     */
+    /** Counterclockwise from the x axis, in radians; negative for margin rays before ray 0 of the band. */
     private double angle(int ray) {
         return 2 * Math.PI * (firstRay + ray) / band.rays();
     }

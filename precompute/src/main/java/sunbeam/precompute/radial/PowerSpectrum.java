@@ -13,7 +13,7 @@ import sunbeam.precompute.table.FourierTable;
  * It is built once per surface; each baker applies its own window, which is no longer than that of the plan. Immutable.
  */
 public final class PowerSpectrum {
-    /** Width of the margin of bins beyond the visible ones, in sigma_f of the shortest window. */
+    /** Margin of bins beyond the visible ones, in sigma_f of the shortest window. */
     private static final double MARGIN = 4;
 
     /** Largest spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
@@ -21,7 +21,7 @@ public final class PowerSpectrum {
 
     /**
      * Step between positions on a ray, in ln |(u, v)|, at a tolerance of 1 %. Splines err most beside an order that the end of the visible
-     * band cuts, most of all for the sharp orders of small scans under long windows.
+     * band cuts.
      */
     private static final double WIDEST_STEP = 0.0082;
 
@@ -35,12 +35,6 @@ public final class PowerSpectrum {
     private final SpectrumPlane transposed;
     private final double widestStep;
 
-    /**
-     * Builds the spectrum from a table's terms.
-     *
-     * @param plan plan by which the table was computed
-     * @param tolerance relative error of colors
-     */
     public PowerSpectrum(SpectrumPlan plan, FourierTable table, double tolerance) {
         PowerFields fields = new PowerFields(table, plan.expansion(), new ErrorBudget(tolerance).powerBasis());
         this.scale = table.scale();
@@ -65,7 +59,6 @@ public final class PowerSpectrum {
      *
      * @param width of the surface, meters
      * @param height of the surface, meters
-     * @param shortest shortest of the windows
      */
     public static SpectrumPlan widened(SpectrumPlan plan, double width, double height, CoherenceWindow shortest) {
         double margin = MARGIN * shortest.sigmaFrequency();
@@ -86,8 +79,6 @@ public final class PowerSpectrum {
     }
 
     /**
-     * Returns the spectrum under a window.
-     *
      * @param reach distance in the window's sigma_f beyond which a bin is left out
      * @param decimated whether bins closer than 0.4 sigma_f may be merged, with an error of 1e-3
      */
@@ -102,25 +93,19 @@ public final class PowerSpectrum {
         return new WindowedSpectrum(this, fewer, fewer.transposed(), window, reach);
     }
 
-    /** Returns the spectrum under shorter windows; the parameters are those of {@link GaussianPyramid}. */
     GaussianPyramid pyramid(double pointSigmaFrequency, double narrowest, double widest, double farthest) {
         return new GaussianPyramid(bins, pointSigmaFrequency, narrowest, widest, farthest);
     }
 
     /**
      * Returns the largest step between positions on a ray, in ln |(u, v)|, for light with a smooth spectrum: colors vary along a ray only
-     * as fast as the color matching functions do with ln lambda, however sharp orders are.
+     * as fast as the color matching functions do, however sharp orders are.
      */
     double widestStep() {
         return widestStep;
     }
 
-    /**
-     * Returns the coefficients of the terms; phases beyond those of the plan are clamped to them.
-     *
-     * @param wavelength wavelength in meters
-     * @param absoluteW |w|
-     */
+    /** Phases beyond those of the plan are clamped to them. */
     double[] coefficients(double wavelength, double absoluteW) {
         return coefficients.at(scale.phase(wavelength, absoluteW));
     }

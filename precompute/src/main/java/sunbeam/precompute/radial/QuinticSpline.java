@@ -7,12 +7,9 @@ import sunbeam.precompute.numerics.SplineFilter;
  * IEEE Signal Processing Magazine 16 (1999)). Where cubic B-splines err by 1 %, these err by 0.1 %.
  */
 final class QuinticSpline {
-    /** Coefficients along one axis on which an interpolated value depends. */
     static final int TAPS = 6;
 
-    /**
-     * Samples on either side on which a coefficient depends: a step of the samples farther away changes it by less than 2e-5 of the step.
-     */
+    /** A step of the samples farther away changes a coefficient by less than 2e-5 of the step. */
     static final int MARGIN = 14;
 
     // Table 1 of the paper.
@@ -20,11 +17,7 @@ final class QuinticSpline {
 
     private QuinticSpline() {}
 
-    /**
-     * Returns the coefficients of samples, transposed.
-     *
-     * @param plane {@code rows * columns} values; overwritten
-     */
+    /** Returns the coefficients of samples, transposed; overwrites the samples. */
     static float[] coefficients(float[] plane, int rows, int columns) {
         SplineFilter.alongColumns(plane, rows, columns, POLES);
         float[] transposed = new float[plane.length];
@@ -38,10 +31,9 @@ final class QuinticSpline {
     }
 
     /**
-     * Computes the B-spline weights of six coefficients. The first of them belongs to the sample two before the one below the position.
+     * Computes the B-spline weights of six coefficients; the first belongs to the sample two before the one below the position.
      *
      * @param fraction distance of the position from the sample below, in steps, 0 to 1
-     * @param weights output, {@link #TAPS} values
      */
     static void weights(double fraction, double[] weights) {
         // De Boor's recursion: B-splines of degree d from those of degree d - 1.

@@ -15,25 +15,23 @@ import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * Radial baker: evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a
- * ray at once ({@link LogPolarConvolution}). Quintic B-splines of the colors' square roots interpolate the samples between rays; their
- * error is a tenth of that of the table's cubic B-splines (docs/color-tables.md).
+ * Evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a ray at once
+ * ({@link LogPolarConvolution}). Quintic B-splines of the colors' square roots interpolate the samples between rays; their error is a tenth
+ * of that of the table's cubic B-splines (docs/color-tables.md).
  *
- * <p>The disc of (u, v) is divided into bands, one per octave of |(u, v)|, so that inner bands need fewer rays. Bands are divided into
- * polar tiles; only tiles that hold a sample are evaluated. Immutable.
+ * <p>The disc of (u, v) is divided into bands, one per octave of |(u, v)|, so that inner bands need fewer rays, and these into polar tiles;
+ * only tiles that hold a sample are evaluated. Immutable.
  */
 public final class RadialBaker implements ColorBaker {
-    /** Radius of the inner disc, in steps of the table. Rays meet there, so its samples are evaluated directly. */
+    /** Radius of the inner disc, in steps of the table; rays meet there, so it is baked directly. */
     private static final double INNER_STEPS = 5;
     /** Step between rays, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
-    /** Number of samples that one parallel task assigns to tiles. */
+
     private static final int SAMPLES_PER_TASK = 1 << 14;
-    /**
-     * Distance in sigma_f beyond which bins are left out if faint tails matter: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right.
-     */
+    /** Distance in sigma_f beyond which bins are left out: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right. */
     private static final double FINE_REACH = 4.8;
-    /** Distance in sigma_f beyond which bins are left out in averages over a pixel: exp(-reach^2) = 2e-5. */
+    /** The same for averages over a pixel: exp(-reach^2) = 2e-5. */
     private static final double COARSE_REACH = 3.3;
 
     private static final int COLORS = 3;
@@ -43,7 +41,7 @@ public final class RadialBaker implements ColorBaker {
     private final DirectBaker direct;
     // Bands, the outermost first.
     private final List<LogRadialBand> bands;
-    // Number of the first tile of each band; the last entry is the number of the inner disc.
+    // First tile of each band; the last entry is the inner disc.
     private final int[] firstTiles;
 
     /** Creates a baker for a level of a color table of all directions. */
@@ -63,7 +61,7 @@ public final class RadialBaker implements ColorBaker {
      *
      * @param step distance in (u, v) of the samples
      * @param sliceStep distance in |w| at which interpolation by four slices suffices
-     * @param farthest largest |(u, v)| of a sample, at which neighboring rays are as close as the step requires
+     * @param farthest largest |(u, v)| of a sample
      * @param includeFaintTails whether tails of bright orders must be exact down to 1e-6 of the order
      */
     public RadialBaker(
@@ -97,11 +95,7 @@ public final class RadialBaker implements ColorBaker {
         return direct;
     }
 
-    /**
-     * Returns the power at a wavelength, relative to that of a flat mirror in specular direction.
-     *
-     * @param wavelength wavelength in meters, 380e-9 to 780e-9
-     */
+    /** Returns the power at a wavelength in meters, relative to that of a flat mirror in specular direction. */
     public double power(double u, double v, double w, double wavelength) {
         return direct.power(u, v, w, wavelength);
     }
@@ -159,7 +153,7 @@ public final class RadialBaker implements ColorBaker {
         return new PolarTile(bands.get(band), number - firstTiles[band], powers, slices);
     }
 
-    /** Runs one task per tile in parallel. If a task fails, it waits for the running ones and throws the failure. */
+    /** If a task fails, waits for the running ones and throws the failure. */
     private static void runAll(int[] tiles, IntConsumer work) {
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
         // One task per tile, outer bands first: they take longest.

@@ -4,10 +4,9 @@ import java.util.Arrays;
 
 /**
  * Batch of rays close to each other, which share one blurred spectrum. A line holds the frequencies that have the same component along the
- * axis nearest to the rays; at each line the terms are blurred along this axis once. At the point where a ray crosses a line, only the bins
- * along the line are left to sum. Cubic B-splines of ln |f| average these points, by the trapezoid rule in a coordinate in which lines are
- * equally spaced. At a spacing of 0.75 sigma_f the rule errs by 2 exp(-(pi / 0.75)^2) = 5e-8 for Gaussians. A single narrow B-spline has an
- * additional error, which cancels in smooth sums of B-splines, such as those with color matching functions. Not thread-safe.
+ * axis nearest to the rays; at each line the terms are blurred along this axis once, so that where a ray crosses it only the bins along the
+ * line are left to sum. Cubic B-splines of ln |f| average these points by the trapezoid rule, in a coordinate in which lines are equally
+ * spaced. At a spacing of 0.75 sigma_f the rule errs by 2 exp(-(pi / 0.75)^2) = 5e-8 for Gaussians. Not thread-safe.
  */
 final class RayBatch {
     // Largest spacing of lines along a ray, in knot spacings and in sigma_f.
@@ -15,15 +14,13 @@ final class RayBatch {
     private static final double MOST_SIGMAS = 0.75;
     // Largest relative error of a line's frequency.
     private static final double RELATIVE_TOLERANCE = 1e-12;
-    // Number of cubic B-splines whose supports hold one ln |f|.
     private static final int SHARES = 4;
 
     private final SpectrumPlane bins;
     private final boolean alongX;
     private final LogGrid knots;
     private final GaussianWeights weights;
-    // Per line: its frequency along the axis in cycles per meter, the frequency's logarithm, and the line's quadrature
-    // weight in ln |f|.
+    // Per line: frequency along the axis in cycles per meter, its logarithm, quadrature weight in ln |f|.
     private final double[] frequencies;
     private final double[] logarithms;
     private final double[] quadratureWeights;
@@ -34,13 +31,10 @@ final class RayBatch {
     private final double[] blurred;
 
     /**
-     * Blurs the spectrum at all lines.
-     *
      * @param bins powers of the bins, transposed if necessary so that the rays cross rows
-     * @param alongX whether the rays' axis is x, and all bins of a row have the same x
+     * @param alongX whether all bins of a row have the same x
      * @param reach distance in sigma_f beyond which a bin is left out
      * @param firstAngle angle of the first ray from the x axis, radians
-     * @param lastAngle angle of the last ray, closest to the same axis, in radians
      */
     RayBatch(
             SpectrumPlane bins,
@@ -82,12 +76,11 @@ final class RayBatch {
     }
 
     /**
-     * Computes the quadrature weight of each line and its range of bins.
+     * Computes the quadrature weight of each line and its range of bins, and returns the number of blurred values.
      *
      * @param byFrequency largest spacing of lines, cycles per meter
      * @param slopes slopes of the outermost rays to the axis, ascending
      * @param margin width of the bins beyond the outermost rays, cycles per meter
-     * @return number of blurred values
      */
     private int layOut(double byFrequency, double[] slopes, double margin) {
         int size = 0;
@@ -105,11 +98,8 @@ final class RayBatch {
     }
 
     /**
-     * Returns the lines' frequencies f, at which ln f / byLogarithm + f / byFrequency grows by 1 from line to line. So lines are never
-     * farther apart than byLogarithm in ln f or byFrequency in f.
-     *
-     * @param lowest first frequency
-     * @param highest last frequency
+     * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1 from line to line, so that lines are never farther
+     * apart than byLogarithm in ln f or byFrequency in f.
      */
     private static double[] lines(double byLogarithm, double byFrequency, double lowest, double highest) {
         double first = Math.log(lowest) / byLogarithm + lowest / byFrequency;
@@ -182,9 +172,9 @@ final class RayBatch {
     }
 
     /**
-     * Computes the averages of the terms along a ray, one per knot.
+     * Computes the averages of the terms along a ray.
      *
-     * @param angle angle of the ray from the x axis in radians, between the first and the last of the batch
+     * @param angle angle of the ray from the x axis, radians
      * @param averages output, {@code [knot][term]}, padded to the bins' stride
      */
     void averages(double angle, double[] averages) {

@@ -21,7 +21,7 @@ public final class SlopeBaker implements ColorBaker {
     private static final double FARTHEST = 2.2;
     /** Step of ln lambda where orders are wide. */
     private static final double WIDEST_STEP = 0.02;
-    /** Step of ln lambda in units of sigma_f / |f|, where orders are narrower than {@link #WIDEST_STEP} resolves. */
+    /** The same in units of sigma_f / |f|, where orders are narrow. */
     private static final double ORDER_STEP = 0.6;
 
     private final PowerSpectrum spectrum;
@@ -31,16 +31,12 @@ public final class SlopeBaker implements ColorBaker {
     private final int level;
     private final double orderStep;
 
-    /** Slice of one |w|. Per wavelength it has the fractional index of a plane of the pyramid, and the terms' coefficients. */
+    /** Slice of one |w|: per wavelength the fractional index of a plane of the pyramid, and the terms' coefficients. */
     private record Slice(double[] places, double[][] coefficients) {}
 
     private record SliceKey(int halvings, double depth) {}
 
-    /**
-     * @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table
-     * @param table color table whose levels average over slopes
-     * @param level number of the level to bake
-     */
+    /** @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table */
     public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
         this.spectrum = spectrum;
         this.cie = cie;
@@ -132,7 +128,6 @@ public final class SlopeBaker implements ColorBaker {
         }
     }
 
-    /** Interpolates between two planes of the pyramid. */
     private double power(float[] terms, double place, double[] coefficients) {
         int below = (int) place;
         double share = place - below;

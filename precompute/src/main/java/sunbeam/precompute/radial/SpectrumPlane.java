@@ -8,10 +8,7 @@ import sunbeam.precompute.numerics.Lagrange;
  *
  * @param periodX reciprocal of the distance between columns, meters, which is the surface's width unless bins were decimated: a column's
  *     frequency is (firstX + column) / periodX
- * @param periodY reciprocal of the distance between rows, meters
  * @param firstX number of the first column's DFT bin
- * @param firstY number of the first row's DFT bin
- * @param terms number of terms of each power
  * @param powers {@code [row][column][term]}, each bin padded with zeros to {@link #stride()}
  */
 record SpectrumPlane(
@@ -46,8 +43,8 @@ record SpectrumPlane(
     }
 
     /**
-     * Returns the powers on bins that are farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of
-     * degree 7, so that sums over Gaussians wider than the new spacing do not change.
+     * Returns bins that are farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of degree 7, so
+     * that sums over Gaussians wider than the new spacing do not change.
      */
     SpectrumPlane decimated(int factorX, int factorY) {
         SpectrumPlane alongX = factorX == 1 ? this : decimatedX(factorX);

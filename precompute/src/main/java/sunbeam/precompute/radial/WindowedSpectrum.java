@@ -14,9 +14,8 @@ final class WindowedSpectrum {
     private final double reach;
 
     /**
-     * @param bins powers of the bins, decimated if the window allows
      * @param transposed {@code bins} with x and y exchanged
-     * @param reach distance in the window's sigma_f beyond which a bin is left out; its weight would be below exp(-reach^2)
+     * @param reach distance in sigma_f beyond which a bin is left out; its weight would be below exp(-reach^2)
      */
     WindowedSpectrum(
             PowerSpectrum spectrum,
@@ -31,7 +30,6 @@ final class WindowedSpectrum {
         this.reach = reach;
     }
 
-    /** Returns the number of values per frequency: the terms, padded with zeros. */
     int stride() {
         return bins.stride();
     }
@@ -52,12 +50,7 @@ final class WindowedSpectrum {
 
         private Sums() {}
 
-        /**
-         * Returns all terms, {@link #stride} values; overwritten by the next call.
-         *
-         * @param fx frequency along x, cycles per meter
-         * @param fy frequency along y, cycles per meter
-         */
+        /** Returns all terms at a frequency in cycles per meter; overwritten by the next call. */
         double[] at(double fx, double fy) {
             x.moveTo(fx * bins.periodX() - bins.firstX(), 0, bins.columns() - 1);
             y.moveTo(fy * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
@@ -93,12 +86,7 @@ final class WindowedSpectrum {
         }
     }
 
-    /**
-     * Blurs the spectrum for rays that are close to each other and closer to the same axis.
-     *
-     * @param firstAngle angle of the first ray from the x axis, radians
-     * @param lastAngle angle of the last ray, less than 90 degrees beyond the first, in radians
-     */
+    /** Blurs the spectrum for rays, less than 90 degrees apart, that are closer to the same axis; angles from the x axis, radians. */
     RayBatch batch(double firstAngle, double lastAngle, LogGrid knots) {
         boolean alongX = isAlongX(0.5 * (firstAngle + lastAngle));
         return new RayBatch(alongX ? transposed : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
