@@ -22,6 +22,9 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     /** Longest wavelength of the table, meters. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
 
+    /** Width of the visible band in 1 / lambda, 1 / meters. */
+    public static final double BAND_WIDTH = 1 / MINIMUM_WAVELENGTH - 1 / MAXIMUM_WAVELENGTH;
+
     /** Returns the table of the CIE 1931 observer under D65, which define sRGB. */
     public static CieTable load() {
         return of(Observer.CIE1931, Illuminant.of("D65"));

@@ -22,7 +22,6 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     private static final double GAUSS_NODES_PER_STEP = 2;
     // Where the band cuts off an order's middle, only its flank is left, which falls this much faster.
     private static final double STEEPEST_FLANK = 2;
-    private static final double BAND_WIDTH = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
 
     /**
      * @param deviation standard deviation of an order's power along the ray, cycles per meter
@@ -32,14 +31,14 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
     static BandRule of(int fewestNodes, double deviation, double spacing, double panel) {
         return new BandRule(
                 fewestNodes,
-                fewestNodes * spacing * deviation / BAND_WIDTH / STEEPEST_FLANK,
+                fewestNodes * spacing * deviation / CieTable.BAND_WIDTH / STEEPEST_FLANK,
                 panel * deviation,
-                BAND_WIDTH * NODES_PER_PANEL / (GAUSS_NODES_PER_STEP * fewestNodes));
+                CieTable.BAND_WIDTH * NODES_PER_PANEL / (GAUSS_NODES_PER_STEP * fewestNodes));
     }
 
     /** Returns the rule for a rough patch, where no order stands alone at the band's ends: steps need only resolve an order. */
     BandRule withEqualSteps(double step) {
-        return new BandRule(fewestNodes, fewestNodes * step / BAND_WIDTH, panel, largestPanel);
+        return new BandRule(fewestNodes, fewestNodes * step / CieTable.BAND_WIDTH, panel, largestPanel);
     }
 
     /** Returns the number of wavelengths of a ray of this |(u, v)|. */
@@ -47,7 +46,7 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
         if (uv <= reach) {
             return fewestNodes;
         }
-        double equal = Math.max(2, Math.ceil(BAND_WIDTH / Math.min(largestPanel, panel / uv) - 1e-3));
+        double equal = Math.max(2, Math.ceil(CieTable.BAND_WIDTH / Math.min(largestPanel, panel / uv) - 1e-3));
         return NODES_PER_PANEL * ((int) equal + GRADED_PANELS);
     }
 

@@ -59,8 +59,7 @@ public record GridSampling(
 
     /** Returns the largest |u|, |v| up to which both axes are interpolated. */
     public double centerReach() {
-        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return fewestNodes * nodeStep / waveNumbers;
+        return fewestNodes * nodeStep / CieTable.BAND_WIDTH;
     }
 
     @Override
@@ -71,9 +70,8 @@ public record GridSampling(
     }
 
     private int mostNodes(VisibleRange range) {
-        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return Math.max(
-                fewestNodes, (int) Math.ceil(range.maximumComponent() * waveNumbers / (diagonalStride() * nodeStep)));
+        return Math.max(fewestNodes, (int)
+                Math.ceil(range.maximumComponent() * CieTable.BAND_WIDTH / (diagonalStride() * nodeStep)));
     }
 
     /** Returns the columns per step of a ray at 45 degrees, which takes the most steps. */

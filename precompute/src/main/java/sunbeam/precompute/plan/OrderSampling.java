@@ -43,19 +43,11 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }
 
-    static OrderSampling overlapping(Neighborhood neighborhood, BandRule band) {
-        return new OrderSampling(neighborhood, Optional.empty(), band);
-    }
-
-    private int mostNodes(VisibleRange range) {
-        return band.mostNodes(range.longestUv());
-    }
-
     @Override
     public String summary(VisibleRange range) {
         return resolved.map(nodes -> "single orders with " + nodes.fewest() + " wavelengths each or more")
-                .orElseGet(() -> neighborhood.summary() + " at " + Sampling.count(band.fewestNodes(), mostNodes(range))
-                        + " wavelengths");
+                .orElseGet(() -> neighborhood.summary() + " at "
+                        + Sampling.count(band.fewestNodes(), band.mostNodes(range.longestUv())) + " wavelengths");
     }
 
     @Override
@@ -63,15 +55,12 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         return neighborhood;
     }
 
-    private long nodes(SpectrumPlan plan) {
-        // A ray starts at the specular order and passes at most half of the orders along each axis.
-        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
-        return resolved.map(nodes -> passed * nodes.fewest()).orElseGet(() -> (long) mostNodes(plan.range()));
-    }
-
     @Override
     public long loopSteps(SpectrumPlan plan) {
-        return resolved.isPresent() ? nodes(plan) : nodes(plan) * neighborhood.loopSteps();
+        // A ray starts at the specular order and passes at most half of the orders along each axis.
+        long passed = ((long) plan.bandX().count() + plan.bandY().count()) / 2;
+        return resolved.map(nodes -> passed * nodes.fewest())
+                .orElseGet(() -> band.mostNodes(plan.range().longestUv()) * neighborhood.loopSteps());
     }
 
     @Override

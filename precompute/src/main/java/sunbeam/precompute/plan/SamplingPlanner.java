@@ -55,7 +55,7 @@ record SamplingPlanner(
         Supplier<Sampling> compact = () -> grid(budget.compactInterpolation(area.average()));
         Supplier<Sampling> apart =
                 () -> grid(budget.compactInterpolation(area.average())).inTwoTextures();
-        Supplier<Sampling> bins = () -> OrderSampling.overlapping(bins(), band(fewestNodes()));
+        Supplier<Sampling> bins = () -> new OrderSampling(bins(), Optional.empty(), band(fewestNodes()));
         // If orders are resolved along an axis, a grid fine enough for them is larger than the bins.
         return interpolates(map, window()) ? List.of(fast, compact, apart, bins) : List.of(bins, fast, compact, apart);
     }
@@ -111,7 +111,7 @@ record SamplingPlanner(
     private Optional<OrderSampling> single(BandRule band) {
         return Optional.of(bins())
                 .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)
-                .map(bins -> OrderSampling.overlapping(bins, band));
+                .map(bins -> new OrderSampling(bins, Optional.empty(), band));
     }
 
     private double relativeFineness() {
@@ -120,8 +120,7 @@ record SamplingPlanner(
 
     private int fewestNodes() {
         double relief = heights.maximum() - heights.minimum();
-        double waveNumbers = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        double fringes = relief * range.maximumW() * waveNumbers;
+        double fringes = relief * range.maximumW() * CieTable.BAND_WIDTH;
         double resolving = NODES_AT_STANDARD * relativeFineness();
         return (int) Math.ceil(Math.max(FEWEST_NODES, Math.max(resolving, NODES_PER_FRINGE * fringes)));
     }

@@ -65,7 +65,8 @@ final class LogPolarConvolution {
                 atNodes[slice][i] = coefficients.at(wavelengths.wavelengths()[i], depths[slice]);
             }
         }
-        this.terms = atNodes[0][0].length;
+        // An even number, padded by zeros as those of SpectrumPlane: terms are transformed and multiplied in pairs.
+        this.terms = (atNodes[0][0].length + 1) / 2 * 2;
         this.kernels = new double[pairs()][terms][][];
         for (int pair = 0; pair < pairs(); pair++) {
             int[] results = results(pair);
@@ -92,7 +93,7 @@ final class LogPolarConvolution {
     /** Returns the B-spline coefficients of the color matching function times the term's coefficient, padded with zeros. */
     private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
         int slice = result / COLORS;
-        if (slice >= slices) {
+        if (slice >= slices || term >= atNodes[slice][0].length) {
             return new double[padded];
         }
         double[] values = new double[wavelengths.count()];
@@ -165,8 +166,12 @@ final class LogPolarConvolution {
         /** Transforms two real terms in one complex transform. */
         private void transformTerms() {
             for (int m = 0; m < terms; m += 2) {
-                copyTerm(m, transformed[0]);
-                copyTerm(m + 1, transformed[1]);
+                for (int i = 0; i < 2; i++) {
+                    Arrays.fill(transformed[i], 0);
+                    for (int knot = 0; knot < knots.count(); knot++) {
+                        transformed[i][knot] = averages[knot * stride + m + i];
+                    }
+                }
                 FastFourierTransformer.transformInPlace(transformed, DftNormalization.STANDARD, TransformType.FORWARD);
                 double[] re = transformed[0];
                 double[] im = transformed[1];
@@ -174,20 +179,8 @@ final class LogPolarConvolution {
                     int mirrored = k == 0 ? 0 : padded - k;
                     spectra[m][0][k] = 0.5 * (re[k] + re[mirrored]);
                     spectra[m][1][k] = 0.5 * (im[k] - im[mirrored]);
-                    if (m + 1 < terms) {
-                        spectra[m + 1][0][k] = 0.5 * (im[k] + im[mirrored]);
-                        spectra[m + 1][1][k] = 0.5 * (re[mirrored] - re[k]);
-                    }
-                }
-            }
-        }
-
-        /** Copies the averages of a term, padded with zeros; zeros if there is no such term. */
-        private void copyTerm(int term, double[] to) {
-            Arrays.fill(to, 0);
-            if (term < terms) {
-                for (int knot = 0; knot < knots.count(); knot++) {
-                    to[knot] = averages[knot * stride + term];
+                    spectra[m + 1][0][k] = 0.5 * (im[k] + im[mirrored]);
+                    spectra[m + 1][1][k] = 0.5 * (re[mirrored] - re[k]);
                 }
             }
         }
@@ -195,26 +188,9 @@ final class LogPolarConvolution {
         private void multiply(double[][][] kernel) {
             Arrays.fill(sum[0], 0);
             Arrays.fill(sum[1], 0);
-            int m = 0;
-            for (; m + 1 < terms; m += 2) {
+            for (int m = 0; m < terms; m += 2) {
                 addProducts(spectra[m], kernel[m], spectra[m + 1], kernel[m + 1], sum);
             }
-            if (m < terms) {
-                addProduct(spectra[m], kernel[m], sum);
-            }
-        }
-    }
-
-    private static void addProduct(double[][] a, double[][] b, double[][] sum) {
-        double[] ar = a[0];
-        double[] ai = a[1];
-        double[] br = b[0];
-        double[] bi = b[1];
-        double[] real = sum[0];
-        double[] imag = sum[1];
-        for (int k = 0; k < real.length; k++) {
-            real[k] += ar[k] * br[k] - ai[k] * bi[k];
-            imag[k] += ar[k] * bi[k] + ai[k] * br[k];
         }
     }
 

@@ -43,8 +43,7 @@ public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, C
 
     @Override
     public double products(DirectionPair pair) {
-        double band = 1 / CieTable.MINIMUM_WAVELENGTH - 1 / CieTable.MAXIMUM_WAVELENGTH;
-        return band / step(pair) * evaluator.samples();
+        return CieTable.BAND_WIDTH / step(pair) * evaluator.samples();
     }
 
     private double step(DirectionPair pair) {
