@@ -10,9 +10,9 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
 /**
- * Atlas pages and page table, as in shaders/include/color_table.glsl: pages of tiles side by side in layers of texels, in the order in
- * which tiles are added. For each tile of the grids, added or not, the page table has two numbers: its page number plus one (0 without a
- * page), and the same for the tile at its column and row in the next slice. Not thread-safe.
+ * Atlas pages and page table, as in shaders/include/color_table.glsl. Pages lie side by side in layers of texels, in the order in which
+ * tiles are added. For each tile of the grids, added or not, the page table has its page number plus one (0 without a page), and the same
+ * for the tile at its column and row in the next slice. Not thread-safe.
  */
 public final class AtlasPages {
     /** Texels along a layer's side: a power of two, so that texture coordinates are exact. */
@@ -22,10 +22,8 @@ public final class AtlasPages {
     private static final int PAGES_ACROSS = LAYER_SIDE / PAGE_SIDE;
     private static final int CHANNELS = 4;
 
-    /** Pages per layer. */
     public static final int PER_LAYER = PAGES_ACROSS * PAGES_ACROSS;
 
-    /** Numbers per layer. */
     public static final int LAYER_NUMBERS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
 
     private final List<TileGrid> grids;
@@ -48,12 +46,10 @@ public final class AtlasPages {
         layers.add(newLayer());
     }
 
-    /** Returns the number of layers that this number of tiles fills. */
     public static int layers(long tiles) {
         return (int) Math.max(1, (tiles + PER_LAYER - 1) / PER_LAYER);
     }
 
-    /** Returns the shape of the texels of this number of tiles, as 32-bit numbers. */
     static ArrayLayout texels(long tiles) {
         return ArrayLayout.layered("colorTexels", LAYER_SIDE, LAYER_SIDE, layers(tiles), CHANNELS)
                 .linear();
@@ -72,12 +68,7 @@ public final class AtlasPages {
         return ByteBuffer.allocateDirect(LAYER_NUMBERS * format.bytes()).order(ByteOrder.nativeOrder());
     }
 
-    /**
-     * Adds a tile.
-     *
-     * @param coefficients encoded coefficients, as {@link LevelBaking#bake} returns them
-     * @return index of the layer that holds it
-     */
+    /** Adds a tile's coefficients, as {@link LevelBaking#bake} returns them, and returns the index of their layer. */
     public int add(int level, int tile, byte[] coefficients) {
         int layer = pages / PER_LAYER;
         if (layer == layers.size()) {
@@ -100,14 +91,13 @@ public final class AtlasPages {
         return CHANNELS * format.bytes() * PAGE_SIDE;
     }
 
-    /** Returns the offset in bytes of a row of a page in its layer. */
+    /** Returns the offset in bytes. */
     private int begin(int page, int row) {
         int inLayer = page % PER_LAYER;
         int top = inLayer / PAGES_ACROSS * PAGE_SIDE;
         return CHANNELS * format.bytes() * ((top + row) * LAYER_SIDE + inLayer % PAGES_ACROSS * PAGE_SIDE);
     }
 
-    /** Returns the index of a tile's first number in the page table of its slice. */
     private int indexInTable(TileGrid grid, int tile) {
         int inSlice = tile % grid.perSlice();
         return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());

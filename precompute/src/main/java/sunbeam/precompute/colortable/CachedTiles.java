@@ -27,10 +27,10 @@ public interface CachedTiles extends AutoCloseable {
         public void close() {}
     };
 
-    /** Returns those of these tiles of a level that are cached, as far as is known without reading them. */
+    /** Returns those of these tiles that are cached, as far as is known without reading them. */
     BitSet present(int level, BitSet tiles);
 
-    /** Reads those of these tiles of a level that are cached: {@link LevelBaking#TILE_NUMBERS} encoded numbers for each. */
+    /** Reads those of these tiles that are cached: {@link LevelBaking#TILE_NUMBERS} encoded numbers for each. */
     Map<Integer, byte[]> read(int level, BitSet tiles);
 
     /** Stores tiles of a level, if possible. */

@@ -9,8 +9,7 @@ public interface ColorBaker extends AutoCloseable {
      * Evaluates a batch.
      *
      * @param uvw u, v and w of each sample, w at most 0. Consecutive samples of one (u, v) share work
-     * @param token receives the progress
-     * @return CIE X, Y, Z of each sample's power, in the order of the samples
+     * @return CIE X, Y, Z of each sample's power
      */
     float[] bake(float[] uvw, BakeToken token);
 

@@ -8,7 +8,7 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /**
  * Color table with mip levels, each averaged over wider footprints in (u, v) than the one before. The ensemble average under a Gaussian
- * window is a sum of Gaussians in frequency. Its mean over a Gaussian footprint is a sum of wider Gaussians, those of a shorter window. So
+ * window is a sum of Gaussians in frequency, and its mean over a Gaussian footprint a sum of wider Gaussians, those of a shorter window. So
  * a coarse level is evaluated at its own few texels under a shorter window, not averaged from a fine level (docs/color-tables.md). Level 0
  * is for points, as in maps and lists.
  *
@@ -16,13 +16,11 @@ import sunbeam.precompute.plan.GaussianArea;
  * #sigma()} is their width at {@link #MIDDLE_WAVELENGTH}.
  *
  * <p>If the surface has relief finer than a pixel (Toksvig 2005; Olano and Baker 2010), all levels are also averages over its slopes: a
- * slope shifts (u, v) by slope times w, at all wavelengths alike. The finest level of such a table is as coarse as this blur; scenes of the
- * surface need no finer one.
+ * slope shifts (u, v) by slope times w, at all wavelengths alike. The finest level of such a table is as coarse as this blur.
  *
  * @param area window and average at a point, without a footprint
  * @param levels levels, finest first. Without slopes the finest one has the window of {@code area}; if levels use linear filters, it comes
  *     twice: first for points with a cubic filter, then with a linear one
- * @param numbers number format of the filters' coefficients
  * @param tolerance promised relative error of X, Y, Z
  * @param slopeDeviation standard deviation of the relief's slopes along either axis; 0 for none
  */
@@ -33,23 +31,22 @@ public record ColorTable(
 
     // Ratio of the Gaussians' widths from level to level.
     private static final double RATIO = Math.sqrt(2);
-    // Largest standard deviation of a level, in (u, v): in a wider level a fifth of the hemisphere would have one
-    // color.
+    // Largest standard deviation of a level, in (u, v): in a wider one a fifth of the hemisphere would have one color.
     private static final double WIDEST_SIGMA = 0.06;
 
-    // Smallest |w| at which the finest level of a table with slopes has the exact width; closer to grazing light and
-    // view it is too wide.
+    // Smallest |w| at which the finest level of a table with slopes has the exact width; at smaller ones it is too
+    // wide.
     private static final double SHALLOWEST = 0.5;
 
     /** Largest |w|: light and view along the normal. */
     public static final double DEEPEST = 2;
 
-    // Smallest tolerance at which levels for footprints use linear filters. If orders are isolated, no level does: on
-    // the flanks of such orders linear filters err by a tenth.
+    // Smallest tolerance at which levels for footprints use linear filters, unless orders are isolated: on their flanks
+    // linear filters err by a tenth.
     private static final double LINES_TOLERANCE = 5e-3;
 
     // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means over footprints
-    // grow (docs/color-tables.md).
+    // grow.
     private static final double LINES_STEP = 1.5;
 
     // Factor of the step if orders are isolated, since splines ring in the dark between them: at tolerance 1e-2 the
@@ -57,12 +54,10 @@ public record ColorTable(
     private static final double ISOLATED_STEP = 0.85;
 
     // Factor of the number of slices at tolerances of at least LINES_TOLERANCE: at a |w| where an order has no power,
-    // the remaining power is smaller than the error of interpolation between slices. Such tables have few texels, so
-    // that slices are cheap.
+    // the remaining power is smaller than the error of interpolation between slices.
     private static final double SLICE_FACTOR = 1.5;
 
-    // Smallest tolerance for 16-bit floats: they round a color's square root by at most 2^-11, so the color by at most
-    // 1e-3, and a sum of coefficients by less.
+    // Smallest tolerance for 16-bit floats, which round a color's square root by at most 2^-11, so the color by 1e-3.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
@@ -70,8 +65,6 @@ public record ColorTable(
      *
      * @param area window and average of the level
      * @param scale factor of the baked power: averaging makes a Gaussian of height 1 lower as it makes it wider
-     * @param design step in (u, v) and slices in w
-     * @param interpolation filter between texels
      * @param includeFaintTails whether the baker includes the tails of orders down to a millionth of a neighboring order's power
      */
     public record Level(
@@ -87,8 +80,7 @@ public record ColorTable(
 
     /**
      * True if slopes blur, at the largest |w|, more than the coarsest level of a table without slopes; smaller slopes widen footprints
-     * instead. So the finest level of a table with slopes has at least a quarter of that level's width, and its power spectra need a few
-     * hundred MB at most.
+     * instead. So the power spectra of a table with slopes need a few hundred MB at most.
      *
      * @param slopeDeviation standard deviation of the slopes along either axis
      */
@@ -106,8 +98,7 @@ public record ColorTable(
      * @param area window and average at a point; a coherent average, which is no sum of Gaussians, has one level
      * @param relief effective relief in meters, see {@link TableDesign#depth}
      * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
-     * @param slopeDeviation standard deviation of the slopes of relief finer than a pixel, along either axis; 0 for none, and for a
-     *     coherent average
+     * @param slopeDeviation standard deviation of the slopes of relief finer than a pixel; 0 for none, and for a coherent average
      */
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {
@@ -152,8 +143,8 @@ public record ColorTable(
     }
 
     /**
-     * Returns the standard deviation in (u, v) of a sharp order in the finest level for footprints, at the |w| where slopes add least. The
-     * variance doubles from level to level.
+     * Returns the standard deviation in (u, v) of a sharp order in the finest level for footprints; the variance doubles from level to
+     * level.
      */
     public double finestSigma() {
         return sigma(levels.get(pointLevelCount()).area().window());
@@ -191,12 +182,11 @@ public record ColorTable(
         return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
     }
 
-    /** Returns the number of levels for points only: 1 or 0. */
+    /** Returns 1 if the first level is for points only, else 0. */
     public int pointLevelCount() {
         return levels.size() > 1 && levels.get(1).area().equals(area) ? 1 : 0;
     }
 
-    /** Returns the number of slices, the same in all levels. */
     public int slices() {
         return levels.get(0).design().slices();
     }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import sunbeam.precompute.numerics.SplineFilter;
 
 /**
- * Filter between a level's texels, applied to square roots of X, Y and Z: beside a peak a spline rings, 3.7 times less with each texel. The
- * ringing would hide powers of 1e-6, but does not hide roots of 1e-3.
+ * Filter between a level's texels, applied to square roots of X, Y and Z: ringing beside a peak would hide powers of 1e-6, but does not
+ * hide roots of 1e-3.
  */
 public enum Interpolation {
     /**
@@ -29,10 +29,10 @@ public enum Interpolation {
     /**
      * Linear interpolation with knots shifted by a fifth of a texel (T. Blu, P. Thevenaz and M. Unser, "Linear interpolation revitalized",
      * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit. Lines between samples would err 2.4 times as
-     * much, always to the same side of a bend. 4 coefficients per look-up; for means over several look-ups.
+     * much, always to the same side of a bend. 4 coefficients per look-up.
      */
     SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0) {
-        /** Prefilters by a recursion of first order, with samples before the first row equal to it. */
+        /** Recursion of first order, with samples before the first row equal to it. */
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
             float pole = (float) (-shift() / (1 - shift()));
@@ -50,7 +50,7 @@ public enum Interpolation {
         }
     };
 
-    // Samples of the impulse response in a cache key; a spline's prefilter needs at least 11.
+    // A spline's prefilter needs at least 11 samples.
     private static final int KEY_SAMPLES = 16;
 
     private final String shaderFunction;
@@ -63,7 +63,6 @@ public enum Interpolation {
         this.marginBehind = marginBehind;
     }
 
-    /** Returns the look-up function of shaders/include/color_table.glsl. */
     public String shaderFunction() {
         return shaderFunction;
     }
@@ -76,7 +75,6 @@ public enum Interpolation {
         return name() + " shifted by " + shift + " of " + Arrays.toString(impulse);
     }
 
-    /** Returns the shift from a sample to its coefficient along u and v, in texels. */
     public double shift() {
         return shift;
     }
@@ -93,10 +91,6 @@ public enum Interpolation {
      */
     abstract void toCoefficients(float[] plane, int rows, int columns);
 
-    /**
-     * Returns the weights of four coefficients.
-     *
-     * @param t position between the second and the third coefficient, 0..1
-     */
+    /** Returns the weights of four coefficients at t, 0..1, from the second to the third. */
     abstract double[] weights(double t);
 }

@@ -10,13 +10,11 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Bakes the tiles of a level on demand: filter coefficients of square roots of X, Y and Z. Stores the samples and evaluates each of them
- * once, since a tile's prefilter also reads samples of neighboring tiles. Not thread-safe.
+ * Bakes the tiles of a level: filter coefficients of square roots of X, Y and Z. Stores the samples, since a tile's prefilter also reads
+ * samples of neighboring tiles. Not thread-safe.
  */
 public final class LevelBaking {
-    /**
-     * Texels before a stored tile that its prefilter reads: a spline's pole is -0.268, and omitted texels count by 0.268^8 = 3e-5 at most.
-     */
+    /** Texels before a stored tile that its prefilter reads; a spline's pole is -0.268, and 0.268^8 = 3e-5. */
     static final int MARGIN = 8;
 
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
@@ -24,7 +22,7 @@ public final class LevelBaking {
     private static final int COLORS = 3;
     private static final int CHANNELS = 4;
 
-    /** Numbers of a tile: {@link TileGrid#STORED_SIDE} rows of as many texels with 4 channels. */
+    /** Numbers of a stored tile, with 4 channels. */
     public static final int TILE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final TileGrid grid;
@@ -33,18 +31,13 @@ public final class LevelBaking {
     private final Interpolation interpolation;
     // Texels along the side of the square that a tile's prefilter reads.
     private final int inputSide;
-    // By number of a tile: square roots of X, Y, Z of the texels that it owns; NaN if not evaluated yet.
+    // Square roots of X, Y, Z of the texels that a tile owns, by its number; NaN if not evaluated yet.
     private final Map<Integer, float[]> samples = new HashMap<>();
 
-    /**
-     * @param grid tile grid of the level
-     * @param numbers number format of the coefficients
-     */
     public LevelBaking(TileGrid grid, NumberFormat numbers) {
         this(grid, numbers, ColorBaker.LARGEST_BATCH);
     }
 
-    /** @param largestBatch most samples per batch, unless one tile has more */
     LevelBaking(TileGrid grid, NumberFormat numbers, int largestBatch) {
         this.grid = grid;
         this.largestBatch = largestBatch;
@@ -68,13 +61,12 @@ public final class LevelBaking {
     /**
      * Bakes tiles. Samples of batches that finished before a failure are not evaluated again.
      *
-     * @param tiles numbers of the tiles
      * @return {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order of tiles
      */
     public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
-        // Sorted by angle, tiles of one (u, v) are consecutive, and batches are wedges: few rays cross two of them.
+        // Batches are wedges: few rays cross two of them.
         int[] byAngle = grid.byAngle(bits(missingTexels.keySet())).toArray();
         int next;
         for (int first = 0; first < byAngle.length; first = next) {
@@ -106,15 +98,13 @@ public final class LevelBaking {
         return end;
     }
 
-    /**
-     * Tiles at one column and row of the grid in several slices, their texels to evaluate, and the index of their first sample in a batch.
-     */
+    /** Tiles at one column and row of several slices, their texels to evaluate, and the index of their first sample. */
     private record Column(int[] tiles, BitSet[] texels, int first) {
         int end() {
             return first + Arrays.stream(texels).mapToInt(BitSet::cardinality).sum();
         }
 
-        /** Visits the samples: all slices of one (u, v), then the next (u, v) in Morton order, whose spectra nearly coincide. */
+        /** All slices of one (u, v), then the next (u, v) in Morton order, whose spectra nearly coincide. */
         void forEach(SampleVisitor visitor) {
             int sample = first;
             for (int i = 0; i < SIDE * SIDE; i++) {
@@ -175,7 +165,7 @@ public final class LevelBaking {
         return roots;
     }
 
-    /** Returns by tile the texels that the prefilters of the given tiles read and that are not evaluated yet. */
+    /** Returns the texels that are not evaluated yet, by tile. */
     private Map<Integer, BitSet> missingTexels(BitSet tiles) {
         Map<Integer, BitSet> missingTexels = new TreeMap<>();
         tiles.stream().forEach(tile -> {
@@ -207,7 +197,7 @@ public final class LevelBaking {
         }
     }
 
-    /** Marks the texels of the tile at a column and row that the prefilter of the tile at place {@code reader} reads. */
+    /** Marks the texels that the prefilter of the tile at place {@code reader} reads. */
     private void mark(BitSet texels, int column, int row, int[] reader) {
         int left = Math.max(0, firstInput(reader[0]) - column * SIDE);
         int right = Math.min(SIDE, firstInput(reader[0]) + inputSide - column * SIDE);
@@ -218,7 +208,6 @@ public final class LevelBaking {
         }
     }
 
-    /** Returns the first column or row of texels that the prefilter of a column or row of tiles reads. */
     private static int firstInput(int tile) {
         return tile * SIDE - 1 - MARGIN;
     }
@@ -249,7 +238,7 @@ public final class LevelBaking {
         return numbers.encoded(stored);
     }
 
-    /** Returns the prefilter's input: square roots of X, Y, Z, row by row. */
+    /** Square roots of X, Y, Z, row by row. */
     private float[] prefilterInput(int[] place) {
         float[] plane = new float[inputSide * inputSide * COLORS];
         int top = firstInput(place[1]);
@@ -271,7 +260,6 @@ public final class LevelBaking {
         return plane;
     }
 
-    /** Returns the rows of the prefilter's input that the tile stores, transposed. */
     private float[] storedRowsTransposed(float[] plane) {
         float[] transposed = new float[inputSide * STORED_SIDE * COLORS];
         for (int row = 0; row < STORED_SIDE; row++) {

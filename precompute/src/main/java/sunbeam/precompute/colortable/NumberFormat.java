@@ -7,8 +7,8 @@ import java.nio.FloatBuffer;
 /** Format of a tile's coefficients in caches and on the graphics card, in native byte order. */
 public enum NumberFormat {
     /**
-     * IEEE 754 binary16 of 256 times the square root of power, whose relative error is at most 2^-11. A flat mirror's root is about 1, at
-     * most 9 after prefiltering; powers below 6e-14 lose digits, powers below 5e-20 become 0.
+     * IEEE 754 binary16 of 256 times the square root of power, whose relative error is at most 2^-11. Powers below 6e-14 lose digits,
+     * powers below 5e-20 become 0.
      */
     HALF(Short.BYTES, 256) {
         @Override
@@ -45,14 +45,12 @@ public enum NumberFormat {
     private static final int DROPPED_BITS = 13;
     private static final int ROUNDING = (1 << (DROPPED_BITS - 1)) - 1;
     private static final int EXPONENTS_APART = (127 - 15) << 23;
-    // Smallest normal binary16 as binary32 and as binary16, smallest binary16, and the power of two beyond the largest
-    // binary16.
+    // Smallest normal binary16 as binary32 and as binary16, smallest binary16, power of two beyond the largest one.
     private static final int LEAST_NORMAL_BITS = (127 - 14) << 23;
     private static final int LEAST_NORMAL_HALF = 1 << 10;
     private static final float LEAST_HALF = 0x1p-24f;
     private static final int BEYOND_BITS = (127 + 16) << 23;
-    // Float whose unit in the last place is the smallest binary16: adding it rounds a smaller float to a multiple of
-    // this unit.
+    // Its unit in the last place is the smallest binary16: adding it rounds smaller floats to multiples of it.
     private static final float LEAST_SCALE = 0.5f;
 
     private final int bytes;

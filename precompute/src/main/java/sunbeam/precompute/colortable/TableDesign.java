@@ -7,8 +7,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * Resolution of a color table, by laws measured on the thesis's patches (docs/color-tables.md), with both averages and 720 directions for
- * each, half of them on the axis of gratings' orders.
+ * Resolution of a color table, by laws measured on the thesis's patches (docs/color-tables.md).
  *
  * @param step distance of texels in u and in v, above 0
  * @param slices number of slices of |w|, equally spaced from 0 to 2; at least {@link #TAPS}
@@ -17,16 +16,14 @@ public record TableDesign(double step, int slices) {
     /** Slices that an interpolation along w reads. */
     public static final int TAPS = 4;
 
-    // Tolerance at which the following steps, in (u, v) and in |w|, were measured in sunlight; the 95th percentiles of
-    // the errors were 2e-3 and 8e-4.
+    // Tolerance at which the following steps, in (u, v) and in |w|, were measured in sunlight.
     private static final double TOLERANCE = 1e-3;
     private static final double STEP = 0.0018;
     private static final double SLICE_STEP = 0.1;
     // Relief of the deepest measured patch, meters.
     private static final double RELIEF = 0.82e-6;
-    // Effective relief in standard deviations of the heights, if that is more than the relief: in gratings of few
-    // heights all samples have extreme heights. Colors vary along w as cos(2 pi relief w / wavelength), and slices are
-    // 0.06 periods apart at a tolerance of 1e-3.
+    // Effective relief in standard deviations of the heights: in gratings of few heights all samples have extreme
+    // heights. Colors vary along w as cos(2 pi relief w / wavelength).
     private static final double RELIEF_OF_DEVIATION = 8.5;
     // Exponent of the step in the error of cubic B-splines of square roots: between 4 and 6.
     private static final double STEP_ORDER = 5;
@@ -34,8 +31,7 @@ public record TableDesign(double step, int slices) {
     private static final double SLICE_ORDER = 4;
 
     // Exponent of the coherence length in the step for coherent averages, whose roots have kinks at the zeros between
-    // speckles. Under long windows these zeros are filled, since each wavelength has them elsewhere; at 6 um, as
-    // measured, 0.7 of the step keeps the error.
+    // speckles. Under long windows these zeros are filled, since each wavelength has them elsewhere.
     private static final double COHERENT_ORDER = 0.15;
 
     public TableDesign {
@@ -47,8 +43,7 @@ public record TableDesign(double step, int slices) {
     /**
      * Returns the coarsest design that keeps a tolerance.
      *
-     * @param tolerance relative error of X, Y, Z
-     * @param area area whose window has a spectrum that limits how small features in (u, v) are for any surface
+     * @param area area whose window limits how small features in (u, v) are
      * @param relief effective relief in meters, see {@link #depth}; slices are closer for deeper relief
      */
     public static TableDesign within(double tolerance, GaussianArea area, double relief) {
@@ -60,10 +55,7 @@ public record TableDesign(double step, int slices) {
         return new TableDesign(step, Math.max(TAPS, 1 + (int) Math.ceil(2 / sliceStep)));
     }
 
-    /**
-     * Returns the effective relief in meters: the relief of a mostly flat surface, as the measured patches are, whose colors vary as fast
-     * along w.
-     */
+    /** Returns the relief, in meters, of a mostly flat surface whose colors vary as fast along w. */
     public static double depth(HeightMap map) {
         double deviation = Math.sqrt(StatUtils.populationVariance(map.heights()));
         return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);

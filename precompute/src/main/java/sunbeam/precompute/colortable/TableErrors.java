@@ -10,30 +10,24 @@ import sunbeam.precompute.plan.ErrorBudget;
 
 /** Errors of a table against its source at random directions, and their ratio to the allowed errors. */
 final class TableErrors {
-    // Bright directions to compare: if an error is inversely proportional to the share of directions that exceed it,
-    // these determine the 95th percentile to a tenth.
+    // Bright directions to compare; they determine the 95th percentile to a tenth.
     static final int ENOUGH = 2000;
 
     // Allowed median and 95th percentile of the table's errors, in tolerances. Source and table may err by half the
-    // tolerance each in the median. The table may have 1.25 of the 3 tolerances promised at the 95th percentile: if
-    // errors have a long tail, one of twenty certificates of a hundred pixels measures twice the percentile.
+    // tolerance each in the median. If errors have a long tail, one of twenty certificates of a hundred pixels measures
+    // twice the percentile, so that the table may have 1.25 of the 3 tolerances promised.
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
-    // Allowed 98th percentile, in tolerances: then only one of twelve samples of fifty directions has three errors
-    // above the limit.
+    // The same for the 98th percentile: then one of twelve samples of fifty directions has three errors above the
+    // limit.
     private static final double PERCENTILE_98_SHARE = 3;
-    // Errors that float32 causes in table and source; allowed at any tolerance.
+    // Allowed at any tolerance, since float32 causes them.
     private static final double ROUNDING = 2e-5;
     private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
 
     private TableErrors() {}
 
-    /**
-     * Returns the relative errors of a table at the first samples, until {@link #ENOUGH} of them are bright.
-     *
-     * @param table function that looks up X, Y, Z in the table
-     * @param exact baker without interpolation between samples
-     */
+    /** Returns the relative errors at the first samples, until {@link #ENOUGH} of them are bright. */
     static ErrorStatistics of(
             Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
         List<Comparison> bright = new ArrayList<>();

@@ -9,7 +9,7 @@ public final class TableLookUp {
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // Distance from the last tile's edge, in texels, to which positions beyond it are clamped, as in the shader.
+    // Positions beyond the last tile are clamped to this distance from its edge, in texels, as in the shader.
     private static final double EDGE_MARGIN = 0.01;
 
     private final List<TileGrid> grids;
@@ -19,11 +19,7 @@ public final class TableLookUp {
     /** Source of the tiles' coefficients. */
     @FunctionalInterface
     public interface Tiles {
-        /**
-         * Returns a coefficient of an existing tile, times {@link NumberFormat#scale()}.
-         *
-         * @param index index of the coefficient in the tile, below {@link LevelBaking#TILE_NUMBERS}
-         */
+        /** Returns a coefficient of an existing tile, times {@link NumberFormat#scale()}, by its index in the tile. */
         float coefficient(int level, int tile, int index);
     }
 

@@ -14,14 +14,12 @@ import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.VisibleRange;
 
 /**
- * Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them: in the grid of a table of one light, in a
- * grid that covers a list's (u, v), or in that of a table of all lights.
+ * Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them.
  *
  * @param reach one light with all views, or pairs of directions
  */
 public record TablePoints(Reach reach) {
-    // Largest number of directions of a validation: 20 times the number of bright ones needed, since nearly all
-    // directions of a grating are dark.
+    // Directions of a validation: 20 times the bright ones needed, since nearly all directions of a grating are dark.
     private static final int SAMPLES = 20 * TableErrors.ENOUGH;
     private static final long SEED = 20140607;
 
@@ -83,7 +81,7 @@ public record TablePoints(Reach reach) {
                     visible.maximumW());
         }
         VisibleRange visible = VisibleRange.of(pairs());
-        // Refinement (see ValidatedTable) makes slices closer, so that they stay within this range.
+        // Refinement makes slices closer, so that they stay within this range.
         double slices = (TableDesign.TAPS + 1) * design.sliceStep();
         return new VisibleRange(
                 visible.minimumU() - margin,

@@ -8,26 +8,19 @@ public sealed interface TableSpace {
     /** Returns the coordinates x, y of (u, v, w). */
     double[] place(double u, double v, double w);
 
-    /**
-     * Returns u, v, w of coordinates in a slice.
-     *
-     * @param depth |w| of the slice, if the space has slices
-     */
+    /** Returns u, v, w of coordinates in the slice of this |w|, if the space has slices. */
     double[] uvw(double x, double y, double depth);
 
     /** Returns the number of slices of a design. */
     int slices(TableDesign design);
 
-    /**
-     * Space of a table of all lights: x is u, y is v, and w has slices. Points with |(u, v)| above {@link #REACH} have the color at {@link
-     * #REACH}.
-     */
+    /** Space of a table of all lights: x is u, y is v, and w has slices. Points beyond {@link #REACH} have the color there. */
     record AllLights() implements TableSpace {
         /** Largest |(u, v, w)| of two directions. */
         public static final double REACH = 2;
 
         /**
-         * Scales (u, v, w) back to {@link #REACH} if it is longer, as points of linearly extrapolated footprints at silhouettes may be.
+         * Shortens (u, v, w) to {@link #REACH}, which linearly extrapolated footprints at silhouettes may exceed.
          *
          * @param uvw u, v, w and any further values; changed
          */
@@ -60,11 +53,8 @@ public sealed interface TableSpace {
      * Space of a table of one light: w follows from u and v, so that one slice suffices. The slope of w as a function of u and v is
      * infinite at the horizon. Therefore the view at the angle theta to the normal has the radius (sin theta + 2 sin(theta / 2)) / 2, which
      * is smooth across the horizon.
-     *
-     * @param light direction towards the light
      */
     record OneLight(Direction light) implements TableSpace {
-        /** Radius of the horizon. */
         static final double HORIZON = radius(Math.PI / 2);
 
         // Largest radius, below the horizon; up to here u and v vary no faster than x and y.
@@ -87,12 +77,11 @@ public sealed interface TableSpace {
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);
             double distance = Math.min(radius, LARGEST);
-            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta is 2 (1 - t) / (2 - t) times
-            // the radius.
+            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3; sin theta is 2 (1 - t) / (2 - t) times the
+            // radius.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
-            // The grid continues slightly below the horizon, where there are no views, so that filters see a smooth
-            // function at the horizon.
+            // Below the horizon, where there are no views, the grid continues, so that filters see a smooth function.
             double w = -Math.max(0, light.z() + 1 - 2 * t * (2 - t));
             return new double[] {-light.x() - across * x, -light.y() - across * y, w};
         }

@@ -2,9 +2,7 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 
-/**
- * Marks the tiles that look-ups read in a color table of all lights, and their neighbors for look-ups close to an edge. Not thread-safe.
- */
+/** Marks the tiles that look-ups read in a color table of all lights. Not thread-safe. */
 public final class TileFeedback {
     private final TileGrid grid;
     private final BitSet tiles;
@@ -14,7 +12,7 @@ public final class TileFeedback {
     private final double firstY;
     private final double perStep;
     private final double perSliceStep;
-    // Range marked last: most look-ups of a pixel read the same tiles.
+    // Most look-ups of a pixel read the same tiles as the last one.
     private int left = -1;
     private int right;
     private int top;
@@ -69,10 +67,7 @@ public final class TileFeedback {
         }
     }
 
-    /**
-     * Returns the column or row of a texel's tile, clamped to the tiles inside the grid's border, as in the shader, since wide footprints
-     * may exceed them.
-     */
+    /** Clamps to the tiles inside the grid's border, as in the shader, since wide footprints may exceed them. */
     private static int tile(double texel, int count) {
         // Casts are floors, since negative values are clamped.
         return Math.max(1, Math.min(count - 2, (int) (texel / TileGrid.SIDE)));

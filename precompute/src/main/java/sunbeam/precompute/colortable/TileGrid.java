@@ -12,11 +12,8 @@ import sunbeam.precompute.shader.ArrayLayout;
 /**
  * Texel grid of a level, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice.
  *
- * @param design step and slices
  * @param originX x of texel (0, 0)
- * @param originY y of texel (0, 0)
  * @param columns number of tiles along x, including a border of one tile on each side, which prefilters read
- * @param rows number of tiles along y, including the border
  */
 public record TileGrid(
         TableSpace space,
@@ -32,8 +29,7 @@ public record TileGrid(
     /** Texels along a stored tile's side: one before and two behind its own, for cubic B-splines. */
     public static final int STORED_SIDE = SIDE + 3;
 
-    // Uncertainty of positions, in texels and slices: CPU and graphics card may round a position to different sides of
-    // an edge.
+    // CPU and graphics card may round a position, in texels or slices, to different sides of an edge.
     static final double ROUNDING = 0.02;
 
     /** Returns the grid of a level, for all (u, v) of two directions. */
@@ -71,17 +67,14 @@ public record TileGrid(
         return originX + interpolation.shift() * design.step();
     }
 
-    /** Returns y of the coefficient of texel (0, 0). */
     public double firstY() {
         return originY + interpolation.shift() * design.step();
     }
 
-    /** Returns the number of slices. */
     public int slices() {
         return space.slices(design);
     }
 
-    /** Returns the number of slices per interpolation. */
     int taps() {
         return Math.min(TableDesign.TAPS, slices());
     }
@@ -91,7 +84,6 @@ public record TileGrid(
         return ArrayLayout.layered("colorTiles", columns, rows, levels * slices(), 2);
     }
 
-    /** Returns the number of tiles per slice. */
     int perSlice() {
         return Math.multiplyExact(columns, rows);
     }
@@ -115,7 +107,7 @@ public record TileGrid(
         });
     }
 
-    /** Function that returns the smallest and the largest |w| between two distances from the center. */
+    /** Returns the smallest and the largest |w| between two distances from the center. */
     private interface Depths {
         double[] between(double nearest, double farthest);
     }
@@ -140,12 +132,10 @@ public record TileGrid(
         return tiles;
     }
 
-    /** Returns the number nearest to 0 in an interval. */
     private static double nearest(double from, double length) {
         return Math.max(from, Math.min(0, from + length));
     }
 
-    /** Returns the largest distance from 0 in an interval. */
     private static double farthest(double from, double length) {
         return Math.max(-from, from + length);
     }
@@ -169,15 +159,11 @@ public record TileGrid(
         return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }
 
-    /**
-     * Returns the first of the slices that an interpolation at a position, in slices, reads. At the ends of the range all of them are on
-     * one side of it.
-     */
+    /** Returns the first of the slices that an interpolation at a position reads; at the ends all are on one side of it. */
     int firstSlice(double slice) {
         return Math.max(0, Math.min((int) slice - 1, slices() - taps()));
     }
 
-    /** Returns u, v and w of a texel. */
     double[] uvw(int column, int row, int slice) {
         return space.uvw(originX + column * design.step(), originY + row * design.step(), slice * design.sliceStep());
     }

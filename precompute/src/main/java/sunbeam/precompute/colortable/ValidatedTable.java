@@ -18,20 +18,19 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /**
  * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The
- * measured laws of {@link TableDesign} are too coarse for some surfaces: between the tails of sharp orders, under a coherent average, roots
- * of colors have lines of kinks.
+ * laws of {@link TableDesign} are too coarse for some surfaces: between the tails of sharp orders, under a coherent average, roots of
+ * colors have lines of kinks.
  *
- * @param pages pages of its tiles
  * @param errors relative errors of the table against its source
  */
 public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, ErrorStatistics errors) {
     // Assumed order of convergence: errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
-    // Largest factor of the steps in one refinement: a smaller change would not show whether refinement helps.
+    // A smaller change would not show whether refinement helps.
     private static final double LARGEST_FACTOR = 0.75;
     // Largest ratio of errors after and before two refinements at which refinement goes on; above, errors have another
-    // cause than the steps. One refinement is no evidence, since the 95th percentile of few directions jumps.
+    // cause. One refinement is no evidence, since the 95th percentile of few directions jumps.
     private static final double IMPROVEMENT = 0.8;
     private static final String CLOSE = ", which is closer to the limit than it should be";
 
@@ -46,7 +45,6 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     /**
      * Returns the finest level of a table of all lights, if all tiles that the points need are cached, and keep the tolerance.
      *
-     * @param cached tiles of the table
      * @param bakers opens the baker for a design, which this method closes
      * @param tokens opens the token for a number of samples, which this method closes
      */
@@ -109,13 +107,11 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
      * Bakes a table.
      *
      * @param tolerance relative error of X, Y, Z that table and source may have together
-     * @param points points that a map or a list looks up
      * @param coarsest design of the first table, which refinements make finer
      * @param bakers opens the baker for a design, which this method closes
      * @param tokens opens the token for a number of samples, which this method closes
      * @param room test of whether a table fits into memory
      * @param refused throws an exception for the design of a necessary table that does not fit
-     * @param diagnostics receivers of messages
      */
     public static ValidatedTable make(
             double tolerance,

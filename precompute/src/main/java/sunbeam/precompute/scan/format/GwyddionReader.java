@@ -26,7 +26,7 @@ final class GwyddionReader {
 
     private GwyddionReader() {}
 
-    /** Array of doubles in the file: position of the first in bytes, and number of doubles. */
+    /** Array of doubles in the file: position in bytes, number of doubles. */
     private record Numbers(long offset, long count) {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
@@ -61,13 +61,12 @@ final class GwyddionReader {
     }
 
     /**
-     * Serialized object: type name, size, then components, each with a name, a letter for its type and a value. Arrays are not read; {@link
-     * Numbers} tells where they are.
+     * Serialized object: type name, size, then components, each with a name, a letter for its type and a value.
      *
      * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; other types are skipped
      */
     private record GwyddionObject(Map<String, Object> items) {
-        /** Deepest nesting of objects. Known files have three levels; a hostile file could nest until the stack overflows. */
+        /** Known files nest three levels deep; a hostile file could nest until the stack overflows. */
         private static final int DEEPEST = 8;
 
         private static final int MOST_ITEMS = 100_000;
@@ -100,7 +99,7 @@ final class GwyddionReader {
             return new GwyddionObject(items);
         }
 
-        /** Reads the value of a component; returns null for types that no height field needs. */
+        /** Returns null for types that no height field needs. */
         private static Object value(ScanBytes file, ByteCursor cursor, char type, int depth) throws IOException {
             return switch (type) {
                 case 'i' -> cursor.int32();
@@ -146,7 +145,6 @@ final class GwyddionReader {
             return numbers;
         }
 
-        /** @throws ScanException if the component is missing */
         <T> T get(String name, Class<T> type) {
             if (type.isInstance(items.get(name))) {
                 return type.cast(items.get(name));
@@ -162,7 +160,6 @@ final class GwyddionReader {
             return items.get(name) instanceof String text ? text : "";
         }
 
-        /** Returns the unit of a component that is a unit object; empty if there is none. */
         String unit(String name) {
             return items.get(name) instanceof GwyddionObject unit ? unit.text("unitstr") : "";
         }

@@ -29,7 +29,6 @@ final class IgorWaveReader {
     private static final int LABEL_LENGTH = 32;
     private static final int LARGEST_TEXT = 1 << 20;
 
-    /** Types by Igor's codes of real numbers. */
     private static final Map<Integer, SampleType> TYPES = Map.of(
             0x02, SampleType.FLOAT_32,
             0x04, SampleType.FLOAT_64,
@@ -114,7 +113,7 @@ final class IgorWaveReader {
         return names;
     }
 
-    /** Corrects the unit: a wave has one unit, meters, for all its layers, even for phases and potentials. */
+    /** A wave has one unit, meters, for all its layers, even for phases and potentials. */
     private static String unit(String name, String unit) {
         if (name.startsWith("Phase")) {
             return "deg";

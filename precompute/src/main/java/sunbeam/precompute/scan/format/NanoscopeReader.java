@@ -84,10 +84,7 @@ final class NanoscopeReader {
                 scale.unit());
     }
 
-    /**
-     * Grid of the stored samples that are valid. Their number of lines follows from the length of the data: all announced lines, or fewer
-     * if the scan was stopped. Lines are counted in the order of the file.
-     */
+    /** Grid of the stored samples that are valid; a stopped scan stores fewer lines than announced. */
     private record Stored(int columns, int firstRow, int rows, SampleType type) {
         static Stored of(Header common, Header image) {
             int columns = image.count("samps/line");

@@ -139,7 +139,7 @@ final class PictureReader {
     }
 
     /**
-     * Returns the channels of a picture: grey, if it has one band or three equal ones; red, green and blue, if it has three; alpha. A
+     * Returns the channels of a picture: gray, if it has one band or three equal ones; red, green and blue, if it has three; alpha. A
      * sample is missing where alpha is 0.
      *
      * @param prefix start of the channels' names, empty or ending in a blank

@@ -40,7 +40,7 @@ public final class ScanFormats {
     /**
      * Finds the reader of a file by its content; empty if none recognizes it.
      *
-     * @param mark the user's choice of the decimal mark in texts
+     * @param mark decimal mark of texts; the user's choice
      */
     public static Optional<ScanReader> find(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         for (ScanReader reader : ALL) {

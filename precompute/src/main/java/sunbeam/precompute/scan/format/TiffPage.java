@@ -28,8 +28,6 @@ import sunbeam.precompute.text.Text;
 /**
  * Page of a TIFF or BigTIFF file: its tags, including private ones, and its samples as stored. Source: Adobe, "TIFF Revision 6.0" and its
  * technical notes. The library TwelveMonkeys decodes the samples after this class has checked sizes and tags.
- *
- * @param index number of the page in the file, from 0
  */
 record TiffPage(ScanBytes file, int index, Directory tags) {
     // Values of the tag SampleFormat.
@@ -57,11 +55,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return file.startsWith("II*\0", "MM\0*", "II+\0", "MM\0+");
     }
 
-    /**
-     * Reads the pages of a TIFF file, at least one.
-     *
-     * @throws ScanException if the file is damaged, or has too many pages
-     */
+    /** Reads the pages of a TIFF file, at least one. */
     static List<TiffPage> read(ScanBytes file) throws IOException {
         List<TiffPage> pages = new ArrayList<>();
         try (ImageInputStream in = new BoundedInput(file.path().toFile())) {
@@ -91,7 +85,6 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return tags.getEntryById(tag) != null;
     }
 
-    /** Returns the numbers of a tag; none if it is missing. */
     double[] numbers(int tag) {
         Entry entry = tags.getEntryById(tag);
         Object value = entry == null ? new double[0] : entry.getValue();
@@ -106,7 +99,6 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /** Returns the first number of a tag, or a default. */
     double number(int tag, double otherwise) {
         double[] numbers = numbers(tag);
         return numbers.length == 0 ? otherwise : numbers[0];
@@ -118,7 +110,6 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return entry != null && entry.getValue() instanceof String text ? text : "";
     }
 
-    /** Returns the bytes of a tag; none if it is missing. */
     byte[] bytes(int tag) {
         Entry entry = tags.getEntryById(tag);
         return entry != null && entry.getValue() instanceof byte[] bytes ? bytes : new byte[0];
@@ -148,11 +139,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return format() == FLOAT;
     }
 
-    /**
-     * Returns the samples of a band as stored, without scale.
-     *
-     * @throws ScanException if the samples are incomplete, or their format is lossy or unknown
-     */
+    /** Returns the samples of a band as stored, without scale. */
     Samples samples(int band) {
         requireReadable();
         int count = columns() * rows();
@@ -177,7 +164,6 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /** Requires upright, lossless and complete samples of a known type, in tiles of a bounded size. */
     private void requireReadable() {
         ScanLimits.requireSize(columns(), rows());
         int compression = (int) number(TIFF.TAG_COMPRESSION, UNCOMPRESSED);

@@ -113,7 +113,7 @@ final class X3pReader {
         return header;
     }
 
-    /** Opens a member of the archive, which must have at least {@code bytes} bytes. */
+    /** The member must have at least {@code bytes} bytes. */
     private static InputStream member(ZipFile archive, String name, long bytes) throws IOException {
         ZipEntry entry = archive.getEntry(name);
         if (entry == null || entry.isDirectory() || entry.getSize() < bytes) {
