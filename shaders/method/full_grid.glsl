@@ -14,8 +14,8 @@ uniform float gridNodeStep;
 uniform float gridRayScale;
 // Index of the first column and of the first sample on it: x, y for columns along x; z, w for rows along y.
 uniform vec4 gridRaysFirst;
-// Rays with max(|u|, |v|) below gridCentreReach cross too few columns; others are sampled at gridFewestNodes of them or more.
-uniform float gridCentreReach;
+// Rays with max(|u|, |v|) below gridCenterReach cross too few columns; others are sampled at gridFewestNodes of them or more.
+uniform float gridCenterReach;
 uniform int gridFewestNodes;
 // Longest step along a ray, in distances between columns: a ray that crosses many columns is sampled at every second or third one.
 uniform float gridLongestStep;
@@ -130,7 +130,7 @@ float powerAtStep(Ray ray, int step, float wavelength) {
 vec3 diffractedXyz(vec3 uvw) {
     bool alongX = abs(uvw.x) >= abs(uvw.y);
     float major = alongX ? uvw.x : uvw.y;
-    if (abs(major) < gridCentreReach) {
+    if (abs(major) < gridCenterReach) {
         // Near the specular direction both axes are interpolated.
         Ray ray = Ray(uvw, false, alongX, 0.0, 0.0, vec2(0.0), 0.0);
         return cutBandXyz(ray, length(uvw.xy));

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * What {@code --tolerance} promises of method {@code full}, on surfaces and directions chosen to break it: skirts of
- * orders, weak orders, steps, dust, reliefs of a few nanometres and of micrometres, windows of 1 um and 1 mm, grazing light.
+ * orders, weak orders, steps, dust, reliefs of a few nanometers and of micrometers, windows of 1 um and 1 mm, grazing light.
  */
 class HardCasesTest {
     // The promise is made where there is light, or where the program sees some.

@@ -21,8 +21,8 @@ import javax.imageio.stream.FileImageOutputStream;
 public final class Images {
     private Images() {}
 
-    /** An 8-bit grey PNG whose value at a column and row is given. */
-    public static Path grey(Path file, int columns, int rows, IntBinaryOperator value) throws IOException {
+    /** An 8-bit gray PNG whose value at a column and row is given. */
+    public static Path gray(Path file, int columns, int rows, IntBinaryOperator value) throws IOException {
         BufferedImage image = new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_GRAY);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {

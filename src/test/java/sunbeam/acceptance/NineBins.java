@@ -18,17 +18,17 @@ final class NineBins {
     /** Row by row, the first at the top. */
     private final int[] samples;
 
-    private final double metresPerStep;
+    private final double metersPerStep;
     private final double width;
 
-    /** @param fullScale height of the value 255, metres */
+    /** @param fullScale height of the value 255, meters */
     NineBins(Path image, double width, double fullScale) throws IOException {
         Raster raster = ImageIO.read(image.toFile()).getRaster();
         this.columns = raster.getWidth();
         this.rows = raster.getHeight();
         this.samples = raster.getSamples(0, 0, columns, rows, 0, (int[]) null);
         this.width = width;
-        this.metresPerStep = fullScale / 255;
+        this.metersPerStep = fullScale / 255;
     }
 
     /** What a bin counts at a distance in bins along x and y. */
@@ -36,7 +36,7 @@ final class NineBins {
         double at(double x, double y);
     }
 
-    /** Coherent power with the window on the patch's centre. */
+    /** Coherent power with the window on the patch's center. */
     double power(double u, double v, double w, double wavelength) {
         double sigma = SIGMA_FREQUENCY * width;
         double high = (double) rows / columns;
@@ -73,8 +73,8 @@ final class NineBins {
     private double[] bin(int jx, int jy, double kw, double origin) {
         double[] levels = new double[512];
         for (int level = 0; level < 256; level++) {
-            levels[2 * level] = Math.cos(kw * level * metresPerStep);
-            levels[2 * level + 1] = Math.sin(kw * level * metresPerStep);
+            levels[2 * level] = Math.cos(kw * level * metersPerStep);
+            levels[2 * level + 1] = Math.sin(kw * level * metersPerStep);
         }
         double[] turnX = turns(jx, columns, (int) (origin * columns));
         double[] turnY = turns(-jy, rows, (int) (origin * rows));

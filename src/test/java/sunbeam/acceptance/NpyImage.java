@@ -28,12 +28,12 @@ public record NpyImage(String header, int side, float[] values) {
         return values[3 * (row * side + column) + channel];
     }
 
-    /** x of a column's centre, and minus y of a row's, in the unit disc. */
+    /** x of a column's center, and minus y of a row's, in the unit disc. */
     public double place(int index) {
         return (2.0 * index + 1) / side - 1;
     }
 
-    /** Whether a pixel's centre lies in the unit disc. */
+    /** Whether a pixel's center lies in the unit disc. */
     public boolean inDisc(int row, int column) {
         return Math.hypot(place(row), place(column)) < 1;
     }

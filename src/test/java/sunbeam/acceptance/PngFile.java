@@ -34,7 +34,7 @@ public final class PngFile {
         return text;
     }
 
-    /** An 8-bit grey image whose header promises more than its few bytes hold. */
+    /** An 8-bit gray image whose header promises more than its few bytes hold. */
     public static void writeWithHeaderOf(Path file, int width, int height) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         bytes.writeBytes(SIGNATURE);

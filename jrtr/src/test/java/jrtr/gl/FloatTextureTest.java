@@ -104,7 +104,7 @@ class FloatTextureTest {
         float[] interpolated = rendering.drawn(program, 1, 1, new Binding("t", linear));
         float[] stepped = rendering.drawn(program, 1, 1, new Binding("t", nearest));
 
-        // Texel centres at 1/4 and 3/4. Hardware keeps 8 bits of the weight or more: 10 / 256 = 0.04.
+        // Texel centers at 1/4 and 3/4. Hardware keeps 8 bits of the weight or more: 10 / 256 = 0.04.
         assertThat(interpolated[0]).isCloseTo(15, within(0.04f));
         assertThat(interpolated[1]).isCloseTo(20, within(0.04f));
         assertThat(interpolated[2]).isCloseTo(11, within(0.04f));

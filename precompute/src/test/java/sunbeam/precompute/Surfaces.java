@@ -14,14 +14,14 @@ public final class Surfaces {
         double at(int column, int row);
     }
 
-    /** Heights in metres sample by sample. */
+    /** Heights in meters sample by sample. */
     public static HeightMap sampled(int columns, int rows, double pitch, Samples samples) {
         double[] heights = new double[columns * rows];
         Arrays.setAll(heights, i -> samples.at(i % columns, i / columns));
         return HeightMap.owning(columns, rows, pitch, pitch, heights);
     }
 
-    /** Heights by position in metres; x to the right, y upwards, both 0 at the top left sample. */
+    /** Heights by position in meters; x to the right, y upwards, both 0 at the top left sample. */
     public static HeightMap of(int columns, int rows, double pitch, DoubleBinaryOperator height) {
         return sampled(columns, rows, pitch, (column, row) -> height.applyAsDouble(column * pitch, -row * pitch));
     }

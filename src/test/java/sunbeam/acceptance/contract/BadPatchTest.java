@@ -29,7 +29,7 @@ class BadPatchTest {
     @BeforeEach
     void layOut() throws IOException {
         workplace = Workplace.in(root);
-        Images.grey(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
+        Images.gray(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
     }
 
     @Test
@@ -126,7 +126,7 @@ class BadPatchTest {
 
     @Test
     void aSinglePixel() throws Exception {
-        Images.grey(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
+        Images.gray(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
 
         assertRefused("--patch one.png --width 65um --max-height 375nm", "one.png has 1 x 1 samples", "give at least");
     }

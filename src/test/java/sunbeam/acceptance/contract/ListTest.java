@@ -125,7 +125,7 @@ class ListTest {
     @ParameterizedTest
     @CsvSource({"reference, 1e-6", "full, 1e-4"})
     void aFlatMirrorIsWhite(String method, double tolerance) throws Exception {
-        Images.grey(workplace.resolve("flat.png"), 16, 16, (column, row) -> 100);
+        Images.gray(workplace.resolve("flat.png"), 16, 16, (column, row) -> 100);
         String[] flat = {"--width", "4um", "--max-height", "100nm", "--method", method};
         Percentage allowed = Percentage.withPercentage(100 * tolerance);
         double fresnel = Math.pow(0.5 / 2.5, 2);

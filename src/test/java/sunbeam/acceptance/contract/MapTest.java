@@ -35,7 +35,7 @@ class MapTest {
     static void layOut() throws Exception {
         workplace = Workplace.in(root);
         SplittableRandom random = new SplittableRandom(11);
-        Images.grey(workplace.resolve("rough.png"), 40, 32, (column, row) -> random.nextInt(256));
+        Images.gray(workplace.resolve("rough.png"), 40, 32, (column, row) -> random.nextInt(256));
     }
 
     private static NpyImage map(String name, String patch, int side, String... more) throws Exception {

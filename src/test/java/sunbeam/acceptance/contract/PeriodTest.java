@@ -41,11 +41,11 @@ class PeriodTest {
     /** Of height maps that tile there is no doubt: a whole number of periods fits. */
     @ParameterizedTest
     @CsvSource({"sinusoid, 2500", "blaze, 2500", "disc, 1600"})
-    void aBuiltInGratingHasItsPeriod(String patch, double nanometres) throws Exception {
+    void aBuiltInGratingHasItsPeriod(String patch, double nanometers) throws Exception {
         JsonNode period = inspect(patch).at("/periods/0");
 
-        // Half a tenth of a per cent: an answer in whole numbers of nanometres would do.
-        assertThat(1e9 * period.get("periodMetres").doubleValue()).isBetween(0.9995 * nanometres, 1.0005 * nanometres);
+        // Half a tenth of a per cent: an answer in whole numbers of nanometers would do.
+        assertThat(1e9 * period.get("periodMetres").doubleValue()).isBetween(0.9995 * nanometers, 1.0005 * nanometers);
         assertThat(Math.abs(period.get("directionDegrees").doubleValue())).isLessThan(0.1);
     }
 
@@ -56,7 +56,7 @@ class PeriodTest {
         double angle = Math.toRadians(20);
         SplittableRandom random = new SplittableRandom(5);
         double pitch = 60;
-        Images.grey(workplace.resolve("scan.png"), 256, 256, (column, row) -> {
+        Images.gray(workplace.resolve("scan.png"), 256, 256, (column, row) -> {
             double along = pitch * (column * Math.cos(angle) - row * Math.sin(angle));
             return (int)
                     Math.round(128 + 90 * Math.sin(2 * Math.PI * along / period) + 20 * (random.nextDouble() - 0.5));
@@ -146,7 +146,7 @@ class PeriodTest {
     @Test
     void noiseHasNoPeriod() throws Exception {
         SplittableRandom random = new SplittableRandom(3);
-        Images.grey(workplace.resolve("noise.png"), 200, 200, (column, row) -> random.nextInt(256));
+        Images.gray(workplace.resolve("noise.png"), 200, 200, (column, row) -> random.nextInt(256));
 
         JsonNode report = inspect("noise.png", "--width", "16um", "--max-height", "100nm", "--no-periodic");
 

@@ -77,7 +77,7 @@ class PictureTest {
         }
         for (int i = 0; i < full.values().length; i++) {
             double value = full.values()[i];
-            // At the mesh's edge one method samples the pixel's centre and the other its area.
+            // At the mesh's edge one method samples the pixel's center and the other its area.
             if (value > 1e-3 * brightest && !Float.isNaN(table.values()[i])) {
                 errors.add(Math.abs(table.values()[i] - value) / value);
             }

@@ -111,7 +111,7 @@ class ScanTest {
     @ValueSource(
             strings = {
                 "di_corrupted.di",
-                // Heights of metres on micrometres: units that cannot be.
+                // Heights of meters on micrometers: units that cannot be.
                 "gwyddion-export-english.txt",
                 "gwyddion-export-german.txt",
                 "matrix-6.txt"

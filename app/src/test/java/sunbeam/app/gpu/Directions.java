@@ -66,8 +66,8 @@ final class Directions {
      * Light in the xz plane, and the view that sees a frequency.
      *
      * @param thetaDegrees angle of the light to the normal, towards +x
-     * @param fx u / lambda, cycles per metre
-     * @param fy v / lambda, cycles per metre
+     * @param fx u / lambda, cycles per meter
+     * @param fy v / lambda, cycles per meter
      */
     static Query seeing(double thetaDegrees, double fx, double fy, double wavelength) {
         Direction light = Direction.ofDegrees(thetaDegrees, 0);

@@ -8,7 +8,7 @@ import sunbeam.precompute.optics.HeightMap;
 final class Surface {
     private Surface() {}
 
-    /** Heights by position in metres; x to the right, y upwards, both 0 at the top left sample. */
+    /** Heights by position in meters; x to the right, y upwards, both 0 at the top left sample. */
     static HeightMap of(int columns, int rows, double pitchX, double pitchY, DoubleBinaryOperator height) {
         double[] heights = new double[columns * rows];
         for (int row = 0; row < rows; row++) {
@@ -27,7 +27,7 @@ final class Surface {
     /**
      * A smooth surface without symmetry that fills a relief: three waves of whole periods, a few to the patch.
      *
-     * @param relief peak to valley, metres
+     * @param relief peak to valley, meters
      */
     static HeightMap waves(int columns, int rows, double pitch, double relief) {
         double x0 = 2 * Math.PI / (columns * pitch);

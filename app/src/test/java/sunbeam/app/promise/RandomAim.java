@@ -28,8 +28,8 @@ enum RandomAim {
     /**
      * A pair of directions.
      *
-     * @param wavelength metres, at which orders are aimed at
-     * @param sigmaFrequency of the window, cycles per metre
+     * @param wavelength meters, at which orders are aimed at
+     * @param sigmaFrequency of the window, cycles per meter
      */
     DirectionPair draw(SplittableRandom random, HeightMap map, double wavelength, double sigmaFrequency) {
         for (int tries = 0; tries < MOST_TRIES; tries++) {

@@ -28,7 +28,7 @@ enum RandomSurface {
     FACET,
     /** Lines whose distance grows. */
     CHIRP,
-    /** Relief of a nanometre to a few. */
+    /** Relief of a nanometer to a few. */
     FAINT;
 
     private static final double SMALLEST_RELIEF = 5e-9;
@@ -38,8 +38,8 @@ enum RandomSurface {
      * A surface of this kind.
      *
      * @param mostSamples along a side
-     * @param pitch of the samples along x, metres; along y it is up to twice as long or as short
-     * @param longest side, metres
+     * @param pitch of the samples along x, meters; along y it is up to twice as long or as short
+     * @param longest side, meters
      */
     HeightMap draw(SplittableRandom random, int mostSamples, double pitch, double longest) {
         double pitchY = random.nextBoolean() ? pitch : pitch * Math.pow(2, random.nextDouble(-1, 1));
@@ -80,7 +80,7 @@ enum RandomSurface {
         return (int) (2 * Math.pow(Math.max(1, most / 2.0), random.nextDouble()));
     }
 
-    /** Heights in metres of x and y in 0..1. */
+    /** Heights in meters of x and y in 0..1. */
     static HeightMap of(int columns, int rows, double pitch, double pitchY, DoubleBinaryOperator height) {
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {

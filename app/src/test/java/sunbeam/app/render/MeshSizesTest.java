@@ -27,7 +27,7 @@ class MeshSizesTest {
 
     @ParameterizedTest
     @CsvSource({
-        // Sides of the square and distance of the eye, metres; whether it covers the picture's middle.
+        // Sides of the square and distance of the eye, meters; whether it covers the picture's middle.
         "1e-12, 0.6, false",
         "1e-7,  0.6, false",
         "1e-7,  1e-7, true",

@@ -39,9 +39,9 @@ class MeshTablePromiseTest {
     /**
      * A surface on a mesh.
      *
-     * @param width of a period along x, micrometres
+     * @param width of a period along x, micrometers
      * @param length along y
-     * @param height metres, at a place in micrometres
+     * @param height meters, at a place in micrometers
      * @param lone whether its orders stand alone, so that lines between texels would miss
      */
     record Case(

@@ -28,7 +28,7 @@ final class Pictures {
         return count;
     }
 
-    /** Pixels of a color that no grey light has. */
+    /** Pixels of a color that no gray light has. */
     static int spectralPixels(BufferedImage image) {
         int count = 0;
         for (int y = 0; y < image.getHeight(); y++) {

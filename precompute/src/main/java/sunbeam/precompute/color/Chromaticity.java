@@ -28,10 +28,10 @@ public record Chromaticity(double x, double y) {
     /**
      * Hue as a wavelength, with its purity.
      *
-     * @param nanometres dominant wavelength; the negative complementary wavelength for purples; NaN for white, gray and black
+     * @param nanometers dominant wavelength; the negative complementary wavelength for purples; NaN for white, gray and black
      * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple; may exceed 1 by rounding
      */
-    public record Hue(double nanometres, double purity) {}
+    public record Hue(double nanometers, double purity) {}
 
     /** Intersects the line from white through this color with the spectral locus, or with the line of purples. */
     public Hue hue(CieTable cie) {
@@ -54,11 +54,11 @@ public record Chromaticity(double x, double y) {
     /** Returns the wavelength in nm and the multiple of (dx, dy) that reaches it from this white; NaN if there is none. */
     private double[] crossing(CieTable cie, double dx, double dy) {
         Chromaticity from = ofWavelength(cie, BLUE_END * 1e-9);
-        for (int nanometre = BLUE_END; nanometre < RED_END; nanometre++) {
-            Chromaticity to = ofWavelength(cie, (nanometre + 1) * 1e-9);
+        for (int nanometer = BLUE_END; nanometer < RED_END; nanometer++) {
+            Chromaticity to = ofWavelength(cie, (nanometer + 1) * 1e-9);
             double[] found = reach(dx, dy, from, to);
             if (found[0] > 0 && found[1] >= 0 && found[1] <= 1) {
-                return new double[] {nanometre + found[1], found[0]};
+                return new double[] {nanometer + found[1], found[0]};
             }
             from = to;
         }

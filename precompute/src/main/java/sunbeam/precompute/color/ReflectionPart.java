@@ -36,9 +36,9 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
     public static double mirror(RefractiveIndex index, CieTable cie) {
         double sum = 0;
         double weights = 0;
-        for (int nanometre = 380; nanometre <= 780; nanometre++) {
-            double weight = cie.at(nanometre * 1e-9, 1);
-            sum += weight * index.reflectance(nanometre * 1e-9);
+        for (int nanometer = 380; nanometer <= 780; nanometer++) {
+            double weight = cie.at(nanometer * 1e-9, 1);
+            sum += weight * index.reflectance(nanometer * 1e-9);
             weights += weight;
         }
         return sum / weights;

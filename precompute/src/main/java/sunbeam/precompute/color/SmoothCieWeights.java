@@ -9,15 +9,15 @@ package sunbeam.precompute.color;
 public final class SmoothCieWeights {
     // Index of the table's last value, at 780 nm, and samples per nanometer.
     private static final int TABLE_LAST = 400;
-    private static final int PER_NANOMETRE = 8;
+    private static final int PER_NANOMETER = 8;
     /** Number of samples: eight per nanometer from 380 to 780 nm, both ends included. */
-    public static final int SAMPLES = TABLE_LAST * PER_NANOMETRE + 1;
+    public static final int SAMPLES = TABLE_LAST * PER_NANOMETER + 1;
 
     private SmoothCieWeights() {}
 
     /** Returns the wavelength of a sample, meters. */
     public static double wavelength(int sample) {
-        return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETRE);
+        return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETER);
     }
 
     /** Returns S xbar, S ybar or S zbar at each sample, not normalized; channel 0, 1 or 2. */
@@ -28,17 +28,17 @@ public final class SmoothCieWeights {
         }
         double[] result = new double[SAMPLES];
         for (int i = 0; i < SAMPLES; i++) {
-            int left = Math.min(TABLE_LAST - 1, i / PER_NANOMETRE);
-            result[i] = cubic(smooth, left, (double) i / PER_NANOMETRE - left);
+            int left = Math.min(TABLE_LAST - 1, i / PER_NANOMETER);
+            result[i] = cubic(smooth, left, (double) i / PER_NANOMETER - left);
         }
         return result;
     }
 
     /** Returns a table value; beyond the band's ends, by linear extrapolation. */
-    private static double at(CieTable cie, int nanometre, int channel) {
-        int inside = Math.min(TABLE_LAST, Math.max(0, nanometre));
+    private static double at(CieTable cie, int nanometer, int channel) {
+        int inside = Math.min(TABLE_LAST, Math.max(0, nanometer));
         double value = cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);
-        int inwards = Integer.compare(inside, nanometre);
+        int inwards = Integer.compare(inside, nanometer);
         return inwards == 0
                 ? value
                 : 2 * value - cie.at(CieTable.MINIMUM_WAVELENGTH + (inside + inwards) * 1e-9, channel);

@@ -31,15 +31,15 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
      * Returns nodes at equal steps over 380..780 nm with weights of the trapezoid rule, normalized by its sum for Y. For light with lines,
      * which such steps may miss, the steps of 1 / lambda are equal and at most half as long, and the weights integrate the light exactly.
      *
-     * @param stepMetres wanted step in meters; shortened so that the band's ends are nodes
+     * @param stepMeters wanted step in meters; shortened so that the band's ends are nodes
      */
-    public static WavelengthNodes uniform(CieTable cie, double stepMetres) {
+    public static WavelengthNodes uniform(CieTable cie, double stepMeters) {
         if (!cie.isSmooth()) {
-            double ofWaveNumber = stepMetres / (CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH);
+            double ofWaveNumber = stepMeters / (CieTable.MINIMUM_WAVELENGTH * CieTable.MINIMUM_WAVELENGTH);
             return IntegratedNodes.of(cie, 0.5 * ofWaveNumber);
         }
         double band = CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH;
-        int intervals = Math.max(1, (int) Math.ceil(band / stepMetres - 1e-9));
+        int intervals = Math.max(1, (int) Math.ceil(band / stepMeters - 1e-9));
         double[] wavelengths = new double[intervals + 1];
         double[][] weights = new double[intervals + 1][3];
         double sumY = 0;

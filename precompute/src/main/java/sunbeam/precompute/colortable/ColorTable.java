@@ -110,7 +110,7 @@ public record ColorTable(
         boolean hasSlopes = slopeDeviation > 0;
         double finest = Math.max(pointSigma, SHALLOWEST * slopeDeviation) / pointSigma;
         for (double widening = finest; widening == finest || pointSigma * widening <= WIDEST_SIGMA; widening *= RATIO) {
-            GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMetres() / widening));
+            GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMeters() / widening));
             TableDesign planned = TableDesign.within(tolerance, wider, relief);
             TableDesign design = coarse ? withMoreSlices(planned) : planned;
             if (coarse && ordersIsolated) {
@@ -174,7 +174,7 @@ public record ColorTable(
         double frequency = area.window().sigmaFrequency();
         // Power is the square of an amplitude.
         double wider = Math.sqrt(frequency * frequency + 2 * variance / (wavelength * wavelength));
-        return new CoherenceWindow(area.window().sigmaMetres() * frequency / wider);
+        return new CoherenceWindow(area.window().sigmaMeters() * frequency / wider);
     }
 
     private static double sigma(CoherenceWindow window) {

@@ -24,7 +24,7 @@ public sealed interface TableSpace {
          *
          * @param uvw u, v, w and any further values; changed
          */
-        public static void within(double[] uvw) {
+        public static void shorten(double[] uvw) {
             double inside = REACH / Math.max(REACH, Math.sqrt(uvw[0] * uvw[0] + uvw[1] * uvw[1] + uvw[2] * uvw[2]));
             for (int axis = 0; axis < 3; axis++) {
                 uvw[axis] *= inside;

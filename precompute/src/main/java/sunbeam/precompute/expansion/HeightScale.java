@@ -6,17 +6,17 @@ import sunbeam.precompute.patch.HeightLevels;
  * Linear map of heights h to s = (h - center) / halfRange in [-1, 1], before powers are taken: k^n and h^n in SI units exceed the range of
  * float32 and even of double. The center changes the phase of the whole surface only, never its power.
  *
- * @param centre height that maps to 0, meters
+ * @param center height that maps to 0, meters
  * @param halfRange height above the center that maps to 1, meters, above 0
  */
-public record HeightScale(double centre, double halfRange) {
+public record HeightScale(double center, double halfRange) {
     // Meters, for a flat patch: any value above 0 would do; the phase of a picometer is negligible.
     private static final double FLAT_HALF_RANGE = 1e-12;
 
     /** Returns the scale centered on the mid-range, which has the smallest half range. */
     public static HeightScale midRange(HeightLevels heights) {
-        double centre = 0.5 * (heights.minimum() + heights.maximum());
-        return new HeightScale(centre, Math.max(FLAT_HALF_RANGE, heights.maximum() - centre));
+        double center = 0.5 * (heights.minimum() + heights.maximum());
+        return new HeightScale(center, Math.max(FLAT_HALF_RANGE, heights.maximum() - center));
     }
 
     /** Returns the scale centered on the mean height, as in the thesis. */
@@ -29,13 +29,13 @@ public record HeightScale(double centre, double halfRange) {
             sum += counts[i] * (levels[i] - heights.minimum());
             samples += counts[i];
         }
-        double centre = heights.minimum() + sum / samples;
-        double reach = Math.max(heights.maximum() - centre, centre - heights.minimum());
-        return new HeightScale(centre, Math.max(FLAT_HALF_RANGE, reach));
+        double center = heights.minimum() + sum / samples;
+        double reach = Math.max(heights.maximum() - center, center - heights.minimum());
+        return new HeightScale(center, Math.max(FLAT_HALF_RANGE, reach));
     }
 
     public double scaled(double height) {
-        return (height - centre) / halfRange;
+        return (height - center) / halfRange;
     }
 
     /** Returns the phase zeta = k |w| halfRange in radians, for a wavelength in meters and |w| in 0..2. */

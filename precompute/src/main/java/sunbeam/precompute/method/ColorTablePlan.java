@@ -189,7 +189,7 @@ public record ColorTablePlan(
                         table.levels().get(count - 1).interpolation().shaderFunction())
                 .define("COLOR_POINT_LEVELS", table.pointLevelCount())
                 .build(
-                        table.area().window().sigmaMetres(),
+                        table.area().window().sigmaMeters(),
                         table.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));
     }
 }

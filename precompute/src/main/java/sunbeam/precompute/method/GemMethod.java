@@ -98,6 +98,6 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
         Average.COHERENT.defineIn(tables);
         return fresnel.applyTo(tables.define("GEM_ORDERS", orders)
                 .reals("gemSpacing", period)
-                .build(window.sigmaMetres(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
+                .build(window.sigmaMeters(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
     }
 }

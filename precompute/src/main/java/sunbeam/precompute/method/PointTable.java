@@ -122,7 +122,7 @@ final class PointTable {
         ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
         table.putInto(tables);
         SpectrumPlan sums = source.spectrum().orElseThrow();
-        return tables.build(sums.window().sigmaMetres(), sums.specularReach());
+        return tables.build(sums.window().sigmaMeters(), sums.specularReach());
     }
 
     /** Returns the finest level of the table of all lights, if its cached tiles suffice. */

@@ -265,7 +265,7 @@ public record PqMethod(
                     .reals("periodLength", map.width(), map.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())
                     .integers("wavelengthCount", wavelengths.count())
-                    .build(equalArea.sigmaMetres(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
+                    .build(equalArea.sigmaMeters(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
         }
 
         private float[] layer(PeriodSpectrum spectrum, int layer) {

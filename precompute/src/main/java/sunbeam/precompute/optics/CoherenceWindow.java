@@ -3,9 +3,9 @@ package sunbeam.precompute.optics;
 /**
  * Gaussian coherence window exp(-r^2 / (2 sigma^2)) with amplitude 1 at its center.
  *
- * @param sigmaMetres standard deviation sigma in space, meters; a quarter of the coherence length
+ * @param sigmaMeters standard deviation sigma in space, meters; a quarter of the coherence length
  */
-public record CoherenceWindow(double sigmaMetres) {
+public record CoherenceWindow(double sigmaMeters) {
     /** Sunlight's coherence length, meters (thesis section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
@@ -15,18 +15,18 @@ public record CoherenceWindow(double sigmaMetres) {
     private static final double LONGEST_WAVE = 5e-6;
 
     public CoherenceWindow {
-        if (!(sigmaMetres > 0) || !Double.isFinite(sigmaMetres)) {
-            throw new IllegalArgumentException("sigma must be positive, got " + sigmaMetres + " m");
+        if (!(sigmaMeters > 0) || !Double.isFinite(sigmaMeters)) {
+            throw new IllegalArgumentException("sigma must be positive, got " + sigmaMeters + " m");
         }
     }
 
     /** Returns the window for a coherence length in meters. */
-    public static CoherenceWindow ofCoherenceLength(double metres) {
-        return new CoherenceWindow(metres / 4);
+    public static CoherenceWindow ofCoherenceLength(double meters) {
+        return new CoherenceWindow(meters / 4);
     }
 
     public double coherenceLength() {
-        return 4 * sigmaMetres;
+        return 4 * sigmaMeters;
     }
 
     /**
@@ -40,7 +40,7 @@ public record CoherenceWindow(double sigmaMetres) {
 
     /** Returns the standard deviation of the window's spectrum, 1 / (2 pi sigma), in cycles per meter. */
     public double sigmaFrequency() {
-        return 1 / (2 * Math.PI * sigmaMetres);
+        return 1 / (2 * Math.PI * sigmaMeters);
     }
 
     /**

@@ -42,7 +42,7 @@ public final class Gain {
      */
     public static double brdf(DirectionPair pair, CoherenceWindow window, double wavelength) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
-        double ratio = kirchhoff * window.sigmaMetres() / (wavelength * pair.w());
+        double ratio = kirchhoff * window.sigmaMeters() / (wavelength * pair.w());
         return reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / (pair.cosThetaI() * pair.cosThetaR());
     }
 }

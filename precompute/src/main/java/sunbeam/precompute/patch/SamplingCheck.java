@@ -53,7 +53,7 @@ public final class SamplingCheck {
             return Optional.empty();
         }
         double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
-        return Optional.of("heights are coarse: one grey level is " + Lengths.format(step) + ", which scatters about "
+        return Optional.of("heights are coarse: one gray level is " + Lengths.format(step) + ", which scatters about "
                 + Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)
                 + " % of the light at random; use a 16-bit or float image");
     }

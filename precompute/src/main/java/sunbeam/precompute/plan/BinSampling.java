@@ -67,7 +67,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         return BinArrays.tables("full_bins", plan, table, neighborhood)
                 .array(ColorArrays.wavelengths(wavelengths))
                 .integers("wavelengthCount", wavelengths.count())
-                .build(plan.window().sigmaMetres(), plan.specularReach());
+                .build(plan.window().sigmaMeters(), plan.specularReach());
     }
 
     /** Part of cache keys: for a given light, the number of wavelengths and the first two determine all. */

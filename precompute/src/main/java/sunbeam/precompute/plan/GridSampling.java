@@ -162,11 +162,11 @@ public record GridSampling(
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)
                     .reals("gridLongestStep", longestStep / nodeStep * (1 + 1e-6))
-                    .reals("gridCentreReach", centerReach())
+                    .reals("gridCenterReach", centerReach())
                     .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", cie.white());
         }
-        return tables.build(plan.window().sigmaMetres(), plan.specularReach());
+        return tables.build(plan.window().sigmaMeters(), plan.specularReach());
     }
 
     private Fields fields(Average average, SpectrumPlan plan, FourierTable table) {

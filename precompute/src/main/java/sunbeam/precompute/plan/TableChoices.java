@@ -101,7 +101,7 @@ public record TableChoices(
         return promisedTolerance.orElse(ErrorBudget.STANDARD);
     }
 
-    public TableChoices withWavelengthStep(double metres) {
-        return new TableChoices(promisedTolerance, expansion, terms, neighborhood, Optional.of(metres));
+    public TableChoices withWavelengthStep(double meters) {
+        return new TableChoices(promisedTolerance, expansion, terms, neighborhood, Optional.of(meters));
     }
 }

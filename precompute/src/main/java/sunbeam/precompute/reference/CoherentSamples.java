@@ -23,8 +23,8 @@ public final class CoherentSamples {
         this.map = map;
         this.axisX = Axis.x(map, origin);
         this.axisY = Axis.y(map, origin);
-        this.windowX = WindowSamples.of(axisX, window.sigmaMetres(), ReferenceEvaluator.AMPLITUDE_REACH);
-        this.windowY = WindowSamples.of(axisY, window.sigmaMetres(), ReferenceEvaluator.AMPLITUDE_REACH);
+        this.windowX = WindowSamples.of(axisX, window.sigmaMeters(), ReferenceEvaluator.AMPLITUDE_REACH);
+        this.windowY = WindowSamples.of(axisY, window.sigmaMeters(), ReferenceEvaluator.AMPLITUDE_REACH);
     }
 
     /**

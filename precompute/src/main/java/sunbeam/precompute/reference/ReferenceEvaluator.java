@@ -39,8 +39,8 @@ public final class ReferenceEvaluator {
         this.window = window;
         this.axisX = Axis.x(map, origin);
         this.axisY = Axis.y(map, origin);
-        this.windowX = WindowSamples.of(axisX, window.sigmaMetres(), AMPLITUDE_REACH);
-        this.windowY = WindowSamples.of(axisY, window.sigmaMetres(), AMPLITUDE_REACH);
+        this.windowX = WindowSamples.of(axisX, window.sigmaMeters(), AMPLITUDE_REACH);
+        this.windowY = WindowSamples.of(axisY, window.sigmaMeters(), AMPLITUDE_REACH);
     }
 
     /** Power of one coherence area, and its mean over all positions of the window. */

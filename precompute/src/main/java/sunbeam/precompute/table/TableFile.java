@@ -50,7 +50,7 @@ public final class TableFile {
         hdf.putAttribute(
                 "window", "none: the Gaussian window acts when the table is used; phases refer to the top left sample");
         hdf.putAttribute("expansion", Kinds.name(table.kind()));
-        hdf.putAttribute("height_centre_metres", table.scale().centre());
+        hdf.putAttribute("height_centre_metres", table.scale().center());
         hdf.putAttribute("height_half_range_metres", table.scale().halfRange());
         hdf.putAttribute("first_bin_x", table.bandX().first());
         hdf.putAttribute("first_bin_y", table.bandY().first());

@@ -13,7 +13,7 @@ import sunbeam.precompute.prepare.Leveling;
  * A scan that chance drew of what scanners and surfaces do to a grating, or to what is none.
  *
  * @param map heights, level by their plane
- * @param truths metres: the period or each of several; of terraces their mean width
+ * @param truths meters: the period or each of several; of terraces their mean width
  * @param anyBetween whether what lies between them is as true
  * @param words for messages
  */

@@ -19,17 +19,17 @@ class PeriodModelTest {
     /** In any direction, of 7 to 30 periods. */
     @ParameterizedTest
     @CsvSource({"1.0, 0", "0.9, 17", "1.31, -40", "0.7, 90", "1.44, 63", "0.42, 5"})
-    void aSineIsToldWithItsDirection(double micrometres, double degrees) {
-        double x1 = Math.cos(Math.toRadians(degrees)) / micrometres * 1e6;
-        double y1 = Math.sin(Math.toRadians(degrees)) / micrometres * 1e6;
+    void aSineIsToldWithItsDirection(double micrometers, double degrees) {
+        double x1 = Math.cos(Math.toRadians(degrees)) / micrometers * 1e6;
+        double y1 = Math.sin(Math.toRadians(degrees)) / micrometers * 1e6;
         HeightMap map = Surfaces.of(128, 110, 80e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * (x1 * x + y1 * y)));
         GratingPeriod period = told(map).orElseThrow();
-        assertThat(1e-6 * micrometres).isBetween(period.low(), period.high());
+        assertThat(1e-6 * micrometers).isBetween(period.low(), period.high());
         // Nothing disturbs it: an exact wave is known to a hundredth of a line over the scan, 1.5 % of seven periods.
-        assertThat(period.high() - period.low()).isLessThan(0.03e-6 * micrometres);
+        assertThat(period.high() - period.low()).isLessThan(0.03e-6 * micrometers);
         double turn = Math.IEEEremainder(period.azimuth() - Math.toRadians(degrees), Math.PI);
         // Half of a line over the scan's shorter side.
-        assertThat(Math.abs(turn)).isLessThan(0.5 * 1e-6 * micrometres / map.height());
+        assertThat(Math.abs(turn)).isLessThan(0.5 * 1e-6 * micrometers / map.height());
     }
 
     /** The sums over all kinds that SimulatedGratingsRun and FaultyScansRun print, of few draws: 95 % of the answers hold the truth. */

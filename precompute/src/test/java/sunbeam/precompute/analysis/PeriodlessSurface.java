@@ -14,7 +14,7 @@ enum PeriodlessSurface {
     CORRELATED,
     /** Waves of all directions whose amplitudes fall with a power of the frequency, 1 to 2. */
     FRACTAL,
-    /** A parabola, of two curvatures and a centre of its own, under correlated noise. */
+    /** A parabola, of two curvatures and a center of its own, under correlated noise. */
     BOW,
     /** Slow waviness of one direction, as drift leaves it. */
     DRIFT,

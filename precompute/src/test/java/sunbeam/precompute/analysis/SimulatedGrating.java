@@ -11,7 +11,7 @@ import sunbeam.precompute.optics.HeightMap;
  *
  * @param map heights
  * @param kind what disturbs it
- * @param truths metres: the period, or each of two
+ * @param truths meters: the period, or each of two
  * @param azimuth radians, across its lines
  * @param words for messages
  */

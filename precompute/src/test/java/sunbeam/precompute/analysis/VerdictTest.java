@@ -162,7 +162,7 @@ class VerdictTest {
                                 + " 30, 90 and 150 degrees: first-order colors from 50 degrees on under light from above");
     }
 
-    /** Five samples and a third of a micrometre: nothing can be seen three times. */
+    /** Five samples and a third of a micrometer: nothing can be seen three times. */
     @Test
     void tooLittleIsNotNoOrder() {
         HeightMap few = Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y));

@@ -11,7 +11,7 @@ final class ColorDifferenceTest {
     // Half of the last digit that the table gives, of colors as well as of differences.
     private static final double PUBLISHED_DIGITS = 1e-4;
 
-    /** Sharma, Wu, Dalal 2005, table 1: hue differences beyond 180 degrees, greys, blues, near and far pairs. */
+    /** Sharma, Wu, Dalal 2005, table 1: hue differences beyond 180 degrees, grays, blues, near and far pairs. */
     @ParameterizedTest
     @CsvSource({
         "50, 2.6772, -79.7751, 50, 0, -82.7485, 2.0425",
@@ -58,13 +58,13 @@ final class ColorDifferenceTest {
     }
 
     @Test
-    void whiteOfD65IsWhiteAndGreysAreGrey() {
+    void whiteOfD65IsWhiteAndGreysAreGray() {
         CieLab white = CieLab.ofXyz(0.95047, 1, 1.08883);
         assertThat(white.lightness()).isCloseTo(100, within(1e-12));
         assertThat(white.chroma()).isCloseTo(0, within(1e-12));
         // Y = 0.184187 is L* = 50 by definition: ((50 + 16) / 116)^3.
-        double grey = Math.pow(66.0 / 116, 3);
-        CieLab half = CieLab.ofXyz(0.95047 * grey, grey, 1.08883 * grey);
+        double gray = Math.pow(66.0 / 116, 3);
+        CieLab half = CieLab.ofXyz(0.95047 * gray, gray, 1.08883 * gray);
         assertThat(half.lightness()).isCloseTo(50, within(1e-12));
         assertThat(half.chroma()).isCloseTo(0, within(1e-12));
     }

@@ -13,7 +13,7 @@ class ExactIntegralTest {
     private static final CieTable CIE = CieTable.load();
     private static final double SIGMA_FREQUENCY = 9794;
 
-    /** 40 points on each of 16 parts of every nanometre: what the tables, linear between, define. */
+    /** 40 points on each of 16 parts of every nanometer: what the tables, linear between, define. */
     private static double[] gaussLegendre(DoubleUnaryOperator power) {
         GaussIntegrator rule = new GaussIntegratorFactory().legendre(40);
         double[] xyz = new double[3];

@@ -96,8 +96,8 @@ class ColorTableTest {
         assertThat(table.slopeVariance(0, 0)).isCloseTo(least, within(1e-12));
         assertThat(table.slopeVariance(1, 0)).isCloseTo(least + Math.pow(table.finestSigma(), 2), within(1e-12));
         // At the middle wavelength a level's window is that of its area.
-        assertThat(table.widened(least, ColorTable.MIDDLE_WAVELENGTH).sigmaMetres())
-                .isCloseTo(table.levels().get(0).area().window().sigmaMetres(), within(1e-12));
+        assertThat(table.widened(least, ColorTable.MIDDLE_WAVELENGTH).sigmaMeters())
+                .isCloseTo(table.levels().get(0).area().window().sigmaMeters(), within(1e-12));
     }
 
     @Test

@@ -75,7 +75,7 @@ class LevelBakingTest {
                 // Every other one at the rim, where tiles just begin.
                 double angle = random.nextDouble(2 * Math.PI);
                 double[] uvw = {3 * Math.cos(angle), 3 * Math.sin(angle), i % 2 == 0 ? 0 : random.nextDouble(-9, 0)};
-                TableSpace.AllLights.within(uvw);
+                TableSpace.AllLights.shorten(uvw);
                 BitSet beyond = tilesOf(grid, (float) uvw[0], (float) uvw[1], (float) uvw[2]);
                 beyond.andNot(reachable);
                 assertThat(beyond.isEmpty()).as("%s", Arrays.toString(uvw)).isTrue();

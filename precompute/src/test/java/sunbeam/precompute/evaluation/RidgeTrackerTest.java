@@ -24,7 +24,7 @@ final class RidgeTrackerTest {
         return new GratingPlane(Math.toRadians(theta), Math.toRadians(phi), 0);
     }
 
-    /** @param strength of a period, numbered, at a wavelength, metres */
+    /** @param strength of a period, numbered, at a wavelength, meters */
     private static ResponseMatrix ridges(
             GratingPlane plane, FirstOrder order, double[] frequencies, DoubleBinaryOperator strength) {
         double[] wavelengths = new double[WAVELENGTHS];

@@ -28,7 +28,7 @@ class BadImageTest {
 
     @Test
     void refusesAnUnreadableFile() throws IOException {
-        Path file = TestImages.write(TestImages.grey8(2, 2, (c, r, b) -> c), folder.resolve("secret.png"));
+        Path file = TestImages.write(TestImages.gray8(2, 2, (c, r, b) -> c), folder.resolve("secret.png"));
         assumeFalse(
                 !file.toFile().setReadable(false) || Files.isReadable(file),
                 "this user or file system can read every file");
@@ -50,7 +50,7 @@ class BadImageTest {
     @ParameterizedTest
     @ValueSource(strings = {"png", "bmp", "tiff"})
     void refusesATruncatedFile(String format) throws IOException {
-        Path file = TestImages.write(TestImages.grey8(40, 40, (c, r, b) -> c * r), folder.resolve("cut." + format));
+        Path file = TestImages.write(TestImages.gray8(40, 40, (c, r, b) -> c * r), folder.resolve("cut." + format));
         byte[] content = Files.readAllBytes(file);
         for (int tenths = 1; tenths < 10; tenths++) {
             Files.write(file, Arrays.copyOf(content, content.length * tenths / 10));
@@ -71,7 +71,7 @@ class BadImageTest {
 
     @Test
     void refusesABmpAroundAnotherImage() throws IOException {
-        Path file = TestImages.write(TestImages.grey8(2, 2, (c, r, b) -> c), folder.resolve("jpeg.bmp"));
+        Path file = TestImages.write(TestImages.gray8(2, 2, (c, r, b) -> c), folder.resolve("jpeg.bmp"));
         byte[] content = Files.readAllBytes(file);
         content[30] = 4;
         Files.write(file, content);

@@ -147,7 +147,7 @@ class FileScaleTest {
     @Test
     void aFloatImageHasAUnitOrAFullScale() throws IOException {
         Path file =
-                TestImages.write(TestImages.grey32f(4, 4, (c, r, b) -> 534e-9 * c / 3), folder.resolve("metres.tiff"));
+                TestImages.write(TestImages.gray32f(4, 4, (c, r, b) -> 534e-9 * c / 3), folder.resolve("metres.tiff"));
 
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.MAX_HEIGHT, "534nm"))
                 .isInstanceOf(SettingException.class)
@@ -160,7 +160,7 @@ class FileScaleTest {
 
     @Test
     void anImageHasSquarePixelsUntilItsHeightIsSaid() throws IOException {
-        Path file = TestImages.write(TestImages.grey8(8, 4, (c, r, b) -> c == 7 ? 255 : 0), folder.resolve("grey.png"));
+        Path file = TestImages.write(TestImages.gray8(8, 4, (c, r, b) -> c == 7 ? 255 : 0), folder.resolve("grey.png"));
         Object[] scale = {PatchSettings.WIDTH, "8um", PatchSettings.MAX_HEIGHT, "375nm"};
         HeightMap square = load(file, scale).scan();
         HeightMap oblong = load(file, scale[0], "8um", scale[2], "375nm", PatchSettings.HEIGHT, "8um")
@@ -180,7 +180,7 @@ class FileScaleTest {
         "1nm, 1um, --width 1 nm is absurd"
     })
     void refusesScalesThatCannotBe(String width, String maxHeight, String complaint) throws IOException {
-        Path file = TestImages.write(TestImages.grey8(5, 4, (c, r, b) -> 63 * c + 3), folder.resolve("grey.png"));
+        Path file = TestImages.write(TestImages.gray8(5, 4, (c, r, b) -> 63 * c + 3), folder.resolve("grey.png"));
 
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, width, PatchSettings.MAX_HEIGHT, maxHeight))
                 .isInstanceOf(SettingException.class)
@@ -191,10 +191,10 @@ class FileScaleTest {
     @CsvSource({
         "2.5um, 5um, relief of 5 um is larger than the patch (2.5 um)",
         "20mm, 5um, the scan is 20 mm wide",
-        "65um, 20um, one grey level is 78.4314 nm"
+        "65um, 20um, one gray level is 78.4314 nm"
     })
     void warnsOfScalesThatHardlyAre(String width, String maxHeight, String warning) throws IOException {
-        Path file = TestImages.write(TestImages.grey8(64, 64, (c, r, b) -> 4 * c + r % 4), folder.resolve("grey.png"));
+        Path file = TestImages.write(TestImages.gray8(64, 64, (c, r, b) -> 4 * c + r % 4), folder.resolve("grey.png"));
 
         assertThat(load(file, PatchSettings.WIDTH, width, PatchSettings.MAX_HEIGHT, maxHeight)
                         .warnings())
@@ -203,7 +203,7 @@ class FileScaleTest {
 
     @Test
     void wholeNumbersHaveNoUnit() throws IOException {
-        Path file = TestImages.write(TestImages.grey8(4, 4, (c, r, b) -> c), folder.resolve("grey.png"));
+        Path file = TestImages.write(TestImages.gray8(4, 4, (c, r, b) -> c), folder.resolve("grey.png"));
 
         assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)

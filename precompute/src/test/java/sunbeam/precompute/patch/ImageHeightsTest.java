@@ -43,8 +43,8 @@ class ImageHeightsTest {
     @CsvSource({"png, 8", "tiff, 8", "bmp, 8", "png, 16", "tiff, 16"})
     void readsAllGreysAsStored(String format, int bits) throws IOException {
         int side = 1 << (bits / 2);
-        TestImages.Samples greys = (c, r, b) -> r * side + c;
-        BufferedImage image = bits == 8 ? TestImages.grey8(side, side, greys) : TestImages.grey16(side, side, greys);
+        TestImages.Samples grays = (c, r, b) -> r * side + c;
+        BufferedImage image = bits == 8 ? TestImages.gray8(side, side, grays) : TestImages.gray16(side, side, grays);
         double[] samples = read(image, "grey." + format, (1 << bits) - 1);
 
         for (int i = 0; i < side * side; i++) {
@@ -56,7 +56,7 @@ class ImageHeightsTest {
     void floatsMayBeMissing() throws IOException {
         double[] stored = {1, Double.NaN, Double.NEGATIVE_INFINITY};
 
-        assertSamples(read(TestImages.grey32f(3, 1, (c, r, b) -> stored[c]), "holes.tiff", 1), stored);
+        assertSamples(read(TestImages.gray32f(3, 1, (c, r, b) -> stored[c]), "holes.tiff", 1), stored);
     }
 
     @Test
@@ -74,7 +74,7 @@ class ImageHeightsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"png", "tiff", "bmp"})
-    void equalColorsAreAGrey(String format) throws IOException {
+    void equalColorsAreAGray(String format) throws IOException {
         assertSamples(read(TestImages.rgb(3, 2, (c, r, b) -> 20 * r + c), "equal." + format, 255), 0, 1, 2, 20, 21, 22);
     }
 
@@ -100,11 +100,11 @@ class ImageHeightsTest {
     @ParameterizedTest
     @ValueSource(strings = {"png", "bmp", "tiff"})
     void readsTheColorsOfAPaletteAndNotItsIndices(String format) throws IOException {
-        byte[] greys = new byte[256];
+        byte[] grays = new byte[256];
         for (int i = 0; i < 256; i++) {
-            greys[i] = (byte) (255 - i);
+            grays[i] = (byte) (255 - i);
         }
-        double[] samples = read(TestImages.palette(16, 16, greys, (c, r, b) -> r * 16 + c), "palette." + format, 255);
+        double[] samples = read(TestImages.palette(16, 16, grays, (c, r, b) -> r * 16 + c), "palette." + format, 255);
 
         for (int i = 0; i < 256; i++) {
             assertThat(samples[i]).isCloseTo(255 - i, within(ROUNDING));

@@ -27,7 +27,7 @@ class PatchDescriptorTest {
     void writeImages() throws IOException {
         inside = Files.createDirectory(folder.resolve("inside"));
         for (Path place : new Path[] {folder, inside, Files.createDirectory(inside.resolve("deep"))}) {
-            TestImages.write(TestImages.grey8(4, 2, (c, r, b) -> c), place.resolve("scan.png"));
+            TestImages.write(TestImages.gray8(4, 2, (c, r, b) -> c), place.resolve("scan.png"));
         }
     }
 

@@ -19,7 +19,7 @@ class PatchLoaderTest {
     Path folder;
 
     private String ramp() throws IOException {
-        return TestImages.write(TestImages.grey8(256, 2, (c, r, b) -> c), folder.resolve("ramp.png"))
+        return TestImages.write(TestImages.gray8(256, 2, (c, r, b) -> c), folder.resolve("ramp.png"))
                 .toString();
     }
 
@@ -129,7 +129,7 @@ class PatchLoaderTest {
 
     @Test
     void refusesAnImageOfNothingButNan() throws IOException {
-        Path file = TestImages.write(TestImages.grey32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
+        Path file = TestImages.write(TestImages.gray32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
 
         assertRefused(
                 PatchRequests.parse(file.toString(), "1um", null, "1nm", null, null),
@@ -140,7 +140,7 @@ class PatchLoaderTest {
     @Test
     void fillsMissingSamplesAndSaysHowMany() throws IOException {
         TestImages.Samples tilted = (c, r, b) -> c >= 12 && r >= 12 ? Double.NaN : 100 + 5 * c - 3 * r;
-        Path file = TestImages.write(TestImages.grey32f(16, 16, tilted), folder.resolve("holes.tiff"));
+        Path file = TestImages.write(TestImages.gray32f(16, 16, tilted), folder.resolve("holes.tiff"));
 
         Patch patch = PatchLoader.load(PatchRequests.parse(file.toString(), "1um", null, "1nm", null, "plane"));
 

@@ -28,7 +28,7 @@ class SamplingCheckTest {
     }
 
     @Test
-    void warnsOfGreyLevelsThatAreHighSteps() {
+    void warnsOfGrayLevelsThatAreHighSteps() {
         assertThat(SamplingCheck.heightStep(818.69e-9 / 255)).isEmpty();
         assertThat(SamplingCheck.heightStep(5e-6 / 255).orElseThrow()).contains("19.6078 nm", "16-bit");
     }

@@ -27,11 +27,11 @@ final class TestImages {
         double at(int column, int row, int band);
     }
 
-    static BufferedImage grey8(int columns, int rows, Samples samples) {
+    static BufferedImage gray8(int columns, int rows, Samples samples) {
         return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_GRAY), samples);
     }
 
-    static BufferedImage grey16(int columns, int rows, Samples samples) {
+    static BufferedImage gray16(int columns, int rows, Samples samples) {
         return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_USHORT_GRAY), samples);
     }
 
@@ -48,13 +48,13 @@ final class TestImages {
         return component(columns, rows, bands, DataBuffer.TYPE_USHORT, samples);
     }
 
-    static BufferedImage grey32f(int columns, int rows, Samples samples) {
+    static BufferedImage gray32f(int columns, int rows, Samples samples) {
         return component(columns, rows, 1, DataBuffer.TYPE_FLOAT, samples);
     }
 
-    /** An 8-bit palette image whose index i has the gray {@code greys[i]}. */
-    static BufferedImage palette(int columns, int rows, byte[] greys, Samples indices) {
-        IndexColorModel colors = new IndexColorModel(8, greys.length, greys, greys, greys);
+    /** An 8-bit palette image whose index i has the gray {@code grays[i]}. */
+    static BufferedImage palette(int columns, int rows, byte[] grays, Samples indices) {
+        IndexColorModel colors = new IndexColorModel(8, grays.length, grays, grays, grays);
         return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_INDEXED, colors), indices);
     }
 

@@ -55,7 +55,7 @@ class LevelingTest {
 
     @Test
     void planeKeepsWhatIsNoPlane() {
-        // A product of two odd ramps has neither mean nor slope on a centred grid.
+        // A product of two odd ramps has neither mean nor slope on a centered grid.
         Surfaces.Samples saddle = (c, r) -> 1e-9 * (c - 10) * (r - 7);
         HeightMap leveled = Leveling.PLANE.apply(map(21, 15, (c, r) -> saddle.at(c, r) + 5e-9 * c + 2e-9 * r));
 

@@ -56,7 +56,7 @@ class RadialBakerTest {
         return new RadialBaker(spectrum, CieTable.load(), area, step, sliceStep, 2, true);
     }
 
-    /** Directions from the centre to grazing, in a few slices. */
+    /** Directions from the center to grazing, in a few slices. */
     private static float[] places(int count) {
         SplittableRandom random = new SplittableRandom(11);
         float[] places = new float[3 * count];

@@ -34,7 +34,7 @@ class RayBatchTest {
         return SpectrumPlane.of(PERIOD_X, PERIOD_Y, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
     }
 
-    /** One over 2 pi sigma is the deviation in cycles per metre, and the length is four sigma. */
+    /** One over 2 pi sigma is the deviation in cycles per meter, and the length is four sigma. */
     private static CoherenceWindow window(double sigmaBins) {
         return CoherenceWindow.ofCoherenceLength(4 * PERIOD_X / (2 * Math.PI * sigmaBins));
     }

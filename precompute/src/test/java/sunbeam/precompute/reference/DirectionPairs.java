@@ -12,8 +12,8 @@ final class DirectionPairs {
      * Light in the xz plane, and the view that sees a frequency.
      *
      * @param thetaDegrees angle of the light to the normal, towards +x
-     * @param fx u / lambda, cycles per metre
-     * @param fy v / lambda, cycles per metre
+     * @param fx u / lambda, cycles per meter
+     * @param fy v / lambda, cycles per meter
      * @throws IllegalArgumentException when no view sees it
      */
     static DirectionPair seeing(double thetaDegrees, double fx, double fy, double wavelength) {

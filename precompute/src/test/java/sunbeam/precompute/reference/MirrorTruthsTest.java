@@ -48,7 +48,7 @@ class MirrorTruthsTest {
     /** The integral of brdf cos(theta_r) over the hemisphere: cos(theta_r) d omega = dx dy of the disc. */
     private static double hemisphericalReflectance(Direction light, CoherenceWindow window) {
         // Samples far coarser than the wavelength are enough for a mirror close to its specular direction.
-        HeightMap coarse = Surfaces.of(1, 1, window.sigmaMetres() / 16, (x, y) -> 0);
+        HeightMap coarse = Surfaces.of(1, 1, window.sigmaMeters() / 16, (x, y) -> 0);
         ReferenceEvaluator reference = new ReferenceEvaluator(coarse, window, WindowOrigin.CENTRE);
         // Trapezoid over a Gaussian of deviation sigma_f / sqrt(2): at a step of half of sigma_f its error is 1e-17.
         double step = 0.5 * window.sigmaFrequency() * WAVELENGTH;

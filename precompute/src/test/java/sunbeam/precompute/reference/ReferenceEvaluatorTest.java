@@ -109,7 +109,7 @@ class ReferenceEvaluatorTest {
         return new ReferenceEvaluator(map, SUNLIGHT, WindowOrigin.CENTRE);
     }
 
-    /** Light along the normal, seen where u has the given value: left of the centre for positive ones. */
+    /** Light along the normal, seen where u has the given value: left of the center for positive ones. */
     private static DirectionPair pair(double u) {
         return new DirectionPair(new Direction(0, 0, 1), Direction.ofDisc(-u, 0));
     }

@@ -172,27 +172,27 @@ class ThesisCorrectionsTest {
         double worst = 0;
         for (int c = 0; c < 3; c++) {
             double largest = 0;
-            for (int nanometre = 380; nanometre <= 780; nanometre++) {
-                largest = Math.max(largest, CIE.at(nanometre * 1e-9, c));
+            for (int nanometer = 380; nanometer <= 780; nanometer++) {
+                largest = Math.max(largest, CIE.at(nanometer * 1e-9, c));
             }
-            for (int nanometre = 381; nanometre < 778; nanometre++) {
-                // Four whole nanometres within one of the 5 nm pieces of D65, whose corners are real.
-                boolean withinPiece = nanometre % 5 >= 1 && nanometre % 5 <= 3;
-                if (withinPiece && CIE.at(nanometre * 1e-9, c) > share * largest) {
-                    worst = Math.max(worst, chordExcess(nanometre, c));
+            for (int nanometer = 381; nanometer < 778; nanometer++) {
+                // Four whole nanometers within one of the 5 nm pieces of D65, whose corners are real.
+                boolean withinPiece = nanometer % 5 >= 1 && nanometer % 5 <= 3;
+                if (withinPiece && CIE.at(nanometer * 1e-9, c) > share * largest) {
+                    worst = Math.max(worst, chordExcess(nanometer, c));
                 }
             }
         }
         return worst;
     }
 
-    /** Half a nanometre above a whole one: the chord over the cubic through four neighbors, relative. */
-    private static double chordExcess(int nanometre, int channel) {
+    /** Half a nanometer above a whole one: the chord over the cubic through four neighbors, relative. */
+    private static double chordExcess(int nanometer, int channel) {
         double[] value = new double[4];
         for (int i = 0; i < 4; i++) {
-            value[i] = CIE.at((nanometre - 1 + i) * 1e-9, channel);
+            value[i] = CIE.at((nanometer - 1 + i) * 1e-9, channel);
         }
-        double chord = CIE.at((nanometre + 0.5) * 1e-9, channel);
+        double chord = CIE.at((nanometer + 0.5) * 1e-9, channel);
         double cubic = (9 * (value[1] + value[2]) - value[0] - value[3]) / 16;
         return (chord - cubic) / cubic;
     }

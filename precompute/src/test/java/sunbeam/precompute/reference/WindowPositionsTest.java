@@ -56,7 +56,7 @@ class WindowPositionsTest {
         }
     }
 
-    /** |sum g(x - centre) p exp(2 pi i f x)|^2 over all samples of the periodic patch, by the square of the window's integral. */
+    /** |sum g(x - center) p exp(2 pi i f x)|^2 over all samples of the periodic patch, by the square of the window's integral. */
     private static double windowedAt(HeightMap map, double sigma, double cx, double cy, DirectionPair pair) {
         double real = 0;
         double imaginary = 0;
@@ -94,7 +94,7 @@ class WindowPositionsTest {
             for (int i = 0; i < 5 * perSample; i++) {
                 for (int j = 0; j < 4 * perSample; j++) {
                     double power =
-                            windowedAt(map, window.sigmaMetres(), i * pitch / perSample, j * pitch / perSample, pair);
+                            windowedAt(map, window.sigmaMeters(), i * pitch / perSample, j * pitch / perSample, pair);
                     all += power / (20 * perSample * perSample);
                     onSamples += i % perSample == 0 && j % perSample == 0 ? power / 20 : 0;
                 }

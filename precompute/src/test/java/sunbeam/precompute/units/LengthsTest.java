@@ -27,8 +27,8 @@ class LengthsTest {
         "-5nm, -5e-9",
         "0 um, 0"
     })
-    void readsANumberWithItsUnitToTheNearestDouble(String text, double metres) {
-        assertThat(Lengths.parse(text)).isEqualTo(metres);
+    void readsANumberWithItsUnitToTheNearestDouble(String text, double meters) {
+        assertThat(Lengths.parse(text)).isEqualTo(meters);
     }
 
     @ParameterizedTest
@@ -88,18 +88,18 @@ class LengthsTest {
         "0, 0 m",
         "NaN, NaN m"
     })
-    void writesALengthInTheUnitThatPeopleUse(double metres, String text) {
-        assertThat(Lengths.format(metres)).isEqualTo(text);
+    void writesALengthInTheUnitThatPeopleUse(double meters, String text) {
+        assertThat(Lengths.format(meters)).isEqualTo(text);
     }
 
     @Test
     void readsBackWhatItWrites() {
         Random random = new Random(1);
         for (int i = 0; i < 1000; i++) {
-            double metres = Math.pow(10, -20 + 40 * random.nextDouble());
-            double back = Lengths.parse(Lengths.format(metres));
+            double meters = Math.pow(10, -20 + 40 * random.nextDouble());
+            double back = Lengths.parse(Lengths.format(meters));
             // Six digits are written: half a unit of the last is at most 5e-6 of the value.
-            assertThat(Math.abs(back / metres - 1)).as(Double.toString(metres)).isLessThanOrEqualTo(5.0001e-6);
+            assertThat(Math.abs(back / meters - 1)).as(Double.toString(meters)).isLessThanOrEqualTo(5.0001e-6);
         }
     }
 

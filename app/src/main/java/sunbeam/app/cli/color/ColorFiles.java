@@ -89,7 +89,7 @@ final class ColorFiles {
         values.put("Z", color.xyz()[2]);
         values.put("x", color.chromaticity().x());
         values.put("y", color.chromaticity().y());
-        values.put("dominant_nm", color.hue().nanometres());
+        values.put("dominant_nm", color.hue().nanometers());
         values.put("purity", color.hue().purity());
         values.put("lightness", color.lab().lightness());
         values.put("chroma", color.lab().chroma());
@@ -110,7 +110,7 @@ final class ColorFiles {
         surface.put("grating", report.period().isSure() ? grating(report.period()) : null);
         surface.put(
                 "about_nm",
-                report.period().isSeen() ? nanometres(report.period().period()) : null);
+                report.period().isSeen() ? nanometers(report.period().period()) : null);
         surface.put("directions_deg", report.period().isSeen() ? report.period().directions() : List.of());
         surface.put("coherence_length_um", rounded(report.coherenceLength() * 1e6, 4));
         surface.put("plan", report.plan());
@@ -131,18 +131,18 @@ final class ColorFiles {
 
     private static Map<String, Object> grating(GratingPeriod period) {
         Map<String, Object> values = new LinkedHashMap<>();
-        values.put("period_nm", nanometres(period.period()));
-        values.put("period_low_nm", nanometres(period.low()));
-        values.put("period_high_nm", nanometres(period.high()));
+        values.put("period_nm", nanometers(period.period()));
+        values.put("period_low_nm", nanometers(period.low()));
+        values.put("period_high_nm", nanometers(period.high()));
         values.put("azimuth_across_lines_deg", Math.toDegrees(period.azimuth()));
         return values;
     }
 
     private static Map<String, Object> band(SeenSpectrum spectrum) {
         Map<String, Object> values = new LinkedHashMap<>();
-        values.put("width_nm", nanometres(spectrum.width()));
-        values.put("quarter_nm", nanometres(spectrum.from()));
-        values.put("three_quarters_nm", nanometres(spectrum.to()));
+        values.put("width_nm", nanometers(spectrum.width()));
+        values.put("quarter_nm", nanometers(spectrum.from()));
+        values.put("three_quarters_nm", nanometers(spectrum.to()));
         return values;
     }
 
@@ -152,13 +152,13 @@ final class ColorFiles {
         values.put("theta_i", spectrum.view().thetaIDegrees());
         values.put("theta_r", spectrum.view().thetaRDegrees());
         values.putAll(band(spectrum));
-        values.put("wavelength_nm", spectrum.nanometres());
+        values.put("wavelength_nm", spectrum.nanometers());
         values.put("relative_radiance", spectrum.radiances());
         return values;
     }
 
-    private static double nanometres(double metres) {
-        return rounded(metres * 1e9, 3);
+    private static double nanometers(double meters) {
+        return rounded(meters * 1e9, 3);
     }
 
     /** Rounds to a number of decimals, as the conversion between units changes the last digits. */

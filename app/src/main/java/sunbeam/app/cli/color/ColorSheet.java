@@ -196,7 +196,7 @@ final class ColorSheet {
     /** Draws the chromaticities of spectral light, of white, and of each surface's colors in the strip that has its purest color. */
     private BufferedImage chromaticities() {
         List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
-                .mapToObj(nanometre -> Chromaticity.ofWavelength(cie, nanometre * 1e-9))
+                .mapToObj(nanometer -> Chromaticity.ofWavelength(cie, nanometer * 1e-9))
                 .toList());
         locus.add(locus.get(0));
         Plot plot =
@@ -262,6 +262,6 @@ final class ColorSheet {
         double[] shares = Arrays.stream(spectrum.radiances())
                 .map(value -> value / largest)
                 .toArray();
-        plot.line(name + " " + place(spectrum.view()), spectrum.nanometres(), shares, color);
+        plot.line(name + " " + place(spectrum.view()), spectrum.nanometers(), shares, color);
     }
 }

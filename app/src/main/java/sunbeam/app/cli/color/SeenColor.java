@@ -122,7 +122,7 @@ record SeenColor(
     }
 
     String describeHue() {
-        double wavelength = hue.nanometres();
+        double wavelength = hue.nanometers();
         if (Double.isNaN(wavelength)) {
             return "no hue";
         }

@@ -6,12 +6,12 @@ import java.util.stream.IntStream;
  * Relative radiance by wavelength, and the band that makes the color: half of the light lies within it, a quarter below and a quarter
  * above. Unlike a width at half maximum, this band hardly changes with a single bright grain of speckle.
  *
- * @param nanometres wavelengths from 380 to 780 nm, in steps of 1 nm
+ * @param nanometers wavelengths from 380 to 780 nm, in steps of 1 nm
  * @param radiances relative radiance at these wavelengths
  * @param from shortest wavelength of the band, meters
  * @param to longest wavelength of the band, meters
  */
-record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances, double from, double to) {
+record SeenSpectrum(SeenColor.View view, double[] nanometers, double[] radiances, double from, double to) {
     /** First wavelength, nm. */
     private static final int FIRST = 380;
 
@@ -38,7 +38,7 @@ record SeenSpectrum(SeenColor.View view, double[] nanometres, double[] radiances
                 view,
                 IntStream.rangeClosed(FIRST, FIRST + STEPS).asDoubleStream().toArray(),
                 IntStream.rangeClosed(0, STEPS)
-                        .mapToDouble(nanometre -> fine[nanometre * PER_NANOMETER])
+                        .mapToDouble(nanometer -> fine[nanometer * PER_NANOMETER])
                         .toArray(),
                 quantile(wavelengths, below, 0.25),
                 quantile(wavelengths, below, 0.75));

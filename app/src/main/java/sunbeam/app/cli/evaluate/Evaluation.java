@@ -44,7 +44,7 @@ record Evaluation(
     /** Significant digits of the ridge's period if the period is certain. */
     private static final int RIDGE_DIGITS = 5;
 
-    private static final double NANOMETRES = 1e9;
+    private static final double NANOMETERS = 1e9;
 
     /** @param order range of periods within which the first order is searched */
     static Evaluation of(
@@ -123,9 +123,9 @@ record Evaluation(
             if (explained) {
                 lines.add(Text.format(
                         "            mean %.2f nm, variance %.2g nm2, standard error %.1g nm over the wavelengths",
-                        periods.getMean() * NANOMETRES,
-                        periods.getVariance() * NANOMETRES * NANOMETRES,
-                        standardError(periods) * NANOMETRES));
+                        periods.getMean() * NANOMETERS,
+                        periods.getVariance() * NANOMETERS * NANOMETERS,
+                        standardError(periods) * NANOMETERS));
             }
         });
         return lines;
@@ -143,13 +143,13 @@ record Evaluation(
         tree.put("verdict_code", verdict().code().label());
         tree.put("period", period.isSure() ? tree(period) : null);
         tree.put("period_not_told", period.isSure() ? null : period.reason());
-        tree.put("about_nm", period.isSeen() ? period.period() * NANOMETRES : null);
+        tree.put("about_nm", period.isSeen() ? period.period() * NANOMETERS : null);
         tree.put("directions_degrees", period.isSeen() ? period.directions() : List.of());
         tree.put("theta_i_degrees", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_degrees", Math.toDegrees(grid.plane().phiI()));
         tree.put("azimuth_degrees", Math.toDegrees(grid.plane().azimuth()));
         tree.put("angles_degrees", range(grid.angles(), Math.toDegrees(1)));
-        tree.put("wavelengths_nm", range(grid.wavelengths(), NANOMETRES));
+        tree.put("wavelengths_nm", range(grid.wavelengths(), NANOMETERS));
         tree.put("ridge_left_out", noRidge.orElse(null));
         ridge.ifPresent(found -> {
             tree.put("order", found.order());
@@ -160,9 +160,9 @@ record Evaluation(
 
     private static Map<String, Object> tree(StatisticalSummary periods) {
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("mean_nm", periods.getMean() * NANOMETRES);
-        tree.put("variance_nm2", periods.getVariance() * NANOMETRES * NANOMETRES);
-        tree.put("standard_error_nm", standardError(periods) * NANOMETRES);
+        tree.put("mean_nm", periods.getMean() * NANOMETERS);
+        tree.put("variance_nm2", periods.getVariance() * NANOMETERS * NANOMETERS);
+        tree.put("standard_error_nm", standardError(periods) * NANOMETERS);
         tree.put("wavelengths", periods.getN());
         return tree;
     }
@@ -177,9 +177,9 @@ record Evaluation(
 
     private static Map<String, Object> tree(GratingPeriod period) {
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("nm", period.period() * NANOMETRES);
-        tree.put("low_nm", period.low() * NANOMETRES);
-        tree.put("high_nm", period.high() * NANOMETRES);
+        tree.put("nm", period.period() * NANOMETERS);
+        tree.put("low_nm", period.low() * NANOMETERS);
+        tree.put("high_nm", period.high() * NANOMETERS);
         tree.put("probability", GratingPeriod.PROBABILITY);
         tree.put("direction_degrees", Math.toDegrees(period.azimuth()));
         tree.put("direction_half_width_degrees", Math.toDegrees(period.azimuthHalfWidth()));
@@ -199,7 +199,7 @@ record Evaluation(
                 header,
                 grid.wavelengths().length,
                 row -> DoubleStream.concat(
-                                DoubleStream.of(grid.wavelengths()[row] * NANOMETRES),
+                                DoubleStream.of(grid.wavelengths()[row] * NANOMETERS),
                                 Arrays.stream(response.values()[row]))
                         .toArray());
     }

@@ -83,12 +83,12 @@ public final class GratingOptions extends SettingOptions {
     void check() {
         azimuth();
         period();
-        double nanometre = 1e9;
+        double nanometer = 1e9;
         requireWithin(
                 "--wavelengths",
                 wavelengths,
-                CieTable.MINIMUM_WAVELENGTH * nanometre,
-                CieTable.MAXIMUM_WAVELENGTH * nanometre,
+                CieTable.MINIMUM_WAVELENGTH * nanometer,
+                CieTable.MAXIMUM_WAVELENGTH * nanometer,
                 "the visible band; give %.4g to %.4g nm",
                 1);
         double largest = Math.toDegrees(plane(0).largestThetaR());
@@ -142,9 +142,9 @@ public final class GratingOptions extends SettingOptions {
      * @throws UsageException if the angles' steps are too coarse to resolve a peak, or if no angle sees the first order
      */
     ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
-        double[] metres =
+        double[] meters =
                 Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
-        ResponseGrid grid = new ResponseGrid(plane, metres, angles(plane, order, metres));
+        ResponseGrid grid = new ResponseGrid(plane, meters, angles(plane, order, meters));
         double allowed = COARSEST_STEP * window.sigmaFrequency();
         double coarsest = grid.coarsestStep();
         if (coarsest > allowed) {
@@ -156,11 +156,11 @@ public final class GratingOptions extends SettingOptions {
         return grid;
     }
 
-    private double[] angles(GratingPlane plane, FirstOrder order, double[] metres) {
+    private double[] angles(GratingPlane plane, FirstOrder order, double[] meters) {
         if (angles != null) {
             return Arrays.stream(angles.values()).map(Math::toRadians).toArray();
         }
-        return order.angles(plane, metres[0], metres[metres.length - 1], MOST_ANGLES)
+        return order.angles(plane, meters[0], meters[meters.length - 1], MOST_ANGLES)
                 .orElseThrow(() -> new UsageException(Text.format(
                         "no angle sees the first order of a period near %s at these --wavelengths and this --theta-i; no light shows it beyond %s",
                         Lengths.rounded(order.middle(), 3), Lengths.rounded(2 * order.middle(), 3))));

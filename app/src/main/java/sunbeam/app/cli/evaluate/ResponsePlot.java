@@ -54,7 +54,7 @@ final class ResponsePlot {
                 rows[row][column] = values[column][row];
             }
         }
-        double[] wavelengths = nanometres(grid.wavelengths());
+        double[] wavelengths = nanometers(grid.wavelengths());
         if (wavelengths.length == 1) {
             return profile(evaluation, wavelengths[0]);
         }
@@ -97,14 +97,14 @@ final class ResponsePlot {
         String name = Text.format(
                 "brightest angle at each wavelength (mean %.1f nm)",
                 ridge.statistics().getMean() * 1e9);
-        map.curve(name, nanometres(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);
+        map.curve(name, nanometers(ridge.wavelengths()), degrees(ridge.angles(), angle -> angle), PEAKS, true);
     }
 
     private static void drawFitted(Ridge ridge, ResponseGrid grid, HeatMap map) {
         double period = ridge.statistics().getMean();
         map.curve(
                 "grating equation for the peaks' mean",
-                nanometres(grid.wavelengths()),
+                nanometers(grid.wavelengths()),
                 degrees(grid.wavelengths(), wavelength -> grid.plane().thetaR(ridge.order() * wavelength / period)),
                 FITTED,
                 false);
@@ -118,15 +118,15 @@ final class ResponsePlot {
         int order = evaluation.ridge().map(Ridge::order).orElse(towardsNormal ? -1 : 1);
         map.interval(
                 "the period, " + period.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
-                nanometres(grid.wavelengths()),
+                nanometers(grid.wavelengths()),
                 degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / period.period())),
                 degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / period.low())),
                 degrees(grid.wavelengths(), wavelength -> plane.thetaR(order * wavelength / period.high())),
                 EQUATION);
     }
 
-    private static double[] nanometres(double[] metres) {
-        return Arrays.stream(metres).map(value -> value * 1e9).toArray();
+    private static double[] nanometers(double[] meters) {
+        return Arrays.stream(meters).map(value -> value * 1e9).toArray();
     }
 
     private static double[] degrees(double[] values, DoubleUnaryOperator radians) {

@@ -83,9 +83,9 @@ record BsdfMaterial(
     }
 
     /** Returns the BRDF times the cosine of the second direction, 1/sr, for power 1. */
-    static double reflected(DirectionPair pair, double sigmaMetres, double wavelength) {
+    static double reflected(DirectionPair pair, double sigmaMeters, double wavelength) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
-        double ratio = kirchhoff * sigmaMetres / (wavelength * pair.w());
+        double ratio = kirchhoff * sigmaMeters / (wavelength * pair.w());
         return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
     }
 
@@ -184,7 +184,7 @@ record BsdfMaterial(
             double length = 2 * Math.max(0, half) * Math.sin(angle);
             double squared = (length * length + depth * depth) / 4;
             CoherenceWindow window = bands.get(0).level().area().window();
-            double kirchhoff = 2 * squared * window.sigmaMetres() / depth;
+            double kirchhoff = 2 * squared * window.sigmaMeters() / depth;
             double factor = 16
                     * Math.PI
                     * Gain.reflectance(Math.min(1, Math.sqrt(squared)))

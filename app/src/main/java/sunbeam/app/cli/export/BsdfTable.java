@@ -169,7 +169,7 @@ final class BsdfTable implements TableWriter {
         List<Comparison> compared = metadata.setup().progress().map("Exact powers", queries, query -> {
             double power = exact.power(query.pair(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
-                    / BsdfMaterial.reflected(query.pair(), exact.window().sigmaMetres(), query.wavelength());
+                    / BsdfMaterial.reflected(query.pair(), exact.window().sigmaMeters(), query.wavelength());
             return Comparison.ofPower(read, power);
         });
         return ErrorStatistics.of(compared.stream()

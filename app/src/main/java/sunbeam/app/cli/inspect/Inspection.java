@@ -146,8 +146,8 @@ record Inspection(
     }
 
     /** Formats a length with four digits: more would be noise of the measurement. */
-    private static String rounded(double metres) {
-        return Lengths.format(new BigDecimal(metres).round(new MathContext(4)).doubleValue());
+    private static String rounded(double meters) {
+        return Lengths.format(new BigDecimal(meters).round(new MathContext(4)).doubleValue());
     }
 
     /** Returns all properties by name, for JSON; names end in the unit where there is one. */

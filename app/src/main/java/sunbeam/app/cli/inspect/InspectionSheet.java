@@ -29,8 +29,8 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     /** Largest length of the profile, in periods. */
     private static final int PROFILE_PERIODS = 12;
 
-    private static final double MICROMETRES = 1e6;
-    private static final double NANOMETRES = 1e9;
+    private static final double MICROMETERS = 1e6;
+    private static final double NANOMETERS = 1e9;
     // Lowest power of the color scale relative to the highest.
     private static final double SPAN = 1e-7;
     // Least range of frequencies that is drawn, 1/m: |(u, v)| = 2 at 780 nm.
@@ -50,26 +50,26 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double[][] rows = new double[map.rows()][map.columns()];
         for (int row = 0; row < map.rows(); row++) {
             for (int column = 0; column < map.columns(); column++) {
-                rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETRES;
+                rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETERS;
             }
         }
         // The gray scale leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one
         // gray.
         double[] heights = map.toArray();
-        double low = Quantiles.of(heights, DUST) * NANOMETRES;
-        double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETRES, low + 1e-3);
-        HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GREY);
-        double width = map.width() * MICROMETRES;
+        double low = Quantiles.of(heights, DUST) * NANOMETERS;
+        double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
+        HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GRAY);
+        double width = map.width() * MICROMETERS;
         double bar = Plot.round(0.25 * width);
         return new HeatMap(
                         new HeatMap.Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
                         new HeatMap.Values(
                                 rows,
                                 new double[] {0, width},
-                                new double[] {0, map.height() * MICROMETRES},
+                                new double[] {0, map.height() * MICROMETERS},
                                 colors,
                                 HeatMap.Reduction.MIDDLE))
-                .scaleBar(Lengths.format(bar / MICROMETRES), bar)
+                .scaleBar(Lengths.format(bar / MICROMETERS), bar)
                 .draw();
     }
 
@@ -84,7 +84,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double largest = 0;
         for (int jy = -reachY; jy <= reachY; jy++) {
             for (int jx = -reachX; jx <= reachX; jx++) {
-                double power = spectrum.at(jx, jy) * NANOMETRES * NANOMETRES;
+                double power = spectrum.at(jx, jy) * NANOMETERS * NANOMETERS;
                 rows[jy + reachY][jx + reachX] = power;
                 largest = Math.max(largest, power);
             }
@@ -92,8 +92,8 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double high = largest > 0 ? largest : 1;
         HeatMap.Colors colors = new HeatMap.Colors(
                 "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
-        double halfX = (reachX + 0.5) / spectrum.width() / MICROMETRES;
-        double halfY = (reachY + 0.5) / spectrum.height() / MICROMETRES;
+        double halfX = (reachX + 0.5) / spectrum.width() / MICROMETERS;
+        double halfY = (reachY + 0.5) / spectrum.height() / MICROMETERS;
         HeatMap picture = new HeatMap(
                 new HeatMap.Frame(
                         "Power spectrum of the heights",
@@ -111,7 +111,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         if (period.hasWave()) {
             Stream.concat(Stream.of(period.wave()), period.others().stream())
                     .forEach(wave -> picture.mark(
-                            Lengths.rounded(wave.period(), 3), wave.x() / MICROMETRES, wave.y() / MICROMETRES));
+                            Lengths.rounded(wave.period(), 3), wave.x() / MICROMETERS, wave.y() / MICROMETERS));
         }
         return picture.draw();
     }
@@ -129,7 +129,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
             shares[bin + 1] += 100 * (place - bin) / (map.columns() * map.rows());
         }
         double[] centers = IntStream.range(0, HISTOGRAM_BINS)
-                .mapToDouble(bin -> (low + bin * step) * NANOMETRES)
+                .mapToDouble(bin -> (low + bin * step) * NANOMETERS)
                 .toArray();
         return panel("Histogram", "height / nm", "share of the surface / %")
                 .fromZero()
@@ -147,10 +147,10 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
                 "Profile through the center, direction %.1f degrees",
                 Math.floorMod(Math.round(10 * Math.toDegrees(direction)), 1800L) / 10.0);
         double[] positions = Arrays.stream(profile.positions())
-                .map(metres -> metres * MICROMETRES)
+                .map(meters -> meters * MICROMETERS)
                 .toArray();
         double[] heights = Arrays.stream(profile.heights())
-                .map(metres -> metres * NANOMETRES)
+                .map(meters -> meters * NANOMETERS)
                 .toArray();
         return panel(title, "position / um", "height / nm")
                 .line("heights", positions, heights)

@@ -133,13 +133,14 @@ public final class CertifyOption {
         if (certificate.relative().count() == 0) {
             complaint = Optional.of("the tolerance is not certified: none of these places has enough light; give more");
         } else if (certificate.missed()) {
-            complaint = Optional.of("the tolerance is missed: " + certificate.beside() + "; " + remedy);
+            complaint = Optional.of("the tolerance is missed: " + certificate.comparison() + "; " + remedy);
         } else if (!promised) {
             complaint = Optional.of(
                     "these places keep the tolerance, but it is not promised for others: see the plan's" + " warning");
         } else {
-            out.println("verdict: these places keep the tolerance: " + certificate.beside() + ". That is the error of"
-                    + " computing the model; what the model leaves out (docs/theory.md) comes on top");
+            out.println(
+                    "verdict: these places keep the tolerance: " + certificate.comparison() + ". That is the error of"
+                            + " computing the model; what the model leaves out (docs/theory.md) comes on top");
         }
         complaint.ifPresent(words -> err.println(Messages.error(words)));
         return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;

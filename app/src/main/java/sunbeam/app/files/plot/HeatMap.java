@@ -73,9 +73,9 @@ public final class HeatMap {
     public record Values(double[][] rows, double[] xRange, double[] yRange, Colors colors, Reduction reduction) {
 
         /** Returns the outer edges of cells with these evenly spaced centers, at least two. */
-        public static double[] around(double[] centres) {
-            double half = 0.5 * (centres[centres.length - 1] - centres[0]) / (centres.length - 1);
-            return new double[] {centres[0] - half, centres[centres.length - 1] + half};
+        public static double[] around(double[] centers) {
+            double half = 0.5 * (centers[centers.length - 1] - centers[0]) / (centers.length - 1);
+            return new double[] {centers[0] - half, centers[centers.length - 1] + half};
         }
     }
 

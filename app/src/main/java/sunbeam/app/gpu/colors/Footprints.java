@@ -36,7 +36,7 @@ public record Footprints(float[] centers, float[] axes) {
                 int i = CHANNELS * footprint + axis;
                 taps[tap][axis] = centers[i] + at * axes[i];
             }
-            TableSpace.AllLights.within(taps[tap]);
+            TableSpace.AllLights.shorten(taps[tap]);
         }
         return taps;
     }

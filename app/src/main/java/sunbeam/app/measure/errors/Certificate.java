@@ -130,7 +130,7 @@ public record Certificate(
     }
 
     /** Returns each limited error with its limit: "median 0.02 (at most 0.01)". */
-    public String beside() {
+    public String comparison() {
         return Stream.of(
                         limited("median", relative.median(), limits.median()),
                         limited("95th percentile", relative.percentile95(), limits.percentile95()),

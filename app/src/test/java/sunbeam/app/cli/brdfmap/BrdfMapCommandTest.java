@@ -60,7 +60,7 @@ class BrdfMapCommandTest {
         return ImageIO.read(folder.resolve(file).toFile());
     }
 
-    /** The blazed grating's few orders on black, and a skin's spread of light: neither may change from grey to black. */
+    /** The blazed grating's few orders on black, and a skin's spread of light: neither may change from gray to black. */
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "elaphe-like"})
     void automaticExposureFollowsTheWindowGradually(String patch) {
@@ -127,12 +127,12 @@ class BrdfMapCommandTest {
     }
 
     /** Waves of 1 um across 20 um. */
-    private Path grating(String name, double nanometres) throws IOException {
+    private Path grating(String name, double nanometers) throws IOException {
         StringBuilder text =
                 new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
         for (int row = 0; row < 200; row++) {
             for (int column = 0; column < 200; column++) {
-                text.append(String.format(Locale.ROOT, "%.5f ", nanometres * Math.sin(2 * Math.PI * column / 10)));
+                text.append(String.format(Locale.ROOT, "%.5f ", nanometers * Math.sin(2 * Math.PI * column / 10)));
             }
             text.append('\n');
         }

@@ -161,10 +161,10 @@ class ColorCommandTest {
     }
 
     /** Lines 9.14 um apart, whose orders are narrower than a degree in sunlight. */
-    private String[] wideLines(double nanometres) throws IOException {
+    private String[] wideLines(double nanometers) throws IOException {
         StringBuilder heights = new StringBuilder();
         for (int i = 0; i < 4 * 128; i++) {
-            heights.append(nanometres * Math.sin(2 * Math.PI * i / 128.0)).append(i % 128 == 127 ? "\n" : "\t");
+            heights.append(nanometers * Math.sin(2 * Math.PI * i / 128.0)).append(i % 128 == 127 ? "\n" : "\t");
         }
         Path scan = Files.writeString(folder.resolve("wide.txt"), heights);
         return new String[] {

@@ -57,7 +57,7 @@ class ColorSheetTest {
                 Optional.of(purest));
     }
 
-    /** Four samples a nanometre from 380 to 780 nm. */
+    /** Four samples a nanometer from 380 to 780 nm. */
     private static double[] fine(DoubleUnaryOperator radiance) {
         return IntStream.rangeClosed(0, 1600)
                 .mapToDouble(i -> radiance.applyAsDouble(i / 4.0))

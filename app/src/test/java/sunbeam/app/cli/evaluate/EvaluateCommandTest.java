@@ -51,8 +51,8 @@ final class EvaluateCommandTest {
                 .run(arguments.toArray(String[]::new));
     }
 
-    /** A scan of so many micrometres whose heights are given in nanometres at a column and a row. */
-    private int runScan(DoubleBinaryOperator height, double micrometres, String... more) throws IOException {
+    /** A scan of so many micrometers whose heights are given in nanometers at a column and a row. */
+    private int runScan(DoubleBinaryOperator height, double micrometers, String... more) throws IOException {
         StringBuilder text = new StringBuilder();
         for (int row = 0; row < SAMPLES; row++) {
             for (int column = 0; column < SAMPLES; column++) {
@@ -61,7 +61,7 @@ final class EvaluateCommandTest {
         }
         Path scan = Files.writeString(folder.resolve("scan.txt"), text);
         List<String> all = new ArrayList<>(List.of("--patch", scan.toString(), "--height-unit", "nm"));
-        all.addAll(List.of("--width", micrometres + "um", "--force"));
+        all.addAll(List.of("--width", micrometers + "um", "--force"));
         all.addAll(List.of(more));
         return run(all.toArray(String[]::new));
     }

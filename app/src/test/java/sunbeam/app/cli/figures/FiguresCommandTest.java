@@ -157,7 +157,7 @@ class FiguresCommandTest {
         String page = Files.readString(folder.resolve("index.html"));
         assertThat(page).contains("Figure 5.5", "5.5-blaze-10nm.png", "--wavelength-step 10nm");
         assertThat(page).as("what was not drawn").doesNotContain("5.5-blaze-25nm.png", "Figure 5.6");
-        // Of equal pictures, and of greys that lie 26 apart in lightness.
+        // Of equal pictures, and of grays that lie 26 apart in lightness.
         assertThat(page).contains("CIEDE2000 0.0 (median)").containsPattern("CIEDE2000 2[0-9] \\(median\\)");
 
         runs.clear();

@@ -197,7 +197,7 @@ final class InspectCommandTest {
         assertThat(out.toString()).contains("light     coherence length 5 um");
     }
 
-    /** Metres of a scan were nanometres of another: inspect looks at what no command could draw. */
+    /** Meters of a scan were nanometers of another: inspect looks at what no command could draw. */
     @Test
     void aScanThatCannotBeDrawnIsInspected() throws IOException {
         text(128, 64, (x, y) -> 500 * Math.sin(2 * Math.PI * x / 1.6) + 100 * Math.sin(2 * Math.PI * y / 1.3));
@@ -213,18 +213,18 @@ final class InspectCommandTest {
         assertThat(report.get("planRefused").textValue()).contains("--coherence-length");
     }
 
-    private void text(int columns, int rows, DoubleBinaryOperator nanometres) throws IOException {
+    private void text(int columns, int rows, DoubleBinaryOperator nanometers) throws IOException {
         StringBuilder text = new StringBuilder();
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                text.append(nanometres.applyAsDouble(0.1 * column, 0.1 * (rows - row)))
+                text.append(nanometers.applyAsDouble(0.1 * column, 0.1 * (rows - row)))
                         .append(column < columns - 1 ? "\t" : "\n");
             }
         }
         Files.writeString(folder.resolve("scan.txt"), text);
     }
 
-    /** Picometres read as nanometres, or a mirror indeed: nobody sees any color of it. */
+    /** Picometers read as nanometers, or a mirror indeed: nobody sees any color of it. */
     @Test
     void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
         scan(0.1, false);

@@ -12,7 +12,7 @@ final class HeatMapTest {
     private static final int HEIGHT = 400;
 
     private static HeatMap map(double[][] rows, HeatMap.Reduction reduction) {
-        HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, ColorMap.GREY);
+        HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, ColorMap.GRAY);
         return new HeatMap(
                 new HeatMap.Frame("", "x", "y", WIDTH, HEIGHT, false),
                 new HeatMap.Values(rows, new double[] {0, 10}, new double[] {0, 10}, colors, reduction));
@@ -24,8 +24,8 @@ final class HeatMapTest {
         return places.getPlotInfo().getDataArea();
     }
 
-    /** Grey level at a place of the matrix, 0..1 to the right and up. */
-    private int grey(BufferedImage image, double x, double y) {
+    /** Gray level at a place of the matrix, 0..1 to the right and up. */
+    private int gray(BufferedImage image, double x, double y) {
         int column = (int) (area().getX() + x * area().getWidth());
         int row = (int) (area().getMaxY() - y * area().getHeight());
         return image.getRGB(column, row) & 0xFF;
@@ -35,10 +35,10 @@ final class HeatMapTest {
     void rowsGoUpAndColumnsGoRight() {
         BufferedImage image = map(new double[][] {{0, 1}, {0.5, 0}}, HeatMap.Reduction.LARGEST)
                 .draw(places);
-        assertThat(grey(image, 0.25, 0.25)).isZero();
-        assertThat(grey(image, 0.75, 0.25)).isEqualTo(255);
-        assertThat(grey(image, 0.25, 0.75)).isEqualTo(128);
-        assertThat(grey(image, 0.75, 0.75)).isZero();
+        assertThat(gray(image, 0.25, 0.25)).isZero();
+        assertThat(gray(image, 0.75, 0.25)).isEqualTo(255);
+        assertThat(gray(image, 0.25, 0.75)).isEqualTo(128);
+        assertThat(gray(image, 0.75, 0.75)).isZero();
     }
 
     @Test

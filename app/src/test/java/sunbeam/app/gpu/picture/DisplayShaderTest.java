@@ -83,7 +83,7 @@ class DisplayShaderTest extends InAContext {
         for (int i = 0; i < colors.size(); i++) {
             new DisplayTransform(exposure, tone).light(colors.get(i), 0, expected);
             float[] xyz = colors.get(i);
-            // Channels are differences of numbers this many times the luminance, towards whose grey a color moves.
+            // Channels are differences of numbers this many times the luminance, towards whose gray a color moves.
             double cancellation =
                     3.3 * (Math.abs(xyz[0]) + Math.abs(xyz[1]) + Math.abs(xyz[2])) / Math.max(xyz[1], 1e-30f);
             for (int c = 0; c < 3; c++) {

@@ -14,7 +14,7 @@ import sunbeam.precompute.patch.Patch;
 class DoubtfulPictureTest {
     private static final BufferedImage BLACK = new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB);
     private static final Patch MIRROR = patch(0);
-    // Half a nanometre: 7e-5 of the light at most.
+    // Half a nanometer: 7e-5 of the light at most.
     private static final Patch NEARLY_FLAT = patch(0.5e-9);
     private static final Patch STEP = patch(1e-7);
 

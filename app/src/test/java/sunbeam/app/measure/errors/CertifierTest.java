@@ -76,7 +76,7 @@ final class CertifierTest {
         assertThat(certificate.missed()).isTrue();
         assertThat(certificate.relative().median()).isBetween(0.0199, 0.0201);
         assertThat(certificate.colorDifference().maximum()).isPositive();
-        assertThat(certificate.beside()).contains("0.02").contains("0.001");
+        assertThat(certificate.comparison()).contains("0.02").contains("0.001");
     }
 
     @Test
@@ -84,9 +84,9 @@ final class CertifierTest {
         float[] dark = exact.clone();
         Arrays.fill(dark, 0, 3 * (WIDTH - 10), 0);
         assertThat(certify(dark, 50).missed()).isTrue();
-        float[] grey = exact.clone();
-        Arrays.fill(grey, 0, 3 * (WIDTH - 10), 0.5f);
-        assertThat(certify(grey, 50).missed()).isTrue();
+        float[] gray = exact.clone();
+        Arrays.fill(gray, 0, 3 * (WIDTH - 10), 0.5f);
+        assertThat(certify(gray, 50).missed()).isTrue();
     }
 
     @Test

@@ -22,7 +22,7 @@ class BodyTexturesTest {
     }
 
     @Test
-    void greyPicturesAreAsBrightAsColoredOnesOfTheSameNumbers() throws IOException {
+    void grayPicturesAreAsBrightAsColoredOnesOfTheSameNumbers() throws IOException {
         for (int type :
                 new int[] {BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY}) {
             BufferedImage image = new BufferedImage(3, 2, type);

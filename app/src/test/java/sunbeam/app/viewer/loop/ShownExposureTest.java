@@ -16,7 +16,7 @@ class ShownExposureTest {
     private static final int SIDE = 80;
     private static final int BACKGROUND = 0x101418;
 
-    /** Greys of three decades on half of a picture, nothing on the other. */
+    /** Grays of three decades on half of a picture, nothing on the other. */
     private static LinearPicture picture() {
         SplittableRandom random = new SplittableRandom(7);
         float[] xyz = new float[3 * SIDE * SIDE];

@@ -13,7 +13,7 @@ final class SpectrumTest {
         double[] powers = new double[81];
         Arrays.fill(powers, 1);
         double[] xyz = Spectrum.xyz(powers);
-        // D65 by CIE 15: X = 0.9505, Z = 1.0891. Every fifth nanometre of daylight's lines leaves less than 0.2 %.
+        // D65 by CIE 15: X = 0.9505, Z = 1.0891. Every fifth nanometer of daylight's lines leaves less than 0.2 %.
         assertThat(xyz[0]).isCloseTo(0.9505, within(2e-3));
         assertThat(xyz[1]).isCloseTo(1, within(2e-3));
         assertThat(xyz[2]).isCloseTo(1.0891, within(2e-3));

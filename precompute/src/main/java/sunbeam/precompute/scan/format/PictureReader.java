@@ -110,7 +110,7 @@ final class PictureReader {
         int space = model.getColorSpace().getType();
         int colors = model.getNumColorComponents();
         if (!(space == ColorSpace.TYPE_GRAY && colors == 1) && !(space == ColorSpace.TYPE_RGB && colors == 3)) {
-            throw new ScanException("has channels that are neither grey nor RGB; save it as grey or RGB");
+            throw new ScanException("has channels that are neither gray nor RGB; save it as gray or RGB");
         }
         double fullScale = fullScale(image.getSampleModel());
         List<Samples> bands = IntStream.range(0, colors)

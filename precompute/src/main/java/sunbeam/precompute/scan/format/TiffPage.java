@@ -77,7 +77,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
 
     private static ScanException damaged(Exception broken) {
         return new ScanException(
-                "is a damaged TIFF, or of a kind that cannot be read; copy it again, or save it as grey with ZIP or without compression",
+                "is a damaged TIFF, or of a kind that cannot be read; copy it again, or save it as gray with ZIP or without compression",
                 broken);
     }
 
@@ -189,7 +189,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
                     + format() + "; save it as integers of 8, 16 or 32 bits or floats of 16, 32 or 64");
         }
         if (bands() < 1 || bands() > MOST_BANDS) {
-            throw new ScanException("has " + bands() + " channels; save it as grey or RGB");
+            throw new ScanException("has " + bands() + " channels; save it as gray or RGB");
         }
         double tile = number(TIFF.TAG_TILE_WIDTH, 0) * number(TIFF.TAG_TILE_HEIGTH, 0);
         if (tile > ScanLimits.MOST_SAMPLES) {

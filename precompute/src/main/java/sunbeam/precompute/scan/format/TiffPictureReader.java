@@ -59,7 +59,7 @@ final class TiffPictureReader {
         int interpretation = (int) page.number(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, BLACK_IS_ZERO);
         if (interpretation < WHITE_IS_ZERO || interpretation > PALETTE) {
             throw new ScanException(
-                    "is a TIFF with photometric interpretation " + interpretation + "; save it as grey or RGB");
+                    "is a TIFF with photometric interpretation " + interpretation + "; save it as gray or RGB");
         }
         int extra = (int) page.number(TIFF.TAG_EXTRA_SAMPLES, 0);
         if (extra == PREMULTIPLIED) {

@@ -76,7 +76,7 @@ class RandomBumpsTest {
 
     /** The correlation of shot noise under that of the window, transformed: sums over all lags within a bump. */
     private static double expectedPower(int bumps, double phase, double fx, double fy) {
-        double sigma = WINDOW.sigmaMetres();
+        double sigma = WINDOW.sigmaMeters();
         double pitch = 62.5e-9;
         double mirror = correlation(bumps, phase, 0);
         double halo = 0;

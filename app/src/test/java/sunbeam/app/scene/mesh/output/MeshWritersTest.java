@@ -70,9 +70,9 @@ class MeshWritersTest {
 
     @Test
     void normalMapsLeanAgainstTheSlopesOfTheScales() {
-        BodyTexture grey = new BodyTexture(1, 1, new byte[] {100, 100, 100, -1});
+        BodyTexture gray = new BodyTexture(1, 1, new byte[] {100, 100, 100, -1});
         SkinMaps maps =
-                SkinMaps.of(new Body(grey, Scales.KEELED, ScaleRelief.of(Scales.KEELED, BlobCache.NONE)), 2048, 64);
+                SkinMaps.of(new Body(gray, Scales.KEELED, ScaleRelief.of(Scales.KEELED, BlobCache.NONE)), 2048, 64);
         BufferedImage normals = maps.normals().orElseThrow();
         int[] red = new int[normals.getWidth() / 2];
         double steepest = 0;
