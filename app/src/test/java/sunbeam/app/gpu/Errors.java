@@ -3,7 +3,7 @@ package sunbeam.app.gpu;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.Locale;
+import sunbeam.precompute.text.Text;
 
 /** Relative errors of a set of directions, ascending. */
 record Errors(double[] sorted) {
@@ -35,12 +35,7 @@ record Errors(double[] sorted) {
 
     @Override
     public String toString() {
-        return String.format(
-                Locale.ROOT,
-                "%d errors: median %.2g, 95 %% %.2g, maximum %.2g",
-                sorted.length,
-                median(),
-                percentile95(),
-                maximum());
+        return Text.format(
+                "%d errors: median %.2g, 95 %% %.2g, maximum %.2g", sorted.length, median(), percentile95(), maximum());
     }
 }

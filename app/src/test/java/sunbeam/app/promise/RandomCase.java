@@ -28,6 +28,7 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.text.Text;
 
 /**
  * A surface, window, average, tolerance and directions, all drawn from one seed: method {@code full} must keep its
@@ -180,8 +181,7 @@ record RandomCase(
     /** The case in a line. */
     @Override
     public String toString() {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "seed %d: %s, %d x %d samples of %.0f x %.0f nm, relief %.3g nm, window %.3g um on the %s, %s %s %s, tolerance %.0e",
                 seed,
                 kind,

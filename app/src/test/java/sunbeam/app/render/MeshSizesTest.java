@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
@@ -16,6 +15,7 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.precompute.text.Text;
 
 /** Meshes and distances far from the snake's. */
 @NeedsDisplay
@@ -38,7 +38,7 @@ class MeshSizesTest {
     void aMeshIsDrawnWhateverItsSizeAndDistance(double side, float distance, boolean covers) throws IOException {
         Path mesh = Files.writeString(
                 folder.resolve("square.obj"),
-                String.format(Locale.ROOT, "v -%1$g -%1$g 0\nv %1$g -%1$g 0\nv %1$g %1$g 0\nv -%1$g %1$g 0\n", side / 2)
+                Text.format("v -%1$g -%1$g 0\nv %1$g -%1$g 0\nv %1$g %1$g 0\nv -%1$g %1$g 0\n", side / 2)
                         + "f 1 2 3 4\n");
         // Beside the middle, lest the small ones hit the middle of a pixel.
         Camera camera = new Camera(new Vector3f(0, -0.1f * distance, distance), new Vector3f(), new Vector3f(0, 1, 0));

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
@@ -21,6 +20,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.text.Text;
 
 /**
  * What a tolerance promises of tables on meshes, on surfaces that tables missed: it is kept. Windows are
@@ -149,7 +149,7 @@ class MeshTablePromiseTest {
             for (int column = 0; column < COLUMNS; column++) {
                 double x = column * one.width / COLUMNS;
                 double y = row * one.length / rows;
-                heights.append(String.format(Locale.ROOT, "%.4e ", one.height.applyAsDouble(x, y)));
+                heights.append(Text.format("%.4e ", one.height.applyAsDouble(x, y)));
             }
             heights.append('\n');
         }

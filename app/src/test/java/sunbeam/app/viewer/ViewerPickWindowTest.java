@@ -8,7 +8,6 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
@@ -22,6 +21,7 @@ import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.text.Text;
 
 /** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */
 @Tag("window")
@@ -117,7 +117,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         double expected = ColorDifference.ciede2000(
                 CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2, row)),
                 CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2 + 24, row)));
-        String words = String.format(Locale.ROOT, "CIEDE2000 %.1f", expected);
+        String words = Text.format("CIEDE2000 %.1f", expected);
         await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
                 .anyMatch(label -> label.getText().equals(words))));
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
@@ -158,7 +158,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void awaitColor(int rgb) throws Exception {
-        String words = String.format(Locale.ROOT, "sRGB %d, %d, %d", rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255);
+        String words = Text.format("sRGB %d, %d, %d", rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255);
         await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
                 .anyMatch(label -> label.getText().contains(words))));
     }
@@ -180,11 +180,11 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private static String words(Vector3fc vector) {
-        return String.format(Locale.ROOT, "(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
+        return Text.format("(%.3f, %.3f, %.3f)", vector.x(), vector.y(), vector.z());
     }
 
     private static String degrees(Direction direction) {
         double theta = Math.toDegrees(Math.atan2(Math.hypot(direction.x(), direction.y()), direction.z()));
-        return String.format(Locale.ROOT, "%.1f°", theta);
+        return Text.format("%.1f°", theta);
     }
 }

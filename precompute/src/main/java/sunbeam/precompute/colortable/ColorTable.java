@@ -111,10 +111,11 @@ public record ColorTable(
         double finest = Math.max(pointSigma, SHALLOWEST * slopeDeviation) / pointSigma;
         for (double widening = finest; widening == finest || pointSigma * widening <= WIDEST_SIGMA; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMeters() / widening));
-            TableDesign planned = TableDesign.within(tolerance, wider, relief);
-            TableDesign design = coarse ? withMoreSlices(planned) : planned;
-            if (coarse && ordersIsolated) {
-                design = new TableDesign(ISOLATED_STEP * design.step(), design.slices());
+            TableDesign design = TableDesign.within(tolerance, wider, relief);
+            if (coarse) {
+                design = new TableDesign(
+                        (ordersIsolated ? ISOLATED_STEP : 1) * design.step(),
+                        1 + (int) Math.ceil(SLICE_FACTOR * (design.slices() - 1)));
             }
             double scale = hasSlopes ? 1 : 1 / (widening * widening);
             boolean isFinest = !hasSlopes && widening == finest;
@@ -131,10 +132,6 @@ public record ColorTable(
         }
         NumberFormat numbers = tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF;
         return new ColorTable(area, levels, numbers, tolerance, slopeDeviation);
-    }
-
-    private static TableDesign withMoreSlices(TableDesign design) {
-        return new TableDesign(design.step(), 1 + (int) Math.ceil(SLICE_FACTOR * (design.slices() - 1)));
     }
 
     /** Returns the standard deviation in (u, v) of a sharp order at a point, at {@link #MIDDLE_WAVELENGTH}. */

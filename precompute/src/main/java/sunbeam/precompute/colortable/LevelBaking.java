@@ -3,7 +3,6 @@ package sunbeam.precompute.colortable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -67,7 +66,9 @@ public final class LevelBaking {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
         // Batches are wedges: few rays cross two of them.
-        int[] byAngle = grid.byAngle(bits(missingTexels.keySet())).toArray();
+        BitSet missing = new BitSet();
+        missingTexels.keySet().forEach(missing::set);
+        int[] byAngle = grid.byAngle(missing).toArray();
         int next;
         for (int first = 0; first < byAngle.length; first = next) {
             next = endOfBatch(byAngle, first, missingTexels);
@@ -77,12 +78,6 @@ public final class LevelBaking {
                 .parallel()
                 .mapToObj(this::coefficients)
                 .toList();
-    }
-
-    private static BitSet bits(Collection<Integer> numbers) {
-        BitSet bits = new BitSet();
-        numbers.forEach(bits::set);
-        return bits;
     }
 
     private int endOfBatch(int[] tiles, int first, Map<Integer, BitSet> missingTexels) {
@@ -212,11 +207,6 @@ public final class LevelBaking {
         return tile * SIDE - 1 - MARGIN;
     }
 
-    private int tile(int column, int row, int slice) {
-        int tileRow = row / SIDE;
-        return slice * grid.perSlice() + tileRow * grid.columns() + column / SIDE;
-    }
-
     private byte[] coefficients(int tile) {
         int[] place = grid.place(tile);
         // Rows, then columns: the filter runs along all lines at once.
@@ -248,7 +238,8 @@ public final class LevelBaking {
             for (int column = 0; column < inputSide; column += run) {
                 int inTile = (left + column) % SIDE;
                 run = Math.min(SIDE - inTile, inputSide - column);
-                float[] roots = samples.get(tile(left + column, top + row, place[2]));
+                int tileInSlice = (top + row) / SIDE * grid.columns() + (left + column) / SIDE;
+                float[] roots = samples.get(place[2] * grid.perSlice() + tileInSlice);
                 System.arraycopy(
                         roots,
                         COLORS * ((top + row) % SIDE * SIDE + inTile),

@@ -3,7 +3,6 @@ package sunbeam.precompute.colortable;
 import java.util.BitSet;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -15,6 +14,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.text.Text;
 
 /**
  * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The
@@ -153,11 +153,9 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             }
             diagnostics
                     .note()
-                    .accept(String.format(
-                            Locale.ROOT,
+                    .accept(Text.format(
                             "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
-                            words,
-                            next.step()));
+                            words, next.step()));
             beforeThat = before;
             before = excess;
         }
@@ -165,15 +163,11 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
 
     /** Returns the validation's result in words. */
     public String words(double tolerance) {
-        String steps = String.format(
-                Locale.ROOT, "steps of %.2g in (u, v)", grid.design().step());
-        if (grid.slices() > 1) {
-            steps += String.format(Locale.ROOT, ", %d slices in w", grid.slices());
-        }
+        String steps = Text.format("steps of %.2g in (u, v)", grid.design().step())
+                + (grid.slices() > 1 ? ", " + grid.slices() + " slices in w" : "");
         return errors.count() == 0
                 ? steps + ", tried where light goes: nowhere, all directions are dark"
-                : String.format(
-                        Locale.ROOT,
+                : Text.format(
                         "%s, tried at %d directions: errs by %.2g in the median, %.2g at the 95th and %.2g at the 98th percentile"
                                 + " beside what it was made of (%.2g in the median and %.2g at the 95th are promised of both together)",
                         steps,

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.text.Text;
 
 /**
  * Makes the table of docs/evaluation.md. Not among the tests: {@code ./sunbeam test -Dtest=SimulatedGratingsRun}, with
@@ -69,8 +70,7 @@ class SimulatedGratingsRun {
         }
 
         String words() {
-            return String.format(
-                    Locale.ROOT, "%d of %d   %.2g   %.2g", held, errors.size(), median(halfWidths), median(errors));
+            return Text.format("%d of %d   %.2g   %.2g", held, errors.size(), median(halfWidths), median(errors));
         }
     }
 

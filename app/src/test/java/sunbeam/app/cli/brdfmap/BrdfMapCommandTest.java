@@ -14,7 +14,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -30,6 +29,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.text.Text;
 
 /** Exposure and annotation of maps. */
 @NeedsDisplay
@@ -132,7 +132,7 @@ class BrdfMapCommandTest {
                 new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
         for (int row = 0; row < 200; row++) {
             for (int column = 0; column < 200; column++) {
-                text.append(String.format(Locale.ROOT, "%.5f ", nanometers * Math.sin(2 * Math.PI * column / 10)));
+                text.append(Text.format("%.5f ", nanometers * Math.sin(2 * Math.PI * column / 10)));
             }
             text.append('\n');
         }

@@ -15,7 +15,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -23,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.text.Text;
 
 /** A turned patch sees light and viewer turned the other way; heights are never resampled. */
 @NeedsDisplay
@@ -46,7 +46,7 @@ class RotatePatchTest {
     private double[][] reflectance(double[][] pairs, String... more) throws IOException {
         StringBuilder csv = new StringBuilder("theta_i,phi_i,theta_r,phi_r\n");
         for (double[] pair : pairs) {
-            csv.append(String.format(Locale.ROOT, "%.12f,%.12f,%.12f,%.12f%n", pair[0], pair[1], pair[2], pair[3]));
+            csv.append(Text.format("%.12f,%.12f,%.12f,%.12f%n", pair[0], pair[1], pair[2], pair[3]));
         }
         Path directions = Files.writeString(folder.resolve("in.csv"), csv);
         Path output = folder.resolve("out.csv");

@@ -9,13 +9,13 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.precompute.text.Text;
 
 /** Meshes at coordinates of maps (UTM), thousands of kilometers from the origin. */
 class FarMeshTest {
@@ -29,8 +29,7 @@ class FarMeshTest {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < SPHERE.vertices(); i++) {
             float[] p = SPHERE.positions();
-            text.append(
-                    String.format(Locale.ROOT, "v %.9f %.9f %.9f%n", p[3 * i] + x, p[3 * i + 1] + y, p[3 * i + 2] + z));
+            text.append(Text.format("v %.9f %.9f %.9f%n", p[3 * i] + x, p[3 * i + 1] + y, p[3 * i + 2] + z));
         }
         for (int i = 0; i < SPHERE.indices().length; i += 3) {
             int[] corners = SPHERE.indices();
@@ -49,7 +48,7 @@ class FarMeshTest {
     private static byte[] textPly() {
         StringBuilder text = new StringBuilder(plyHeader("ascii"));
         for (int i = 0; i < SPHERE.positions().length; i++) {
-            text.append(String.format(Locale.ROOT, "%.9f ", SPHERE.positions()[i] + UTM.get(i % 3)));
+            text.append(Text.format("%.9f ", SPHERE.positions()[i] + UTM.get(i % 3)));
         }
         for (int i = 0; i < SPHERE.indices().length; i++) {
             text.append(i % 3 == 0 ? "3 " : "").append(SPHERE.indices()[i]).append('\n');

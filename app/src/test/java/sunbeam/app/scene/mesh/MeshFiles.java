@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
-import java.util.Locale;
+import sunbeam.precompute.text.Text;
 
 /** Meshes in the formats that Sunbeam reads, written as their specifications say and by none of its code. */
 public final class MeshFiles {
@@ -12,15 +12,12 @@ public final class MeshFiles {
 
     /** PLY with everything but tangents, at the file's beginning an element that is no geometry. */
     public static byte[] ply(Mesh mesh, String encoding) {
-        String header = String.format(
-                Locale.ROOT,
+        String header = Text.format(
                 "ply%nformat %s 1.0%ncomment a test%nelement camera 1%nproperty uchar focus%nproperty list uchar short rest%n"
                         + "element vertex %d%nproperty float x%nproperty float y%nproperty double z%nproperty float nx%n"
                         + "property float ny%nproperty float nz%nproperty uchar red%nproperty float s%nproperty float t%n"
                         + "element face %d%nproperty list uchar int vertex_indices%nend_header%n",
-                encoding,
-                mesh.vertices(),
-                mesh.triangles());
+                encoding, mesh.vertices(), mesh.triangles());
         return encoding.equals("ascii") ? text(header, mesh) : binary(header, mesh, encoding.endsWith("little_endian"));
     }
 
@@ -30,8 +27,7 @@ public final class MeshFiles {
             float[] p = mesh.positions();
             float[] n = mesh.normals();
             float[] uv = mesh.textureCoordinates();
-            text.append(String.format(
-                    Locale.ROOT,
+            text.append(Text.format(
                     "%s %s %s %s %s %s 200 %s %s%n",
                     p[3 * i],
                     p[3 * i + 1],
@@ -123,8 +119,7 @@ public final class MeshFiles {
     static String gltf(Mesh mesh, String uri) {
         int vertices = 48 * mesh.vertices();
         int indices = 4 * mesh.indices().length;
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 """
                 {"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
                 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3},"indices":4}]}],
@@ -145,11 +140,8 @@ public final class MeshFiles {
     }
 
     private static String accessor(int offset, Mesh mesh, String type) {
-        return String.format(
-                Locale.ROOT,
+        return Text.format(
                 "{\"bufferView\":0,\"byteOffset\":%d,\"componentType\":5126,\"count\":%d,\"type\":\"%s\"}",
-                offset,
-                mesh.vertices(),
-                type);
+                offset, mesh.vertices(), type);
     }
 }

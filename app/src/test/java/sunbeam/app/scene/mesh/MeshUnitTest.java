@@ -7,13 +7,13 @@ import static org.assertj.core.api.Assertions.withinPercentage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.precompute.text.Text;
 
 /** What a mesh's numbers are. */
 class MeshUnitTest {
@@ -34,11 +34,7 @@ class MeshUnitTest {
     void aSizeThatMakesNoSenseIsNamedWithTheUnitThatHelps(double size, MeshUnit unit, String words) throws IOException {
         Path file = Files.writeString(
                 folder.resolve("mesh.obj"),
-                String.format(
-                                Locale.ROOT,
-                                "v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n",
-                                size,
-                                size / 2)
+                Text.format("v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n", size, size / 2)
                         + "f 1/1/1 3/3/1 2/2/1\n");
 
         ReadMesh read = MeshReader.read(file, unit);

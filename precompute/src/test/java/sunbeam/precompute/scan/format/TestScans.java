@@ -2,8 +2,8 @@ package sunbeam.precompute.scan.format;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
+import sunbeam.precompute.text.Text;
 
 /** {@link TestField} in every format that is read, as its describers say it is written. */
 final class TestScans {
@@ -105,7 +105,7 @@ final class TestScans {
     private static void matrix(StringBuilder text, double scale, String format) {
         for (int row = 0; row < TestField.ROWS; row++) {
             for (int column = 0; column < TestField.COLUMNS; column++) {
-                text.append(String.format(Locale.ROOT, format, scale * TestField.nanometers(column, row)));
+                text.append(Text.format(format, scale * TestField.nanometers(column, row)));
                 text.append(column + 1 < TestField.COLUMNS ? "\t" : "\n");
             }
         }
