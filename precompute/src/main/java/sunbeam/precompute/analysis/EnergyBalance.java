@@ -16,24 +16,24 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Light that the scalar model sends into all orders of a surface, relative to the light that a mirror of the same material reflects. The
- * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2. This is the integral of the BRDF over the
- * order, without Schlick's factor (docs/theory.md).
+ * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2, the integral of the BRDF over the order
+ * without Schlick's factor (docs/theory.md).
  *
  * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
- * @param wavelength wavelength of the light, meters
+ * @param wavelength meters
  */
 public record EnergyBalance(double ratio, double wavelength) {
     /** Ratio above which {@link #warning} reports a surface. */
     public static final double LARGEST = 1.05;
 
-    // Maximum number of samples along a side; of a larger scan, the middle is evaluated.
+    // Of a larger scan, the middle is evaluated.
     private static final int MOST_SAMPLES = 256;
-    // Maximum number of transforms. With more orders than this, orders of similar w share a transform at their mean w.
+    // With more orders than this, orders of similar w share a transform at their mean w.
     private static final int MOST_TRANSFORMS = 8;
-    // Distance of the wavelengths that largest tries, meters.
+    // Meters.
     private static final double WAVELENGTH_STEP = 20e-9;
 
-    /** A visible order: its bins along x and y, its w, and the factor of |F_j|^2 in its share of the light. */
+    /** Visible order: its bins along x and y, its w, and the factor of |F_j|^2 in its share of the light. */
     private record Order(int x, int y, double w, double factor) {}
 
     /**
@@ -103,7 +103,7 @@ public record EnergyBalance(double ratio, double wavelength) {
         return Math.min((samples - 1) / 2, (int) Math.ceil(2 * length / wavelength));
     }
 
-    /** Returns the light in some orders, relative to a mirror's, evaluated at their mean w. */
+    /** Evaluated at the mean w of the orders. */
     private static double sum(HeightMap map, double wavelength, List<Order> orders) {
         double w = orders.stream().mapToDouble(Order::w).average().orElseThrow();
         Band bandX = band(orders.stream().mapToInt(Order::x).toArray());

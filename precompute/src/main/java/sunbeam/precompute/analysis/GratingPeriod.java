@@ -17,12 +17,11 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param wave frequency of the wave, directed across its lines; of length 0 if there is no wave
  * @param low lower end of the interval that holds the period with a probability of 95 %, meters; the period itself if it is exact
- * @param high upper end of the interval, meters; the period itself if it is exact
+ * @param high upper end of the interval, meters
  * @param azimuthHalfWidth half width of the 95 % interval of the direction, radians; 0 for an exact period
  * @param periods number of periods in the scan along the wave; infinite for a surface that repeats without end
- * @param share share, 0..1, that the wave and its overtones have of the heights' variance; waves longer than two periods do not count
+ * @param share share of the heights' variance in the wave and its overtones, 0..1; waves longer than two periods do not count
  * @param others up to two waves in other directions, each at least half as strong
- * @param certainty kind of result: a sure or probable period, or why there is none
  * @param reason why the period is not sure, without a full stop; empty if it is sure
  */
 public record GratingPeriod(
@@ -49,27 +48,25 @@ public record GratingPeriod(
         TOO_LITTLE
     }
 
-    /** Probability that an interval holds the true period. */
     public static final double PROBABILITY = 0.95;
 
     private static final double NANOMETERS_PER_METER = 1e9;
-    // Share of unmeasured rows up to which the scan is not cropped, since a crop may lose half of it.
+    // Share of unmeasured rows that is not cropped, since a crop may lose half of the scan.
     private static final double FEW_UNMEASURED = 0.02;
     // Longest side, in meters, of a patch whose repetition counts as its period: half of sunlight's coherence length. A
-    // larger patch holds enough lines to show their period.
+    // larger patch holds enough lines.
     private static final double LARGEST_REPEATED = 32.5e-6;
-    // Sine of 2 degrees, the largest angle between a wave and the direction that the user gives.
+    // Sine of 2 degrees, the largest angle to the direction that the user gives.
     private static final double CONE = 0.035;
-    // Minimum number of samples along the longer side: three periods of four samples.
+    // Three periods of four samples, along the longer side.
     private static final int FEWEST_SAMPLES = 12;
-    // Shortest side in meters: three of the shortest periods that show colors under light from above.
+    // Meters; three of the shortest periods that show colors under light from above.
     private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
     // Largest relative difference of equal periods.
     private static final double ALIKE = 0.05;
     // Ratio of two periods above which the longer one holds several lines.
     private static final double MANY_LINES = 2.5;
 
-    /** Returns the period of a patch's strongest wave, in any direction. */
     public static GratingPeriod of(Patch patch) {
         return of(patch, wave -> true, "");
     }
@@ -133,7 +130,7 @@ public record GratingPeriod(
         return Math.abs(other.period() / period() - 1) < ALIKE;
     }
 
-    /** Returns the largest part of a scan without unmeasured rows, because patterns in those are not the surface's. */
+    /** Patterns in unmeasured rows are not the surface's. */
     static HeightMap measured(HeightMap scan, List<ScanFault> faults) {
         return faults.stream()
                 .filter(fault -> fault.unmeasured() > FEW_UNMEASURED)
@@ -149,16 +146,13 @@ public record GratingPeriod(
                 wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, List.of(), Certainty.SURE, "");
     }
 
-    /** Creates the exact period of a surface that repeats without end. */
     static GratingPeriod exact(SpatialFrequency wave, double share) {
         double period = wave.period();
         return new GratingPeriod(
                 wave, period, period, 0, Double.POSITIVE_INFINITY, share, List.of(), Certainty.SURE, "");
     }
 
-    /**
-     * Returns this period with the interval of its frequency, cycles per meter, and the half width of its direction's interval, radians.
-     */
+    /** Sets the interval of the frequency, cycles per meter, and the half width of the direction's interval, radians. */
     GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
         return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
@@ -194,12 +188,10 @@ public record GratingPeriod(
                 wave.turned(angle), low, high, azimuthHalfWidth, periods, share, turned, certainty, reason);
     }
 
-    /** True if the period is known within its interval. */
     public boolean isSure() {
         return certainty == Certainty.SURE;
     }
 
-    /** True if there is a period, sure or probable. */
     public boolean isSeen() {
         return isSure() || certainty == Certainty.PROBABLE;
     }
@@ -209,12 +201,11 @@ public record GratingPeriod(
         return low == high;
     }
 
-    /** True if there is any wave, even one that stands out too little for a period. */
+    /** True if there is any wave, even one that does not stand out. */
     public boolean hasWave() {
         return wave.length() > 0;
     }
 
-    /** Returns the period in meters. */
     public double period() {
         return wave.period();
     }
@@ -230,8 +221,8 @@ public record GratingPeriod(
     }
 
     /**
-     * Returns the period and its interval with the digits that the interval determines, such as "1000.0 nm, 95 % interval 998.9 to 1001.1
-     * nm"; the period alone if it is exact.
+     * Returns the period with the digits that the interval determines, such as "1000.0 nm, 95 % interval 998.9 to 1001.1 nm"; the period
+     * alone if it is exact.
      */
     public String interval() {
         double uncertainty = NANOMETERS_PER_METER * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
@@ -244,7 +235,7 @@ public record GratingPeriod(
                                 : "any length");
     }
 
-    /** Returns {@link #interval}, or for a period that is not sure "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
+    /** Returns {@link #interval}, or "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
     public String told() {
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
@@ -257,7 +248,7 @@ public record GratingPeriod(
                 .toList();
     }
 
-    /** Returns one line with the interval, the direction and the share of the variance; for a period that is not sure, the reason. */
+    /** Returns one line with the interval, the direction and the share of the variance, or with the reason. */
     public String describe() {
         if (!isSure()) {
             return isSeen() ? told() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;

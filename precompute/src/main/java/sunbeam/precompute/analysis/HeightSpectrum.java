@@ -7,31 +7,26 @@ import sunbeam.precompute.patch.SamplingCheck;
 import sunbeam.precompute.prepare.Leveling;
 
 /**
- * Power spectrum of a patch's heights, up to the highest frequency that diffracts light (2 / 380 nm) or the Nyquist frequency (1 / (2
- * pitch)), whichever is lower.
+ * Power spectrum of a patch's heights, up to the highest frequency that diffracts light (2 / 380 nm) or the Nyquist frequency, whichever is
+ * lower.
  *
  * @param bandX bins along x, symmetric about 0
  * @param bandY bins along y (upwards), symmetric about 0
  * @param width extent along x in meters, padding included: a bin's frequency along x is bin / width
- * @param height extent along y in meters, padding included: a bin's frequency along y is bin / height
- * @param power square meters, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}; without padding, the sum of all is the
- *     variance of the transformed heights minus the power beyond the bands
+ * @param power square meters, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}
  * @param total sum of the power, square meters, including frequencies beyond the bands
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
-    /** Shortest period that diffracts light, in meters: half the shortest wavelength, for light and viewer at grazing angles. */
+    /** Half the shortest wavelength, meters, for light and viewer at grazing angles. */
     static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
-    // Most samples of a scan that is padded; the padded spectra of larger scans would take gigabytes.
+    // Most samples of a scan that is padded; larger ones would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
 
     /** How the patch's edges are treated. */
     public enum Edges {
         /** One period of a surface that repeats: heights minus their mean; each bin is an exact frequency of the surface. */
         PERIODIC,
-        /**
-         * A piece of a surface: heights minus their plane, times a Hann window of mean square 1 along both axes, padded with zeros to twice
-         * the size.
-         */
+        /** A piece of a surface: heights minus their plane, times a Hann window of mean square 1, padded with zeros to twice the size. */
         TAPERED
     }
 
@@ -69,7 +64,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return Band.of(-reach, reach);
     }
 
-    /** Returns a Hann window of root mean square 1, or ones. */
+    /** Hann window of root mean square 1, or ones. */
     private static double[] taper(int samples, boolean tapered) {
         double[] taper = new double[samples];
         for (int i = 0; i < samples; i++) {
@@ -86,7 +81,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
                 : 0;
     }
 
-    /** Returns the frequency of a bin, given by its index in {@link #power}. */
+    /** Returns the frequency of the bin at an index of {@link #power}. */
     SpatialFrequency frequency(int place) {
         int jx = bandX.first() + place % bandX.count();
         int jy = bandY.first() + place / bandX.count();

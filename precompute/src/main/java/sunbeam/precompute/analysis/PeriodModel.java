@@ -13,50 +13,43 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Estimates the period of a piece of a surface from its leveled heights. A sharp line of their Hann-windowed, zero-padded power spectrum is
- * corrected by the slope of the wave's phase, along the wave and along its lines. Its interval is the slope's, widened to include the
- * estimates from the scan's halves and from its rows. A broad line has the centroid of its power as its period, and an interval from tiles
- * of the scan.
+ * Estimates the period of a piece of a surface. A sharp line of the padded power spectrum is corrected by the slope of the wave's phase,
+ * along the wave and along its lines; its interval is the slope's, widened to include the estimates from the scan's halves and from its
+ * rows. A broad line has the centroid of its power as its period, and an interval from tiles of the scan.
  */
 final class PeriodModel {
-    // Minimum number of periods in the scan for a sure period; fewer may be chance, or waviness.
+    // For a sure period; fewer may be chance, or waviness.
     static final double FEWEST_PERIODS = 4;
-    // Minimum number of periods in the scan for a probable period: the Hann window spreads heights that do not repeat
-    // over frequencies of up to two periods.
+    // For a probable period: the Hann window spreads heights that do not repeat over frequencies of up to two periods.
     private static final double FEWEST_SEEN = 3;
-    // Minimum number of samples per period; fewer may be the alias of a shorter wave.
+    // Per period; fewer may be the alias of a shorter wave.
     private static final double FEWEST_SAMPLES = 4;
     // Largest half width of the frequency's interval, as a share of the frequency.
     private static final double WIDEST = 0.1;
-    // Minimum share of the variance in the wave and its overtones; white noise stays below.
+    // White noise stays below this share of the variance.
     static final double LEAST_SHARE = 0.08;
-    // Minimum half width of the frequency's interval, in cycles per length of the scan: the slope's bias from the
-    // scan's finite size and sampling.
+    // Half width in cycles per length of the scan: the slope's bias from the scan's finite size and sampling.
     private static final double FINITE = 0.01;
-    // Largest distance between the frequencies of a wave in the scan and in a part of it, as a share of the frequency.
+    // Largest distance of a wave in a part of the scan, as a share of the frequency.
     private static final double NEAR = 0.3;
-    // Factor on a part's deviation from the whole up to which the interval reaches: what makes a part deviate also
-    // biases the whole.
+    // What makes a part deviate also biases the whole.
     private static final double BEYOND = 1.3;
     // Minimum WaveSearch.sharpness of a sharp line, and of a line that is one of a few equally strong speckles.
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
-    // Maximum number of tiles along each side of the scan.
     private static final int MOST_TILES = 4;
-    // Minimum prominence of a line. Isotropic noise stays below; rows of fingers of a snake's skin have 16 to 30,
-    // gratings 50 and more.
+    // Prominence. Isotropic noise stays below; rows of fingers of a snake's skin have 16 to 30, gratings 50 and more.
     private static final double LEAST_PROMINENCE = 12;
-    // Minimum prominence of straight lines, which have fewer independent samples: noise along one axis reaches 16, once
-    // in 600 surfaces 23.
+    // Of straight lines, which have fewer independent samples: noise along one axis reaches 16, once in 600 surfaces
+    // 23.
     private static final double LEAST_OF_STRAIGHT = 20;
-    // Minimum prominence and contrast of a line with few periods, which is wide and overlaps its neighborhood: the
-    // prominence of noise reaches 5, that of three trenches is 6 or more.
+    // Of a line with few periods, which overlaps its neighborhood: the prominence of noise reaches 5, that of three
+    // trenches is 6 or more.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
-    // Minimum share of the variance in straight lines: stretched noise reaches 0.45, gratings of 3.2 periods or more
-    // have 0.7.
+    // Share of the variance: stretched noise reaches 0.45, gratings of 3.2 periods or more have 0.7.
     private static final double STRAIGHT = 0.55;
-    // Minimum prominence of lines with too few samples per period, and of uneven lines that are not straight.
+    // Of lines with too few samples per period, and of uneven lines that are not straight.
     private static final double WITHOUT_LINES = 60;
     // Bins of distance across the lines, per period.
     private static final int BINS_PER_PERIOD = 12;
@@ -73,15 +66,12 @@ final class PeriodModel {
         this.search = new WaveSearch(scan, this.which);
     }
 
-    /** Returns the period of the strongest wave that a predicate accepts; empty if none fits three times into the scan. */
+    /** Returns the period of the strongest accepted wave; empty if none fits three times into the scan. */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which) {
         return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
-    /**
-     * Returns the period of the strongest wave. If that is no grating, it may be waviness on top of one: then a grating more than four
-     * times as fine takes its place.
-     */
+    /** A strongest wave that is no grating may be waviness on top of one: then a grating more than four times as fine takes its place. */
     private Optional<GratingPeriod> strongest(Predicate<SpatialFrequency> left) {
         Optional<SpatialFrequency> line = search.strongest(left);
         Optional<GratingPeriod> first = line.map(found -> judged(search.fundamental(found, left)));
@@ -172,7 +162,7 @@ final class PeriodModel {
         return left / all;
     }
 
-    /** Returns the period of a sharp line, with an interval from the deviations of its phase and of parts of the scan. */
+    /** Takes the interval from deviations of the phase and from parts of the scan. */
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
         double half = Math.max(PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
@@ -198,8 +188,8 @@ final class PeriodModel {
     }
 
     /**
-     * Returns the period of a broad line, with an interval from the centroids of its power in tiles of the scan. Tiles side by side along
-     * straight lines are not independent, so the error falls only with the number of tiles along the wave.
+     * Takes the interval from the centroids of the line's power in tiles. Tiles side by side along straight lines are not independent, so
+     * the error falls only with the number of tiles along the wave.
      *
      * @param line line that the interval must include: the centroid of two equally strong periods is neither
      */
@@ -227,21 +217,20 @@ final class PeriodModel {
         return vague.within(interval.low(), interval.high(), turn);
     }
 
-    /** Returns the number of tiles along each side; each holds four periods or more. */
+    /** Each tile holds four periods or more. */
     private int tiles(SpatialFrequency wave) {
         return (int) Math.min(MOST_TILES, wave.periodsIn(scan) / FEWEST_PERIODS);
     }
 
-    /** Interval of frequencies, cycles per meter. */
+    /** Frequencies, cycles per meter. */
     private record Interval(double low, double high) {
-        /** Returns this interval widened to include the frequency of a part of the scan, with the factor BEYOND. */
         Interval reaching(double part, double whole) {
             double end = whole + BEYOND * (part - whole);
             return new Interval(Math.min(low, end), Math.max(high, end));
         }
     }
 
-    /** Returns the wave corrected by its phase's slopes, in two iterations; unchanged if the correction leads to another wave. */
+    /** Returns the wave unchanged if the correction leads to another wave. */
     private static SpatialFrequency corrected(HeightMap level, SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 2; i++) {
@@ -255,7 +244,7 @@ final class PeriodModel {
         return result;
     }
 
-    /** Returns the wave in a part of the scan that corresponds to a wave of the whole; the latter if the part shows none. */
+    /** Returns the wave itself if the part shows none. */
     private static SpatialFrequency near(HeightMap part, SpatialFrequency wave) {
         return new WaveSearch(part, frequency -> frequency.distance(wave) < NEAR * wave.length())
                 .strongest(frequency -> true)

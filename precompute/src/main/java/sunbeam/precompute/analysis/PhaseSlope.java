@@ -6,37 +6,34 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Slope of a wave's phase along one direction, relative to an ideal wave of the assumed frequency: the correction of the frequency in this
- * direction. The phase's deviations from a straight line give the correction's interval.
+ * direction.
  *
  * @param value correction, cycles per meter
- * @param halfWidth half width of the correction's 95 % interval, cycles per meter
+ * @param halfWidth half width of the correction's 95 % interval, from the phase's deviations from a straight line
  */
 record PhaseSlope(double value, double halfWidth) {
-    // Length of a Hann window in periods. With two, constants, slopes, overtones and the wave's negative frequency
-    // vanish.
+    // With two periods in a Hann window, constants, slopes, overtones and the wave's negative frequency vanish.
     private static final int WINDOW_PERIODS = 2;
-    // Overlapping windows per length of a window, so that the phase changes by less than half a turn from one to the
-    // next.
+    // The phase changes by less than half a turn from one overlapping window to the next.
     private static final int PER_LENGTH = 3;
-    // Minimum number of windows side by side; in a short scan, these overlap more.
+    // Windows side by side; in a short scan, they overlap more.
     private static final int FEWEST_WINDOWS = 3;
-    // Minimum weight of a window, as a share of the fullest window's; windows in corners of a scan have less.
+    // Share of the fullest window's weight; windows in corners of a scan have less.
     private static final double LEAST_FILLED = 0.3;
-    // Correction for smoothing: steps between a random walk's means under Hann windows have half the mean square of the
-    // walk's own.
+    // Steps between a random walk's means under Hann windows have half the mean square of the walk's own.
     private static final double SMOOTHED = 1.4;
-    // Number of bands of rows, each of which has one phase; a scanner slips within few of them.
+    // Bands of rows, each of which has one phase; a scanner slips within few of them.
     private static final int BANDS = 48;
     // Minimum number of periods along a row, which has a Hann window of its own.
     private static final double FEWEST_IN_A_ROW = 3;
 
-    /** Hann windows along a direction; each has the sum of heights times exp(-2 pi i f x) and the sum of weights. */
+    /** Hann windows along a direction: sums of heights times exp(-2 pi i f x), and of weights. */
     private record Windows(double[] re, double[] im, double[] filled) {
         Windows(int count) {
             this(new double[count], new double[count], new double[count]);
         }
 
-        /** Returns the magnitude of a window's sum, which weights its phase. */
+        /** Weights the phase. */
         double weight(int i) {
             return Math.hypot(re[i], im[i]);
         }
@@ -52,11 +49,7 @@ record PhaseSlope(double value, double halfWidth) {
         }
     }
 
-    /**
-     * Returns the slope of a wave's phase in leveled heights.
-     *
-     * @param across true for the direction along the wave's lines, false for the direction of the wave
-     */
+    /** @param across true for the direction along the wave's lines, false for the direction of the wave */
     static PhaseSlope of(HeightMap level, SpatialFrequency wave, boolean across) {
         double azimuth = wave.azimuth() + (across ? 0.5 * Math.PI : 0);
         double length = extent(level, azimuth);
@@ -106,8 +99,8 @@ record PhaseSlope(double value, double halfWidth) {
             for (int column = 0; column < level.columns(); column++) {
                 double x = (column + 0.5 - 0.5 * level.columns()) * level.pitchX();
                 double place = x * alongX + y * alongY - start;
-                // Along the lines, heights fade out towards both borders, so that cut-off periods there add no
-                // constants and overtones.
+                // Along the lines, heights fade out towards both borders, so that cut-off periods add no constants and
+                // overtones.
                 double fade = across ? Math.cos(Math.PI * (y * alongX - x * alongY) / breadth) : 1;
                 double height = fade * fade * level.at(column, row);
                 double angle = -2 * Math.PI * (wave.x() * x + wave.y() * y);
@@ -127,8 +120,8 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Fits the phases of adjacent windows by weighted least squares. The half width is Student's factor times the larger of two standard
-     * errors: that of independent phases (stray lines, noise) and that of a random walk (varying gaps).
+     * Weighted least squares. The half width is Student's factor times the larger of two standard errors: that of independent phases (stray
+     * lines, noise) and that of a random walk (varying gaps).
      */
     private static PhaseSlope fitted(Windows windows, int first, int last, double step) {
         int degrees = (last - first) / PER_LENGTH - 1;
@@ -159,9 +152,8 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Returns a correction of a wave's frequency along y, cycles per meter: the median of the phase's steps between bands of rows. A
-     * scanner that slips or loses rows changes few of the steps. The result is 0 for fewer than three bands, and if the wave has fewer than
-     * three periods along a row.
+     * Returns a correction of a wave's frequency along y, cycles per meter: the median of the phase's steps between bands of rows, of which
+     * a scanner that slips changes few. It is 0 for fewer than three bands or periods along a row.
      */
     static double byRows(HeightMap level, SpatialFrequency wave) {
         int lag = Math.max(1, level.rows() / BANDS);

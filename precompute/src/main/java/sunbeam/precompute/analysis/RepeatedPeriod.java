@@ -11,13 +11,13 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Finds the exact periods of a surface that repeats one patch without end, from its strongest frequencies. */
 final class RepeatedPeriod {
-    // Minimum share of the variance in an overtone; noise has less in one frequency.
+    // Share of the variance; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
     // Maximum number of waves that cross each other.
     private static final int MOST_DIRECTIONS = 3;
-    // Minimum shares of the variance in the waves and their overtones, for a known period and for any piece. In a
-    // piece, the waves' strongest frequencies alone need the third share: noise along one axis also consists of
-    // overtones of the patch's length, but of many weak ones.
+    // Shares of the variance in the waves and their overtones, for a known period and for any piece. In a piece, the
+    // strongest frequencies alone need the third share: noise along one axis also consists of overtones of the patch's
+    // length, but of many weak ones.
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;
@@ -33,10 +33,7 @@ final class RepeatedPeriod {
         this.all = 0.5 * DoubleStream.of(spectrum.power()).sum();
     }
 
-    /**
-     * A wave with its overtones: jx and jy are its periods in the patch along x and y, power is that of all, peak that of the strongest
-     * frequency.
-     */
+    /** Wave with its overtones: its periods in the patch along x and y, the power of all, and of the strongest frequency. */
     private record Family(SpatialFrequency wave, int jx, int jy, double power, double peak) {
         boolean holds(int x, int y) {
             return (long) x * jy == (long) y * jx;
@@ -44,10 +41,10 @@ final class RepeatedPeriod {
     }
 
     /**
-     * Returns the period of the strongest frequency that a predicate accepts, with up to two others at least half as strong; empty if these
-     * hold too little of the variance.
+     * Returns the period of the strongest accepted frequency, with up to two others at least half as strong; empty if these hold too little
+     * of the variance.
      *
-     * @param known true if the map is known to be a period; else it may be any piece, and the waves must hold most of its variance
+     * @param known whether the map is a period; else it may be any piece
      */
     static Optional<GratingPeriod> of(HeightMap map, Predicate<SpatialFrequency> which, boolean known) {
         RepeatedPeriod search = new RepeatedPeriod(map, which);
@@ -88,7 +85,7 @@ final class RepeatedPeriod {
         return spectrum.bandY().first() + place / spectrum.bandX().count();
     }
 
-    /** Returns the family of the highest frequency whose overtones include all strong multiples of a bin. The bin may be an overtone. */
+    /** The bin may be an overtone: its family is that of the highest frequency whose overtones include all strong multiples. */
     private Family family(int jx, int jy, SpatialFrequency strongest) {
         int number = gcd(jx, jy);
         double[] powers = overtones(jx / number, jy / number).toArray();
@@ -106,7 +103,6 @@ final class RepeatedPeriod {
                 spectrum.at(jx, jy));
     }
 
-    /** Returns the powers of a bin and of its multiples. */
     private DoubleStream overtones(int jx, int jy) {
         return IntStream.iterate(
                         1,

@@ -10,12 +10,10 @@ import sunbeam.precompute.optics.HeightMap;
  */
 public record SpatialFrequency(double x, double y) {
 
-    /** Returns the magnitude in cycles per meter. */
     public double length() {
         return Math.hypot(x, y);
     }
 
-    /** Returns the period in meters. */
     public double period() {
         return 1 / length();
     }
@@ -26,7 +24,7 @@ public record SpatialFrequency(double x, double y) {
         return angle > Math.PI / 2 ? angle - Math.PI : angle <= -Math.PI / 2 ? angle + Math.PI : angle;
     }
 
-    /** Returns this frequency rotated counter-clockwise by an angle in radians. */
+    /** Rotates counter-clockwise by an angle in radians. */
     SpatialFrequency turned(double angle) {
         double cosine = Math.cos(angle);
         double sine = Math.sin(angle);
@@ -47,14 +45,14 @@ public record SpatialFrequency(double x, double y) {
         return new SpatialFrequency(factor * x, factor * y);
     }
 
-    /** Returns this frequency plus corrections along the wave and, counter-clockwise from it, along its lines, in cycles per meter. */
+    /** Adds corrections along the wave and, counter-clockwise from it, along its lines, in cycles per meter. */
     SpatialFrequency corrected(double along, double across) {
         double cosine = x / length();
         double sine = y / length();
         return new SpatialFrequency(x + along * cosine - across * sine, y + along * sine + across * cosine);
     }
 
-    /** Returns the number of periods on the line through the center, along the wave, of the ellipse inscribed in a scan. */
+    /** Returns the number of periods along the wave in the ellipse inscribed in a scan. */
     double periodsIn(HeightMap scan) {
         return length() * length() / Math.hypot(x / scan.width(), y / scan.height());
     }

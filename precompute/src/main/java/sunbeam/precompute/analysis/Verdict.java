@@ -34,20 +34,18 @@ public record Verdict(Code code, String sentence) {
         }
     }
 
-    /** Shortest wavelength, in meters, at which the eye sees enough to name a color. */
+    /** Meters; shortest and longest wavelength at which the eye sees enough to name a color. */
     static final double VIOLET = 400e-9;
 
-    // Longest such wavelength, meters.
     private static final double RED = 700e-9;
     // Sine of the smallest angle to the mirror direction at which an order can be resolved.
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETERS_PER_METER = 1e6;
-    // Significant digits of lengths.
     private static final int DIGITS = 3;
-    // Width in degrees below which a band of color has angles with a decimal.
+    // Bands of color narrower than this, in degrees, have angles with a decimal.
     private static final double NARROW = 2;
-    // Tolerances of lattices, because a scanner's axes differ in scale and are not quite at right angles: relative
-    // difference of two frequencies, and sine of 4 degrees.
+    // A scanner's axes differ in scale and are not quite at right angles: relative difference of two frequencies, and
+    // sine of 4 degrees.
     private static final double ALIKE = 0.05;
     private static final double SLANT = 0.07;
 
@@ -63,7 +61,6 @@ public record Verdict(Code code, String sentence) {
      * Returns the verdict under any light, such as "A grating ...: first-order colors at -9 to 11 degrees and from -58 degrees on under
      * light at 30 degrees".
      *
-     * @param period the patch's period
      * @param theta angle of the light to the normal, degrees, in the plane across the lines; angles of colors are positive on the light's
      *     side
      */
@@ -108,10 +105,7 @@ public record Verdict(Code code, String sentence) {
         return kind + length(period, 1) + " across " + GratingPeriod.degrees(period.wave()) + " degrees" + crossing;
     }
 
-    /**
-     * Returns a text such as "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across 34, 94 and
-     * 154 degrees".
-     */
+    /** Returns "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across 34 and 94 degrees". */
     private static String lattice(GratingPeriod period) {
         double sine = period.wave().sineTo(period.others().get(0));
         boolean hexagonal = Math.abs(sine - Math.sqrt(0.75)) < SLANT;
@@ -127,10 +121,8 @@ public record Verdict(Code code, String sentence) {
     }
 
     /**
-     * Formats a period times a factor: "1.08 um (1.03 to 1.13)" with its interval, "1.08 um" if it is exact, "2.9 um (3.4 periods seen,
-     * ...)" if it is probable.
-     *
-     * @param factor factor of the period and its interval
+     * Formats a period times a factor: "1.08 um (1.03 to 1.13)", "1.08 um" if it is exact, "2.9 um (3.4 periods seen, ...)" if it is
+     * probable.
      */
     private static String length(GratingPeriod period, double factor) {
         if (!period.isSure()) {
@@ -146,7 +138,7 @@ public record Verdict(Code code, String sentence) {
                         + Decimals.within(high, uncertainty) + ")";
     }
 
-    /** Describes the angles of the first orders, sin theta = +-lambda / d - sin theta_i, for all periods in the interval. */
+    /** Uses sin theta = +-lambda / d - sin theta_i for all periods in the interval. */
     private static String colors(GratingPeriod period, double theta) {
         double mirror = -Math.sin(Math.toRadians(theta));
         double blue = VIOLET / (period.isSure() ? period.high() : period.period());
@@ -167,7 +159,7 @@ public record Verdict(Code code, String sentence) {
         return "first-order colors " + angles + " under " + light;
     }
 
-    /** Formats the range of angles between two sines, ascending; without an end if red lies beyond the horizon. */
+    /** Omits the end if red lies beyond the horizon. */
     private static String angles(double blue, double red) {
         if (Math.abs(red) >= 1) {
             return Text.format("from %.0f degrees on", degrees(blue, 1));
@@ -179,7 +171,7 @@ public record Verdict(Code code, String sentence) {
                 degrees(Math.max(blue, red), parts));
     }
 
-    /** Returns the angle of a sine in degrees, rounded to 1 / parts of a degree; never -0. */
+    /** Rounds to 1 / parts of a degree; never -0. */
     private static double degrees(double sine, int parts) {
         return Math.rint(parts * Math.toDegrees(Math.asin(sine))) / parts + 0.0;
     }

@@ -14,28 +14,22 @@ import sunbeam.precompute.numerics.LogParabola;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
-/**
- * Searches the power spectrum of a piece of a surface for lines (peaks of waves) and measures their breadth, contrast and share of the
- * variance.
- */
+/** Searches the power spectrum of a piece of a surface for lines (peaks of waves). */
 final class WaveSearch {
-    // Radius of a line in bins of 1 / the scan's side; a Hann window's line reaches 2 to either side.
+    // In bins of 1 / the scan's side; a Hann window's line reaches 2 to either side.
     private static final double LINE = 3;
-    // Radius of a broad line, such as that of a grown surface, as a share of its frequency.
+    // Radius of a broad line as a share of its frequency.
     private static final double BREADTH = 0.15;
-    // Multiples of a wave, itself included, that count as its overtones.
     private static final int OVERTONES = 5;
-    // Minimum power of a reported line in another direction, as a share of the strongest line's.
+    // Minimum power of a line in another direction, as a share of the strongest line's.
     static final double AS_STRONG = 0.5;
     // Minimum height of a fundamental, as a share of its overtone's.
     private static final double LEAST_FUNDAMENTAL = 0.25;
-    // Minimum contrast of a line. Random surfaces whose spectrum is a ring reach 7, gratings and lattices have 11 and
-    // more.
+    // Random surfaces whose spectrum is a ring reach a contrast of 7, gratings and lattices have 11 and more.
     static final double LEAST_CONTRAST = 10;
-    // Minimum result of ring for a spectrum that is a ring. Random surfaces with such a spectrum have thousands, noise
-    // with steadily falling power 2 at most.
+    // Random surfaces whose spectrum is a ring have thousands, noise with steadily falling power 2 at most.
     static final double LEAST_RING = 4;
-    // Number of sectors in half a turn: each is 15 degrees wide, since the rows of a snake's scale stray by 8 degrees.
+    // Sectors in half a turn, 15 degrees wide, since the rows of a snake's scale stray by 8 degrees.
     private static final int SECTORS = 12;
     // Frequencies below this share of a wave's are waviness.
     private static final double COARSEST = 0.5;
@@ -50,7 +44,6 @@ final class WaveSearch {
     private final double binX;
     private final double binY;
 
-    /** @param which accepts the waves that are searched */
     WaveSearch(HeightMap scan, Predicate<SpatialFrequency> which) {
         this.spectrum = HeightSpectrum.of(scan, HeightSpectrum.Edges.TAPERED);
         this.which = which;
@@ -58,10 +51,7 @@ final class WaveSearch {
         this.binY = 1 / scan.height();
     }
 
-    /**
-     * Returns the highest line among the waves that both predicates accept, refined by parabolas through neighboring bins; empty if there
-     * is none.
-     */
+    /** Returns the highest line that both predicates accept, refined by parabolas through neighboring bins. */
     Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
         double[] power = spectrum.power();
         int best = -1;
@@ -83,17 +73,13 @@ final class WaveSearch {
         return new SpatialFrequency(x / spectrum.width(), y / spectrum.height());
     }
 
-    /** Sums of the power and of the power times the frequency along x and y. */
     private record Moments(double power, double x, double y) {
         SpatialFrequency centroid() {
             return new SpatialFrequency(x / power, y / power);
         }
     }
 
-    /**
-     * Returns the distance of a frequency from a line, 1 at its radius: a number of the scan's bins, or a share of the line's frequency if
-     * that is larger.
-     */
+    /** Returns 1 at the line's radius: a number of the scan's bins, or a share of the line's frequency if that is larger. */
     private double distance(SpatialFrequency frequency, SpatialFrequency center, double bins, double share) {
         double reach = share * center.length();
         return Math.hypot(
@@ -101,7 +87,6 @@ final class WaveSearch {
                 (frequency.y() - center.y()) / Math.max(bins * binY, reach));
     }
 
-    /** Sums the accepted bins within a line's radius, which is that of {@link #distance}. */
     private Moments around(SpatialFrequency center, double bins, double share, Predicate<SpatialFrequency> counted) {
         double reachX = Math.max(bins * binX, share * center.length());
         double reachY = Math.max(bins * binY, share * center.length());
@@ -129,7 +114,6 @@ final class WaveSearch {
         return power > 0 ? around(wave, LINE, 0, all).power() / power : 0;
     }
 
-    /** Returns the centroid of the power in a broad line, in three iterations. */
     SpatialFrequency centroid(SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 3; i++) {
@@ -146,8 +130,8 @@ final class WaveSearch {
     }
 
     /**
-     * Returns the share, 0..1, that a wave and its overtones have of the variance without waviness and waves that are not searched.
-     * Variance too fine to diffract light counts; without it, a faint wave would be nearly all that remains of a finer surface.
+     * Returns the share, 0..1, of the variance in a wave and its overtones, without waviness and waves that are not searched. Variance too
+     * fine to diffract light counts; without it, a faint wave would be nearly all of a finer surface.
      */
     double share(SpatialFrequency wave) {
         double all = 0.5 * spectrum.total();
@@ -187,8 +171,8 @@ final class WaveSearch {
     }
 
     /**
-     * Returns the wave of half or a third of a line's frequency if it is accepted and its peak is not much lower, because the line is then
-     * an overtone; else the line.
+     * Returns the wave of half or a third of a line's frequency if its peak is not much lower, because the line is then an overtone; else
+     * the line.
      */
     SpatialFrequency fundamental(SpatialFrequency line, Predicate<SpatialFrequency> also) {
         return Stream.of(line.times(1.0 / 2), line.times(1.0 / 3))
@@ -198,7 +182,6 @@ final class WaveSearch {
                 .orElse(line);
     }
 
-    /** Returns the highest power within one bin of a frequency. */
     private double top(SpatialFrequency frequency) {
         int x = (int) Math.rint(frequency.x() * spectrum.width());
         int y = (int) Math.rint(frequency.y() * spectrum.height());
@@ -211,16 +194,14 @@ final class WaveSearch {
         return highest;
     }
 
-    /**
-     * Returns the height of a wave's peak over the median of the spectrum beside it, on the coarser or the finer side, whichever is higher.
-     */
+    /** Returns the height of a wave's peak over the median beside it, on the coarser or the finer side, whichever is higher. */
     double prominence(SpatialFrequency wave) {
         return top(wave) / Math.max(beside(wave, COARSER_FROM, COARSER_TO), beside(wave, FINER_FROM, FINER_TO));
     }
 
     /**
-     * Returns the median, over frequencies between two shares of a wave's, of the highest bin in the wave's sector at each frequency; 0
-     * without bins. Lower bins at a frequency do not count, because all but one are empty if the surface varies along one axis only.
+     * Returns the median, over frequencies between two shares of a wave's, of the highest bin in the wave's sector: all but one are empty
+     * if the surface varies along one axis only.
      */
     private double beside(SpatialFrequency wave, double from, double to) {
         double within = Math.sin(0.5 * Math.PI / SECTORS);
@@ -258,13 +239,12 @@ final class WaveSearch {
         return frequency.length() >= from && frequency.length() <= to;
     }
 
-    /** Returns the two strongest waves, or fewer, in other directions, each at least half as strong as the given one. */
+    /** Returns up to two waves in other directions, each at least half as strong. */
     List<SpatialFrequency> others(SpatialFrequency wave) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
         double least = AS_STRONG * around(wave, LINE, BREADTH, which).power();
         List<SpatialFrequency> found = new ArrayList<>(List.of(wave));
-        // A line with few periods is wide, and so is waviness: bins of these, or of a line's opposite, are no other
-        // line.
+        // Bins of waviness, of a wide line with few periods, or of a line's opposite are no other line.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
                 && other.length() > COARSEST * wave.length()
                 && found.stream()

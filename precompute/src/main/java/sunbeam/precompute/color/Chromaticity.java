@@ -1,17 +1,13 @@
 package sunbeam.precompute.color;
 
 /**
- * CIE 1931 chromaticity, with dominant wavelength and excitation purity against the light's white (CIE 15:2018, 9.3).
- *
- * @param x X / (X + Y + Z)
- * @param y Y / (X + Y + Z)
+ * CIE 1931 chromaticity, x = X / (X + Y + Z), with dominant wavelength and excitation purity against the light's white (CIE 15:2018, 9.3).
  */
 public record Chromaticity(double x, double y) {
-    // Red end of the locus in nm: beyond, the locus moves by less than the table's rounding.
+    // Ends of the locus in nm; beyond, it moves by less than the table's rounding.
     private static final int RED_END = 700;
-    // Blue end of the locus in nm.
     private static final int BLUE_END = 380;
-    // Distance from white, in x and y, below which rounding would decide the hue.
+    // Below this distance from white rounding would decide the hue.
     private static final double NO_HUE = 1e-3;
 
     /** Returns the chromaticity of linear X, Y, Z; NaN for black. */
@@ -29,7 +25,7 @@ public record Chromaticity(double x, double y) {
      * Hue as a wavelength, with its purity.
      *
      * @param nanometers dominant wavelength; the negative complementary wavelength for purples; NaN for white, gray and black
-     * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple; may exceed 1 by rounding
+     * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple
      */
     public record Hue(double nanometers, double purity) {}
 
@@ -43,7 +39,7 @@ public record Chromaticity(double x, double y) {
         }
         double[] spectral = white.crossing(cie, dx, dy);
         if (!Double.isNaN(spectral[0])) {
-            // Clamp to 1: monochromatic light lies on the locus up to rounding.
+            // Monochromatic light lies on the locus up to rounding.
             return new Hue(spectral[0], Math.min(1, 1 / spectral[1]));
         }
         double[] complement = white.crossing(cie, -dx, -dy);

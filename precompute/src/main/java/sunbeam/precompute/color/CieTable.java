@@ -6,23 +6,20 @@ import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
 
 /**
- * Color matching functions of an observer times the relative power of a light, at each nanometer from 380 to 780 nm, with linear
- * interpolation between.
+ * Color matching functions of an observer times the relative power of a light, at each nanometer from 380 to 780 nm, linear between.
  *
  * @param weighted {@code [nanometers - 380][channel]}: S xbar, S ybar and S zbar, where S is the light's power
- * @param integralOfY integral of S ybar over the band (trapezoid on the 1 nm table, exact for linear interpolation), in meters; {@link
- *     #times} does not change it
- * @param description names of the light and the observer
- * @param isSmooth true if the light's spectrum is as smooth as daylight, unlike lines of lamps and lasers
+ * @param integralOfY integral of S ybar over the band in meters; {@link #times} does not change it
+ * @param isSmooth whether the light's spectrum is as smooth as daylight, unlike lines of lamps and lasers
  */
 public record CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
-    /** Shortest wavelength of the table, meters. */
+    /** Shortest wavelength, meters. */
     public static final double MINIMUM_WAVELENGTH = 380e-9;
 
-    /** Longest wavelength of the table, meters. */
+    /** Longest wavelength, meters. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
 
-    /** Width of the visible band in 1 / lambda, 1 / meters. */
+    /** Width of the band in 1 / lambda, 1 / meters. */
     public static final double BAND_WIDTH = 1 / MINIMUM_WAVELENGTH - 1 / MAXIMUM_WAVELENGTH;
 
     /** Returns the table of the CIE 1931 observer under D65, which define sRGB. */
@@ -30,7 +27,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return of(Observer.CIE1931, Illuminant.of("D65"));
     }
 
-    /** Returns the table of an observer under a light. */
     public static CieTable of(Observer observer, Illuminant light) {
         double[][] weighted = new double[Illuminant.LAST + 1][3];
         for (int channel = 0; channel < 3; channel++) {
@@ -48,24 +44,16 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return of(observer, band.equals(WavelengthBand.VISIBLE) ? light : light.through(band));
     }
 
-    /**
-     * Returns a table with three other weight functions in place of X, Y and Z.
-     *
-     * @param weighted values at each nanometer from 380 to 780 nm, linear between; the integral of each function is a nanometer
-     */
+    /** Returns a table with three other weight functions in place of X, Y and Z; the integral of each is a nanometer. */
     static CieTable ofFunctions(double[][] weighted, String description) {
         return new CieTable(weighted, 1e-9, description, false);
     }
 
-    /**
-     * Returns S xbar, S ybar or S zbar at a wavelength in meters, not normalized; zero outside 380..780 nm.
-     *
-     * @param channel 0 for X, 1 for Y, 2 for Z
-     */
+    /** Returns S xbar, S ybar or S zbar (channel 0, 1, 2) at a wavelength in meters; zero outside 380..780 nm. */
     public double at(double wavelength, int channel) {
         double position = (wavelength - MINIMUM_WAVELENGTH) * 1e9;
         int last = weighted.length - 1;
-        // Rounding of meters to nanometers must not push an end point of the band off the table.
+        // Rounding must not push an end point of the band off the table.
         if (position < -1e-6 || position > last + 1e-6) {
             return 0;
         }
@@ -97,7 +85,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return Arrays.stream(weighted[index]).allMatch(value -> value == 0);
     }
 
-    /** Returns the SHA-256 of all values, in hexadecimal: equal for equal tables. */
+    /** Returns the SHA-256 of all values. */
     public String digest() {
         Sha256 digest = new Sha256();
         for (double[] row : weighted) {
@@ -109,10 +97,8 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     }
 
     /**
-     * Returns this table with the light's spectrum times a factor. {@link #integralOfY} stays, so Y remains relative to the light without
-     * the factor.
-     *
-     * @param factor function of the wavelength in meters, sampled at each nanometer
+     * Returns this table with the light's spectrum times a function of the wavelength in meters. Y remains relative to the light without
+     * it.
      */
     public CieTable times(DoubleUnaryOperator factor) {
         double[][] product = new double[weighted.length][3];

@@ -1,16 +1,16 @@
 package sunbeam.precompute.color;
 
 /**
- * CIEDE2000 with all weights 1 (ISO/CIE 11664-6; G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula: implementation notes,
- * supplementary test data, and mathematical observations", Color Research and Application 30 (2005), whose equation numbers stand in the
- * comments below). A difference of about 1 is just visible.
+ * CIEDE2000 with all weights 1 (ISO/CIE 11664-6; numbers below are equations of G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference
+ * formula: implementation notes, supplementary test data, and mathematical observations", Color Research and Application 30 (2005)). A
+ * difference of about 1 is just visible.
  */
 public final class ColorDifference {
     private static final double POWER_25_TO_7 = Math.pow(25, 7);
 
     private ColorDifference() {}
 
-    /** Returns the difference of two colors, at least 0; symmetric. */
+    /** Returns the difference of two colors, at least 0. */
     public static double ciede2000(CieLab first, CieLab second) {
         double stretch = stretch(0.5 * (first.chroma() + second.chroma()));
         double a1 = stretch * first.a();

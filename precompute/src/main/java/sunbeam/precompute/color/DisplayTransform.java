@@ -1,25 +1,16 @@
 package sunbeam.precompute.color;
 
 /**
- * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone. shaders/include/display.glsl computes this in
- * GLSL.
+ * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone (in GLSL: shaders/include/display.glsl).
  *
  * @param exposure factor of XYZ, above 0
- * @param tone mapping of highlights
- * @param primaries primaries of the output
  */
 public record DisplayTransform(double exposure, Tone tone, Primaries primaries) {
-    /** Creates a transform with sRGB primaries. */
     public DisplayTransform(double exposure, Tone tone) {
         this(exposure, tone, Primaries.SRGB);
     }
 
-    /**
-     * Computes the linear sRGB display light of a color.
-     *
-     * @param xyz X, Y, Z before exposure, from {@code offset} on; Y of 0 or below is black
-     * @param rgb receives three values from 0 to 1
-     */
+    /** Computes the linear sRGB display light, 0 to 1, of X, Y, Z before exposure; Y of 0 or below is black. */
     public void light(float[] xyz, int offset, double[] rgb) {
         light(xyz[offset], xyz[offset + 1], xyz[offset + 2], rgb);
     }

@@ -2,21 +2,16 @@ package sunbeam.precompute.color;
 
 import java.util.function.DoubleUnaryOperator;
 
-/**
- * Integrates a spectrum of power to X, Y, Z over 380..780 nm, to nine digits, for color tables that are linear between whole nanometers.
- * Halves the step of 1 / lambda until the result converges.
- */
+/** Integrates a spectrum of power to X, Y, Z over 380..780 nm, to nine digits. Halves the step of 1 / lambda until the result converges. */
 public final class ExactIntegral {
     /**
-     * Largest change of X, Y, Z, relative to the largest of them, at which halving ends. At half the step, the error of polynomials of
-     * degree 11 is a thousand times smaller.
+     * Change of X, Y, Z, relative to the largest of them, at which halving ends. At half the step, polynomials of degree 11 err a thousand
+     * times less.
      */
     public static final double CONVERGED = 3e-8;
 
-    // Bound on the rounding error of amplitudes, which are sums of total magnitude 1 with errors near 1e-15. A power p
-    // errs by this times sqrt(p).
+    // Amplitudes are sums of total magnitude 1 with errors near 1e-15. A power p errs by this times sqrt(p).
     private static final double AMPLITUDE_ROUNDING = 1e-14;
-    // Halvings of the step after which the integral counts as not convergent.
     private static final int MOST_HALVINGS = 6;
 
     private ExactIntegral() {}
@@ -26,7 +21,7 @@ public final class ExactIntegral {
      *
      * @param power function of the wavelength in meters; also evaluated slightly outside the band
      * @param firstStep step of 1 / lambda in cycles per meter that resolves the power's structure
-     * @throws ArithmeticException when halving does not converge: the step does not resolve the power
+     * @throws ArithmeticException when halving does not converge
      */
     public static double[] xyz(CieTable cie, DoubleUnaryOperator power, double firstStep) {
         double[] coarse = IntegratedNodes.of(cie, firstStep).sum(power);
@@ -44,6 +39,6 @@ public final class ExactIntegral {
             }
             coarse = fine;
         }
-        throw new ArithmeticException("no convergence in steps of " + firstStep + " cycles per metre");
+        throw new ArithmeticException("no convergence in steps of " + firstStep + " cycles per meter");
     }
 }

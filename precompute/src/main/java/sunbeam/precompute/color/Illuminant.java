@@ -7,22 +7,21 @@ import java.util.Locale;
 /**
  * Relative spectral power of a light.
  *
- * @param name name in messages and metadata
  * @param power values at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale
  */
 public record Illuminant(String name, double[] power) {
-    /** Index of the last value, at 780 nm; the first is at 380 nm. */
+    /** Index of the value at 780 nm. */
     public static final int LAST = 400;
 
     /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
-    // Largest second difference of a smooth spectrum over neighboring nanometers, relative to its power, from 400 to
-    // 700 nm and beyond. D65, for which the wavelengths of method full are designed, has up to 3 % and 8 %; lines of
-    // lamps and lasers have 100 %.
+    // Second differences of a smooth spectrum over neighboring nanometers, relative to its power, from 400 to 700 nm
+    // and beyond. D65, for which the wavelengths of method full are designed, has up to 3 % and 8 %; lines of lamps and
+    // lasers have 100 %.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;
-    // Share of the strongest power below which bends are ignored, since they are invisible.
+    // Below this share of the strongest power bends are invisible.
     private static final double FAINT = 0.05;
 
     public Illuminant {

@@ -11,23 +11,17 @@ import sunbeam.precompute.numerics.Lagrange;
 /**
  * Computes quadrature nodes at equal steps of 1 / lambda, in which diffraction orders are equally wide, or of ln lambda. The weights are
  * exact for color matching functions that are linear between whole nanometers, times the polynomial of degree 11 through the powers at
- * neighboring nodes. Weights that only sample these functions at the nodes err by up to 1e-3 for a narrow blue order, even in steps of 1
- * nm: where the functions grow exponentially, chords lie above them.
+ * neighboring nodes. Weights that only sample these functions err by up to 1e-3 for a narrow blue order: where the functions grow
+ * exponentially, chords lie above them.
  */
 public final class IntegratedNodes {
-    // Nodes of an interpolating polynomial of degree 11, and how many of them precede the interval of an integrand.
+    // Nodes of a polynomial, and how many of them precede the interval of an integrand.
     private static final int POINTS = 12;
     private static final int BEFORE = POINTS / 2 - 1;
-    // Gauss points per piece of at most 1 nm and one step, where the integrand is nearly a polynomial: only the
-    // wavelength's function of the scale is none.
+    // Per piece of at most 1 nm and one step, where the integrand is nearly a polynomial.
     private static final int GAUSS_POINTS = 8;
 
-    /**
-     * Scale with equal steps, ascending from the longest wavelength to the shortest.
-     *
-     * @param of function from a wavelength in meters to the scale
-     * @param wavelength its inverse
-     */
+    /** Scale with equal steps, ascending from the longest wavelength to the shortest, and its inverse. */
     private record Scale(DoubleUnaryOperator of, DoubleUnaryOperator wavelength) {
         static final Scale WAVE_NUMBER = new Scale(wavelength -> 1 / wavelength, value -> 1 / value);
         static final Scale LOGARITHM = new Scale(wavelength -> -Math.log(wavelength), value -> Math.exp(-value));
@@ -68,11 +62,7 @@ public final class IntegratedNodes {
         return select(new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate(), false);
     }
 
-    /**
-     * Returns nodes at equal steps of the logarithm of the wavelength, from the first to the last of nonzero weight.
-     *
-     * @param widestStep largest step of ln lambda
-     */
+    /** Returns nodes at equal steps of ln lambda, from the first to the last of nonzero weight. */
     public static WavelengthNodes logarithmic(CieTable cie, double widestStep) {
         return select(new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate(), true);
     }
@@ -109,7 +99,7 @@ public final class IntegratedNodes {
         return new WavelengthNodes(wavelengths, ascending);
     }
 
-    /** Returns the ends of the integration's pieces, ascending: the table's wavelengths and the nodes, where the integrand has kinks. */
+    /** The integrand has kinks at the table's wavelengths and at the nodes. */
     private double[] pieces() {
         int knots = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) * 1e9);
         DoubleStream table = IntStream.rangeClosed(0, knots).mapToDouble(i -> CieTable.MINIMUM_WAVELENGTH + i * 1e-9);

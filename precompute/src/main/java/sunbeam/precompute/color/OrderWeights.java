@@ -10,34 +10,22 @@ import java.util.stream.IntStream;
  * tabulated as W / width, which hardly depends on width where orders are narrow: sqrt(pi) lambda^2 S xbar(lambda).
  *
  * @param minimumPlace center s of the first column, 1 / meter
- * @param maximumPlace center s of the last column, 1 / meter
- * @param minimumWidth width of the first row, 1 / meter
- * @param maximumWidth width of the last row, 1 / meter
  * @param values {@code [(row * COLUMNS + column) * 3 + channel]}, meters
  */
 public record OrderWeights(
         double minimumPlace, double maximumPlace, double minimumWidth, double maximumWidth, float[] values) {
 
-    // The step is 0.7 nm at 500 nm; color matching functions bend over tens of nanometers, and their table has steps of
-    // 1 nm.
-    /** Number of tabulated centers. */
+    // The step is 0.7 nm at 500 nm; color matching functions bend over tens of nanometers.
     public static final int COLUMNS = 768;
 
-    /** Number of tabulated widths. */
     public static final int ROWS = 24;
 
-    // Half of the integration range in widths: exp(-4.5^2) = 2e-9.
+    // In widths: exp(-4.5^2) = 2e-9.
     private static final double REACH = 4.5;
-    // Steps per width: the trapezoid rule for exp(-(x / width)^2) has the relative error 2 exp(-(pi width / step)^2),
-    // far below rounding at four.
+    // The trapezoid rule for exp(-(x / width)^2) has the relative error 2 exp(-(pi width / step)^2).
     private static final int NODES_PER_WIDTH = 4;
 
-    /**
-     * Tabulates the weights.
-     *
-     * @param narrowest smallest width, 1 / meter, positive
-     * @param widest largest width, 1 / meter, above the smallest
-     */
+    /** Tabulates the weights for widths in 1 / meter. */
     public static OrderWeights tabulate(CieTable cie, double narrowest, double widest) {
         // At the first and last place the widest order just misses the band: the texture's border is black.
         double low = 1 / CieTable.MAXIMUM_WAVELENGTH - REACH * widest;

@@ -5,28 +5,22 @@ public enum Primaries {
     /** sRGB. Colors outside its gamut move towards the gray of their luminance. */
     SRGB,
 
-    /** CIE 1931 RGB, as in the thesis's shader; on an sRGB screen its white is bluish and its red weak. Negative channels are clipped. */
+    /** CIE 1931 RGB, as in the thesis's shader; on an sRGB screen its white is bluish. Negative channels are clipped. */
     CIE_RGB;
 
-    // Inverse of the matrix whose columns are (X, Y, Z) of red, green and blue, in units of 1 / 0.17697: (0.49,
-    // 0.17697, 0), (0.31, 0.8124, 0.01), (0.2, 0.01063, 0.99).
+    // Inverse of the matrix whose columns are X, Y, Z of red, green and blue: (0.49, 0.17697, 0), (0.31, 0.8124, 0.01),
+    // (0.2, 0.01063, 0.99), over 0.17697.
     private static final double[][] CIE_RGB_OF_XYZ = {
         {2.36461385, -0.89654057, -0.46807328},
         {-0.51516621, 1.42640810, 0.08875810},
         {0.00520370, -0.01440816, 1.00920446}
     };
 
-    /** Returns the default primaries: those of the thesis, or sRGB. */
     public static Primaries of(boolean thesis) {
         return thesis ? CIE_RGB : SRGB;
     }
 
-    /**
-     * Computes linear channels of a color, none negative.
-     *
-     * @param y luminance, above 0
-     * @param rgb receives the channels
-     */
+    /** Computes linear channels, none negative, of a color with luminance y above 0. */
     void channels(double x, double y, double z, double[] rgb) {
         if (this == CIE_RGB) {
             for (int c = 0; c < 3; c++) {

@@ -7,19 +7,15 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /**
  * Fresnel component: a part of the reflected light whose Fresnel factor is a product of a function of wavelength and one of direction.
- * Schlick's reflectance is R0 (1 - s) + s with s = (1 - cos theta_d)^5, where R0 depends on the wavelength. So a color is the sum of two
- * integrals over wavelengths, one of them with R0 as a factor of the light's spectrum. If R0 is constant, one integral is enough.
+ * Schlick's reflectance is R0 (1 - s) + s with s = (1 - cos theta_d)^5, where R0 may depend on the wavelength: then a color is the sum of
+ * two integrals, one of them with R0 as a factor of the light's spectrum.
  *
- * @param cie observer, and light times this part's spectral factor
- * @param constant constant term of the directional factor, which is constant + schlick s
- * @param schlick coefficient of s in the directional factor
+ * @param cie observer, and light times this component's spectral factor
+ * @param constant constant term of the directional factor, constant + schlick s
  */
 public record ReflectionPart(CieTable cie, double constant, double schlick) {
 
-    /**
-     * Returns the components of a material's light, relative to a flat mirror of the same material seen along the normal, whose luminance
-     * is 1.
-     */
+    /** Returns the components of a material's light, relative to a flat mirror of the same material seen along the normal. */
     public static List<ReflectionPart> of(RefractiveIndex index, CieTable cie) {
         double mirror = mirror(index, cie);
         if (index.isConstant()) {
@@ -44,12 +40,12 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         return sum / weights;
     }
 
-    /** Returns the relative radiance per diffracted power of this component, as {@link Gain#relativeRadiance} does for keratin. */
+    /** Returns the relative radiance per diffracted power, as {@link Gain#relativeRadiance} does for keratin. */
     public double gain(DirectionPair pair) {
         return Gain.relativeRadiance(pair) * overStandard(pair);
     }
 
-    /** Returns this component's gain divided by {@link Gain#relativeRadiance}, the gain of keratin, which the shaders use. */
+    /** Returns this component's gain divided by that of keratin, which the shaders use. */
     public double overStandard(DirectionPair pair) {
         double s = Math.pow(Math.max(0, 1 - pair.cosThetaD()), 5);
         return Gain.R0 / Gain.reflectance(pair.cosThetaD()) * (constant + schlick * s);

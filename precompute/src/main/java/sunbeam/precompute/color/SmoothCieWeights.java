@@ -1,16 +1,14 @@
 package sunbeam.precompute.color;
 
 /**
- * CIE weights without the kinks of the linear interpolation. On the flanks of the color matching functions, linear interpolation between
- * whole nanometers lies up to 1.5e-3 above the smooth function. An integral averages this excess; nodes a nanometer or more apart do not.
- * These weights have the average without the kinks: the table is filtered with (w[i-1] + 10 w[i] + w[i+1]) / 12, which adds the chords'
- * mean excess, and a cubic spline interpolates it (Catmull and Rom 1974).
+ * CIE weights without the kinks of the linear interpolation, which on the flanks of the color matching functions lies up to 1.5e-3 above
+ * the smooth function. An integral averages this excess; nodes a nanometer or more apart do not. The table is filtered with (w[i-1] + 10
+ * w[i] + w[i+1]) / 12, which adds the chords' mean excess, and a cubic spline interpolates it (Catmull and Rom 1974).
  */
 public final class SmoothCieWeights {
-    // Index of the table's last value, at 780 nm, and samples per nanometer.
     private static final int TABLE_LAST = 400;
     private static final int PER_NANOMETER = 8;
-    /** Number of samples: eight per nanometer from 380 to 780 nm, both ends included. */
+    /** Eight samples per nanometer from 380 to 780 nm, both ends included. */
     public static final int SAMPLES = TABLE_LAST * PER_NANOMETER + 1;
 
     private SmoothCieWeights() {}
@@ -34,7 +32,7 @@ public final class SmoothCieWeights {
         return result;
     }
 
-    /** Returns a table value; beyond the band's ends, by linear extrapolation. */
+    /** Extrapolates linearly beyond the band's ends. */
     private static double at(CieTable cie, int nanometer, int channel) {
         int inside = Math.min(TABLE_LAST, Math.max(0, nanometer));
         double value = cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);

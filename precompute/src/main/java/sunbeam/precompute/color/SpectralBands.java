@@ -4,19 +4,15 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * Spectral bands at equally spaced wavelengths. A band's weight is a triangle that ends at the neighbors' wavelengths, half a triangle for
- * the first and the last band. The triangles add up to 1.
+ * Spectral bands at equally spaced wavelengths. Weights are triangles that end at the neighbors' wavelengths, and add up to 1.
  *
- * @param range first and last wavelength
  * @param count number of bands, at least 2, at most one every 2 nm
  */
 public record SpectralBands(WavelengthBand range, int count) {
     /** Number of bands in one {@link CieTable}: its three channels. */
     public static final int TOGETHER = 3;
 
-    // Smallest distance of neighboring bands, nanometers.
     private static final double LEAST_STEP = 2;
-    // Wavelength of a table's first value, nanometers.
     private static final double FIRST = 380;
 
     public SpectralBands {
@@ -28,7 +24,7 @@ public record SpectralBands(WavelengthBand range, int count) {
         }
     }
 
-    /** Returns the distance of neighboring bands in nanometers. */
+    /** Returns the distance of bands in nanometers. */
     public double step() {
         return (range.lastNanometers() - range.firstNanometers()) / (count - 1);
     }
@@ -53,7 +49,7 @@ public record SpectralBands(WavelengthBand range, int count) {
             int band = TOGETHER * number + c;
             if (band < count) {
                 double[] triangle = triangle(centers[band]);
-                // The table is linear between its nanometers, whose ends count half.
+                // The ends count half.
                 double integral = DoubleStream.of(triangle).sum() - 0.5 * (triangle[0] + triangle[Illuminant.LAST]);
                 for (int i = 0; i <= Illuminant.LAST; i++) {
                     weights[i][c] = triangle[i] / integral;

@@ -10,8 +10,8 @@ public final class Srgb {
         {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
     };
     private static final int CHANNELS = 256;
-    // Number of equal ranges of linear light, each 2.4e-4 wide: the darkest 8-bit values lie 3e-4 apart, so no range
-    // holds two of their limits.
+    // Equal ranges of linear light, 2.4e-4 wide: the darkest 8-bit values lie 3e-4 apart, so no range holds two of
+    // their limits.
     private static final int RANGES = 4096;
     // Lower limit of each 8-bit value in linear light, and the 8-bit value at the start of each range.
     private static final double[] BEGINS = begins();
@@ -65,11 +65,7 @@ public final class Srgb {
         return xyz;
     }
 
-    /**
-     * Returns a linear channel of CIE X, Y, Z; below 0 or above 1 outside the gamut.
-     *
-     * @param channel 0 red, 1 green, 2 blue
-     */
+    /** Returns linear red, green or blue (channel 0, 1, 2) of CIE X, Y, Z; outside 0 to 1 outside the gamut. */
     public static double linear(int channel, double x, double y, double z) {
         return FROM_XYZ[channel][0] * x + FROM_XYZ[channel][1] * y + FROM_XYZ[channel][2] * z;
     }

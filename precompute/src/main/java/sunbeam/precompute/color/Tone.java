@@ -4,27 +4,24 @@ package sunbeam.precompute.color;
  * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl computes it in GLSL.
  *
  * <p>Red, green and blue are scaled together, which keeps the hue: the largest of them, m, stays m up to s and becomes 1 - (1 - s)^2 / (m +
- * 1 - 2 s) above, a smooth continuation below 1. Colors much brighter than white lose saturation. The form is that of the Khronos PBR
- * Neutral tone mapper (2024), with another start and desaturation, since first orders are several times brighter than white and should keep
- * their saturation.
+ * 1 - 2 s) above. Colors much brighter than white lose saturation. The form is that of the Khronos PBR Neutral tone mapper (2024). Start
+ * and desaturation differ, since first orders are several times brighter than white.
  */
 public enum Tone {
     /** Compresses highlights above half of white. */
     COMPRESS(0.5),
 
-    /** Clips each channel at 1, as the thesis's program does; highlights lose their hue. */
+    /** Clips each channel at 1, as in the thesis. */
     CLIP(Float.MAX_VALUE);
 
     // Light at a hundred times white loses a third of its saturation.
     private static final double DESATURATION = 0.005;
-    // Linear light of the 8-bit value 254.
     private static final double BRIGHTEST_SHOWN = Srgb.linear(254);
     // Largest input; brighter colors are white on any screen.
     private static final double BRIGHTEST = 1e9;
 
     private final double start;
 
-    /** Returns the default: the thesis's tone mapping, or compression. */
     public static Tone of(boolean thesis) {
         return thesis ? CLIP : COMPRESS;
     }
@@ -39,9 +36,8 @@ public enum Tone {
     }
 
     /**
-     * Inverts the compression of the largest channel. Values above that of the 8-bit value 254 count as it, since 1 has no finite inverse.
-     *
-     * @param shown largest channel of the display light, 0 to 1
+     * Inverts the compression of the largest channel, 0 to 1. Values above that of the 8-bit value 254 count as it, since 1 has no finite
+     * inverse.
      */
     public double before(double shown) {
         if (shown <= start) {
@@ -51,11 +47,7 @@ public enum Tone {
         return room * room / (1 - Math.min(shown, BRIGHTEST_SHOWN)) - room + start;
     }
 
-    /**
-     * Maps linear sRGB into the screen's range.
-     *
-     * @param rgb three values of at least 0, replaced by values from 0 to 1
-     */
+    /** Maps linear sRGB of at least 0 into 0 to 1. */
     void apply(double[] rgb) {
         double largest = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));
         if (largest > start) {

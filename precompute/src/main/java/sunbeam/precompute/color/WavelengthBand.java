@@ -5,17 +5,10 @@ import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Part of the visible band that a filter passes, or a spectral line, which is a nanometer wide.
- *
- * @param firstNanometers shortest wavelength
- * @param lastNanometers longest wavelength
- */
+/** Part of the visible band that a filter passes, or a spectral line, which is a nanometer wide. */
 public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final Pattern BETWEEN = Pattern.compile("\\.\\.");
-    // Width of a spectral line.
     private static final double LINE_NANOMETERS = 1;
-    // Ends of the visible band, nanometers.
     private static final double MINIMUM = 380;
     private static final double MAXIMUM = 780;
     private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";
@@ -35,7 +28,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     /**
      * Parses {@code 532nm} or {@code 500nm..600nm}.
      *
-     * @throws IllegalArgumentException if the text is neither; names the text
+     * @throws IllegalArgumentException if the text is neither
      */
     public static WavelengthBand parse(String text) {
         String[] ends = BETWEEN.split(text.strip(), -1);
@@ -56,7 +49,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /** Parses a length in nanometers, rounded to a thousandth, which {@link #toString} can write. */
+    /** Rounds to a thousandth, which {@link #toString} can write. */
     private static double nanometers(String text) {
         try {
             return Math.rint(1e12 * Lengths.parse(text)) / 1e3;
@@ -65,10 +58,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /**
-     * Returns the share, 0 to 1, of the nanometer around a wavelength that lies in the band; at 380 and 780, of the half nanometer inside
-     * the visible band.
-     */
+    /** Returns the share of the nanometer around a wavelength that lies in the band; at 380 and 780, of half a nanometer. */
     double coverage(int nanometers) {
         double first = Math.max(380, nanometers - 0.5);
         double last = Math.min(780, nanometers + 0.5);

@@ -28,10 +28,10 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Returns nodes at equal steps over 380..780 nm with weights of the trapezoid rule, normalized by its sum for Y. For light with lines,
-     * which such steps may miss, the steps of 1 / lambda are equal and at most half as long, and the weights integrate the light exactly.
+     * Returns nodes at equal steps over 380..780 nm with weights of the trapezoid rule, normalized by its sum for Y. For light with lines
+     * the steps of 1 / lambda are equal and at most half as long, and the weights integrate the light exactly.
      *
-     * @param stepMeters wanted step in meters; shortened so that the band's ends are nodes
+     * @param stepMeters wanted step; shortened so that the band's ends are nodes
      */
     public static WavelengthNodes uniform(CieTable cie, double stepMeters) {
         if (!cie.isSmooth()) {

@@ -25,10 +25,9 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * Plan of {@link TableMethod} for all lights and views: mip levels for pixels of any size. Its shader tables hold no tiles, which are baked
- * on demand. A coarse level is planned when {@link #source} is called.
+ * Plan of {@link TableMethod} for all lights and views. Its shader tables hold no tiles, which are baked on demand; a coarse level is
+ * planned when {@link #source} is called.
  *
- * @param table levels, their steps and windows
  * @param relief effective relief of the surface, meters, see {@link TableDesign#depth}
  * @param tolerance relative error of evaluated colors
  * @param finest plan by which colors of the finest level are evaluated
@@ -37,7 +36,6 @@ public record ColorTablePlan(
         Surface surface, ColorTable table, double relief, double tolerance, Roughness roughness, MethodPlan finest) {
     private static final int CHANNELS = 4;
 
-    /** Plans the finest level of a table, whose filter follows from the tolerance and from how light spreads. */
     static ColorTablePlan of(Surface surface, TableMethod method) {
         double relief = TableDesign.depth(surface.map());
         double tolerance = method.sourceTolerance();
@@ -75,17 +73,13 @@ public record ColorTablePlan(
         return new ColorTablePlan(surface, sloping, relief, tolerance, roughness, finest);
     }
 
-    /**
-     * Returns the plan by which a level's colors are evaluated.
-     *
-     * @param level index in {@link #table()}
-     */
+    /** Returns the plan by which the colors of a level of {@link #table()} are evaluated. */
     public MethodPlan source(int level) {
         ColorTable.Level one = table.levels().get(level);
         return one.area().equals(table.area()) ? finest : planned(surface, one, tolerance, roughness);
     }
 
-    /** Returns the plan of the power spectrum from which all levels of an ensemble average are baked; empty for a coherent average. */
+    /** Returns the plan of the power spectrum of an ensemble average; empty for a coherent average. */
     public Optional<SpectrumPlan> spectrum() {
         if (table.area().average() == Average.COHERENT) {
             return Optional.empty();
@@ -165,8 +159,8 @@ public record ColorTablePlan(
     }
 
     /**
-     * Returns the shader's tables. Array colorLevels has one texel per level: u of its first coefficient (v is equal), texels per unit of
-     * u, tiles across, scale of its power.
+     * Array colorLevels has one texel per level: u of its first coefficient (v is equal), texels per unit of u, tiles across, scale of its
+     * power.
      */
     private ShaderTables tables() {
         int count = table.levels().size();

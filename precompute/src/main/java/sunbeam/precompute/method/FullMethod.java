@@ -62,7 +62,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
     }
 
-    /** Returns the method with the thesis's choices: the baseline of comparisons. */
+    /** Returns the method with the thesis's choices. */
     public static FullMethod thesis() {
         return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
     }

@@ -24,14 +24,13 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Grating formula of GPU Gems, chapter 8, which uses a spacing and nothing else of the surface; for comparison only.
+ * Grating formula of GPU Gems, chapter 8, which uses only a spacing of the surface; for comparison only.
  *
  * @param spacing distance of the lines in meters; empty for the patch's width, if that is one period
  * @param orders number of orders on each side of the mirror's
  */
 public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
-    // Default numbers of orders: the chapter's and the thesis's.
     private static final int GEM_ORDERS = 8;
     private static final int THESIS_ORDERS = 1;
 

@@ -5,9 +5,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
-/**
- * Value computed once, without a lock, by the first thread that needs it; other threads wait. After a failure the next call tries again.
- */
+/** Value computed once, without a lock, by the first thread that needs it. After a failure the next call tries again. */
 final class Lazy<T> {
     private final Supplier<T> maker;
     private final AtomicReference<FutureTask<T>> task = new AtomicReference<>();

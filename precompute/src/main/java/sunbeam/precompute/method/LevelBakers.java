@@ -14,7 +14,7 @@ import sunbeam.precompute.radial.SlopeBaker;
 
 /**
  * Bakers of the levels of a table of all directions: one power spectrum for all levels of an ensemble average, the shader of method full
- * for a coherent one. Shared data is computed when the first baker is opened. Thread-safe.
+ * for a coherent one. Thread-safe.
  */
 public final class LevelBakers {
     private final ColorTablePlan plan;
@@ -23,7 +23,6 @@ public final class LevelBakers {
     private final Lazy<PowerSpectrum> spectrum;
     private final Lazy<GaussianPyramid> pyramid;
 
-    /** @param sources sources of tables of the plan's surface */
     public LevelBakers(ColorTablePlan plan, TableSources sources) {
         this.plan = plan;
         this.sources = sources;

@@ -5,17 +5,13 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Sentence;
 
-/**
- * Diffraction method with all its settings. Immutable; equal by value. Methods differ only behind this interface, except that scenes treat
- * {@link TableMethod} separately, in still and in moving pictures.
- */
+/** Diffraction method with all its settings. Immutable; equal by value. Scenes treat {@link TableMethod} separately. */
 public interface Method {
     MethodType type();
 
     /**
-     * Plans the method for a surface.
+     * Plans the method for a surface and the directions that can occur.
      *
-     * @param range directions that can occur
      * @throws sunbeam.precompute.setting.SettingException if a setting does not suit the surface
      */
     MethodPlan plan(Surface surface, VisibleRange range);
@@ -23,7 +19,7 @@ public interface Method {
     /** Returns the exact method that this one approximates and is compared with. */
     ReferenceMethod referenceMethod(HeightMap map);
 
-    /** Describes the error that no tolerance bounds, in a few words, with the remedy; empty if the tolerance holds. */
+    /** Describes the error that no tolerance bounds, with the remedy; empty if the tolerance holds. */
     default Optional<Sentence> approximation() {
         return Optional.empty();
     }

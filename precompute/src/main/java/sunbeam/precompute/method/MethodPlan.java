@@ -20,9 +20,8 @@ import sunbeam.precompute.shader.ShaderTables;
  * @param isTabulated whether the shader reads tables of colors and takes no sums
  * @param colorTable levels whose tiles are baked on demand, so that {@link #tables} has no texels; empty for other methods
  * @param memory upper estimate of the tables' memory
- * @param uses supported uses
  * @param identity text that determines the tables, except for the use; computed when needed
- * @param maker makes the shader's tables for a supported use, from the sources of the surface
+ * @param maker makes the shader's tables for a supported use
  */
 public record MethodPlan(
         String summary,
@@ -50,12 +49,11 @@ public record MethodPlan(
         return spectrum.map(SpectrumPlan::shortfalls).orElse(List.of());
     }
 
-    /** Returns the plan of the sums that the shader takes at every wavelength; empty if it reads tables of colors or takes other sums. */
+    /** Returns the plan of the sums that the shader takes at every wavelength; empty if it takes none. */
     public Optional<SpectrumPlan> fullSpectrumPlan() {
         return isTabulated ? Optional.empty() : spectrum;
     }
 
-    /** True if the method supports a use. */
     public boolean answers(MethodUse use) {
         return uses.contains(use);
     }

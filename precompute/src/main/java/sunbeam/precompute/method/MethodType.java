@@ -13,7 +13,7 @@ import sunbeam.precompute.setting.Setting;
  * @param help one sentence for the manual
  * @param settings accepted settings
  * @param fixed settings with a single value
- * @param creation function that creates the method, and throws an exception for choices that contradict each other
+ * @param creation function that creates the method, and refuses choices that contradict each other
  */
 public record MethodType(
         String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
@@ -34,16 +34,14 @@ public record MethodType(
         return settings.contains(setting);
     }
 
-    /** Returns the only value of a setting, if it has a single one. */
     Optional<String> fixed(Setting<?> setting) {
         return fixed.has(setting) ? Optional.of(fixed.written(setting)) : Optional.empty();
     }
 
     /**
-     * Creates the method.
+     * Creates the method; settings of other types are ignored.
      *
-     * @param choices settings of other types are ignored
-     * @throws sunbeam.precompute.setting.SettingException for contradictory choices, which the message names by their option or JSON key
+     * @throws sunbeam.precompute.setting.SettingException for contradictory choices
      */
     public Method create(Choices choices) {
         Choices own = choices.only(settings);

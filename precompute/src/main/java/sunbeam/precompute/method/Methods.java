@@ -51,11 +51,9 @@ public final class Methods {
     }
 
     /**
-     * Returns the chosen method.
+     * Returns the chosen method; settings other than {@link #SETTINGS} are ignored.
      *
-     * @param choices settings other than {@link #SETTINGS} are ignored
-     * @throws SettingException for a choice that the method does not have, or that contradicts another; the message names it by its option
-     *     or JSON key
+     * @throws SettingException for a choice that the method does not have, or that contradicts another
      */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);

@@ -26,22 +26,19 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Method {@code nmm}: one wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a
  * Gaussian window.
- *
- * @param table choices for tables and bins, and for wavelengths near the specular direction
  */
 public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
-    // Wavelength step in meters, for directions so close to the specular one that an order covers the visible band.
+    // Meters, for directions so close to the specular one that an order covers the visible band.
     private static final double WAVELENGTH_STEP = 5e-9;
 
     // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third
-    // of the narrowest color matching function's; at 380 nm 7 nm, which steps of 5 nm still resolve.
+    // of the narrowest color matching function's.
     private static final double WIDEST_ORDER = 7e4;
-    // Largest |(u, v)|: grazing light, grazing view.
     private static final double LARGEST_UV = 2;
     // Power, relative to an order on the ray, below which an order beside it is ignored.
     private static final double FAINTEST = 1e-3;
-    // Deviation sigma of the window's spectrum, in bins, above which orders overlap: neighboring bins interfere by
-    // exp(-1 / (4 sigma^2)), which is 2e-3 here.
+    // Deviation of the window's spectrum, in bins, above which orders overlap: neighbors interfere by exp(-1 / (4
+    // sigma^2)).
     private static final double OVERLAP_SIGMA_BINS = 0.2;
 
     public static final MethodType TYPE = new MethodType(
@@ -89,8 +86,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     private MethodPlan planned(Surface surface, SpectrumPlan plan) {
-        // Orders are weighted by their width in wavelength (nmm.glsl), or count as one wavelength step each
-        // (nmm_thesis.glsl).
+        // Else orders count as one wavelength step each (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
         return new MethodPlan(
                 "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
@@ -115,7 +111,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 : ColorArrays.cieWeightsLayout();
     }
 
-    /** @param bins tables of the plan's sampling */
     private ShaderTables tables(Surface surface, SpectrumPlan plan, ShaderTables bins) {
         boolean weighted = plan.tolerance().isPresent();
         double width = surface.map().width();

@@ -28,8 +28,7 @@ import sunbeam.precompute.text.Text;
  * table for its own points, with steps refined until colors keep the tolerance.
  */
 final class PointTable {
-    // Factor of the first table's steps relative to those of TableDesign, at which an ensemble average errs by a fifth
-    // of the tolerance's share; the error grows with the fifth power of the step.
+    // Factor of the first table's steps, at which an ensemble average errs by a fifth of the tolerance's share.
     private static final double COARSE = 1.3;
 
     private final Surface surface;
@@ -43,8 +42,7 @@ final class PointTable {
         this.surface = surface;
         this.method = method;
         this.points = points;
-        // Validation refines steps that are too coarse. A coherent average, with zeros between its speckles, begins
-        // with finer ones.
+        // A coherent average, with zeros between its speckles, begins with finer steps.
         double coarse = isCoherent() ? 1 : COARSE;
         this.coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
                 .scaled(coarse);
@@ -139,10 +137,7 @@ final class PointTable {
         }
     }
 
-    /**
-     * Returns the function that opens a baker for a design: the radial baker for the ensemble average, the shader of full for a coherent
-     * one.
-     */
+    /** Returns the function that opens a baker for a design. */
     private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
         if (isCoherent()) {
             ShaderTables evaluated = source.tables(use, sources);

@@ -48,7 +48,6 @@ import sunbeam.precompute.text.Text;
  * Method {@code pq}: the patch is repeated Q times, with sharp edges instead of a window. The replicas' place is fixed, so that there is
  * only the coherent average.
  *
- * @param table choices for tables and wavelengths
  * @param interpolation interpolation between the bins of one period's DFT
  * @param window window whose coherence length the replicas fill along each axis
  * @param replicas number of replicas along each axis, 1..{@link Replicas#MOST}; replaces the number that follows from the window
@@ -148,8 +147,8 @@ public record PqMethod(
     }
 
     /**
-     * Returns the wavelength step that resolves the replicas' fringes, meters. The power of an area a x b, as a function of 1 / lambda, is
-     * band-limited to |u| a + |v| b cycles. The trapezoid rule needs at least one node per cycle.
+     * Returns the wavelength step that resolves the replicas' fringes, meters: the power of an area a x b, as a function of 1 / lambda, is
+     * band-limited to |u| a + |v| b cycles.
      */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
         double cycles = largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()
@@ -162,7 +161,6 @@ public record PqMethod(
         return Math.max(Math.abs(a), Math.abs(b));
     }
 
-    /** Spectrum of one period, with its sampling. */
     private record Period(
             Surface surface,
             Expansion expansion,
@@ -228,8 +226,7 @@ public record PqMethod(
                     SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms()),
                     ColorArrays.wavelengthsLayout(wavelengths),
                     terms);
-            // The heap holds one complex transform in double precision, before and after its second axis, and one layer
-            // of texels.
+            // One complex transform in double precision, before and after its second axis, and one layer of texels.
             long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
             return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }
@@ -243,7 +240,7 @@ public record PqMethod(
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
             SpectrumArrays.define(tables, true, expansion.terms());
-            // Gaussian window whose effective area, 4 pi sigma^2, equals the replicas' area.
+            // Its effective area, 4 pi sigma^2, equals the replicas' area.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             if (interpolation == PeriodInterpolation.RING) {
                 tables.define("PERIOD_RING", 1);

@@ -21,7 +21,7 @@ import sunbeam.precompute.setting.SettingException;
 /**
  * Exact method: direct sums over the surface in double precision.
  *
- * @param area window, or replicas instead of it
+ * @param area window, or replicas
  */
 public record ReferenceMethod(CoherenceArea area) implements Method {
     /** For this type the preset determines the window's origin only. */

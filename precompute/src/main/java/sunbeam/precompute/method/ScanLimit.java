@@ -16,20 +16,17 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Limit of the coherence length by the size of a scan. A longer window resolves orders that are 1 / size apart in frequency, which come
  * from the scan's repetition and not from the surface. A patch that is no period of its surface gets a coherence length of at most its
- * shorter side. A patch whose repetition is only assumed keeps the chosen coherence length, with a warning. The thesis's preset repeats any
- * patch.
+ * shorter side; one whose repetition is only assumed keeps the chosen length, with a warning. The thesis's preset repeats any patch.
  *
  * @param choices choices with the limited coherence length
- * @param line warning for the user
  * @param limiting side of the scan that limits the coherence length: width or height
  */
 public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<String> limiting) {
-    // Shortest coherence length in meters, and relative slack for a side that was divided by its number of samples and
-    // multiplied again.
+    // Shortest coherence length in meters, and slack for the rounding of a side.
     private static final double SHORTEST = 100e-9;
     private static final double SLACK = 1 + 1e-9;
 
-    /** Limits the choices for a patch; does nothing for methods without a window. */
+    /** Limits the choices for a patch; has no effect on methods without a window. */
     public static ScanLimit of(Choices choices, Patch patch) {
         boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
         boolean thesis = Preset.isThesis(choices);

@@ -16,7 +16,6 @@ import sunbeam.precompute.table.PatchIdentity;
  * @param levels the map's distinct heights, and their index at each sample
  * @param identity identity of the surface in caches
  * @param cie observer and illuminant
- * @param statistics cache of statistics of the heights
  */
 public record Surface(
         HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, StatisticsCache statistics) {
@@ -29,7 +28,7 @@ public record Surface(
         return of(patch, patch.digest());
     }
 
-    /** Returns the surface of a loaded patch, under D65, for plans only: without the digest of all heights that caches need. */
+    /** Returns the surface of a loaded patch, under D65, for plans only: without the slow digest of all heights. */
     public static Surface withoutIdentity(Patch patch) {
         return of(patch, "");
     }

@@ -18,11 +18,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
 
-/**
- * Colors of {@link FullMethod}, tabulated over (u, v, w) beforehand: a few look-ups per pixel (docs/color-tables.md).
- *
- * @param tolerance relative error of colors
- */
+/** Colors of {@link FullMethod}, tabulated over (u, v, w) beforehand: a few look-ups per pixel (docs/color-tables.md). */
 public record TableMethod(double tolerance, GaussianArea area) implements Method {
     // Share of the tolerance for the evaluation of tabulated colors; the rest is for interpolation.
     private static final double SOURCE_SHARE = 0.5;

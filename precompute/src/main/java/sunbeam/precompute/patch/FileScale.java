@@ -15,15 +15,14 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Scale of a channel: the file's values, completed by the user's choices. A choice may repeat a value of the file but not contradict it.
+ * Scale of a channel: the file's values, completed by the user's choices, which may repeat them but not contradict them.
  *
  * @param metersPerUnit meters per unit of the samples
  * @param pitchX distance between columns, meters
- * @param pitchY distance between rows, meters
  * @param heightsFrom setting that gave {@code metersPerUnit}; empty if the file did
  */
 record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Setting<?>> heightsFrom) {
-    /** Relative tolerance of equal lengths: users copy lengths from messages, which have six digits. */
+    /** Users copy lengths from messages, which have six digits. */
     private static final double SAME = 1e-5;
 
     /** @throws SettingException if a choice contradicts the file, is absurd or is missing */
@@ -58,7 +57,6 @@ record FileScale(double metersPerUnit, double pitchX, double pitchY, Optional<Se
                 channel.metersPerUnit().isPresent() ? Optional.empty() : Optional.of(from));
     }
 
-    /** Returns the file's value, else the chosen one; refuses a choice that contradicts the file. */
     private static Optional<Double> agreed(
             Setting<Double> setting, Optional<Double> known, Choices choices, Path file) {
         return agreed(setting, known, choices.find(setting), file);

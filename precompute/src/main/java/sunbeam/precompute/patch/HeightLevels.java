@@ -6,13 +6,12 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Distinct heights of a patch and the index of each sample among them. A scan of 8 bits has 256 levels, so that functions of the height are
- * evaluated 256 times instead of once per sample; a scan of floats may have as many levels as samples. Levels are found on first use,
- * because sorting 16 million heights takes seconds and some callers need only the extremes. Immutable, thread-safe.
+ * evaluated 256 times instead of once per sample. Levels are found on first use, because sorting 16 million heights takes seconds and some
+ * callers need only the extremes. Immutable, thread-safe.
  */
 public final class HeightLevels {
-    // Number of samples from which the number of levels is estimated.
     private static final int EXAMINED_SAMPLES = 8192;
-    // With fewer samples per level, finding the levels costs more time than it saves.
+    // With fewer, finding the levels costs more time than it saves.
     private static final double FEW_SAMPLES_PER_LEVEL = 4;
 
     private final HeightMap map;
@@ -23,7 +22,7 @@ public final class HeightLevels {
 
     /** Distinct heights, ascending, and the number of samples of each. */
     private record Distinct(double[] levels, int[] counts) {
-        /** @param sorted heights in any order; they are sorted here and overwritten by the levels */
+        /** @param sorted heights in any order; overwritten */
         static Distinct of(double[] sorted) {
             Arrays.parallelSort(sorted);
             int[] counts = new int[sorted.length];
@@ -46,11 +45,7 @@ public final class HeightLevels {
         this.maximum = map.maximum() + 0.0;
     }
 
-    /**
-     * Creates the levels of a map without missing samples.
-     *
-     * @throws IllegalArgumentException if a sample is missing
-     */
+    /** @throws IllegalArgumentException if a sample is missing */
     public static HeightLevels of(HeightMap map) {
         if (!map.isComplete()) {
             throw new IllegalArgumentException("missing samples must be filled first");
@@ -58,7 +53,7 @@ public final class HeightLevels {
         return new HeightLevels(map);
     }
 
-    /** Returns the heights with -0 replaced by 0: they are equal, but sorting and searching distinguish them. */
+    /** Replaces -0 by 0: they are equal, but sorting and searching distinguish them. */
     private double[] heights() {
         return map.map(height -> height + 0.0).heights();
     }
@@ -88,8 +83,8 @@ public final class HeightLevels {
     }
 
     /**
-     * Finds the level of each height by a binary search among the levels of one of {@code count()} equal intervals of height. A search
-     * among all levels of a float scan of 4096 x 4096 would take a minute.
+     * Searches each height among the levels of one of {@code count()} equal intervals. A search among all levels of a float scan of 4096 x
+     * 4096 would take a minute.
      */
     private int[] indexed() {
         double[] levels = levels();
@@ -114,10 +109,7 @@ public final class HeightLevels {
         return found;
     }
 
-    /**
-     * Returns the index of the interval that a height lies in. The formula is monotonic in spite of rounding, and a height and its equal
-     * level get the same interval.
-     */
+    /** Monotonic in spite of rounding; a height and its equal level get the same interval. */
     private static int step(double height, double lowest, double perMeter, int steps) {
         return (int) Math.min(steps, (height - lowest) * perMeter);
     }
@@ -134,10 +126,7 @@ public final class HeightLevels {
         return maximum;
     }
 
-    /**
-     * Estimates from a subset of the samples whether levels are so many that evaluating a function of the height for every sample is faster
-     * than finding the levels.
-     */
+    /** Estimates from a subset of the samples whether evaluating a function for every sample is faster than finding the levels. */
     public boolean areMany() {
         int samples = map.heights().length;
         int examined = Math.min(EXAMINED_SAMPLES, samples);

@@ -24,7 +24,6 @@ import sunbeam.precompute.text.Quoted;
  * Heights of a file before any preparation.
  *
  * @param map heights in meters; missing samples are NaN
- * @param source description of the file and its channel
  * @param channels one line per channel of the file: number, name, samples and unit
  * @param notes choices that the program made, one line each
  */
@@ -32,7 +31,6 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     /**
      * Reads the heights of a file with its scale, completed by the user's choices. A scale is never guessed.
      *
-     * @param choices values of {@link PatchSettings#OF_FILES}
      * @throws PatchException if the file cannot be used
      * @throws SettingException if a choice contradicts the file, is absurd or is missing
      */
@@ -54,7 +52,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         }
     }
 
-    /** Requires an existing, readable, regular file: reading a device or a pipe might never end. */
+    /** Reading a device or a pipe might never end. */
     static void requireReadable(Path file) {
         if (!Files.exists(file)) {
             throw new PatchException(file + ": no such file; check the name and the folder");

@@ -6,31 +6,30 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Slopes of a surface and the expected error of scalar theory, which ignores shadows and second reflections. The error is the sum over all
- * directions of the absolute difference from Maxwell's equations, relative to the reflected light. It is estimated by a power law of the
- * mean slope, fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
+ * Slopes of a surface and the expected error of scalar theory, which ignores shadows and second reflections: the sum over all directions of
+ * the absolute difference from Maxwell's equations, relative to the reflected light. It is estimated by a power law of the mean slope,
+ * fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
  *
- * @param meanSlope mean of |grad h| over the patch, without unit; for a grating twice its depth over its period
- * @param rmsSlope root mean square of |grad h|, without unit (Sdq of ISO 25178)
- * @param largestSlope largest |grad h|, without unit
+ * @param meanSlope mean of |grad h|; for a grating twice its depth over its period
+ * @param rmsSlope root mean square of |grad h| (Sdq of ISO 25178)
  * @param steepShare share of the surface, 0..1, that is steeper than {@link #STEEPEST}
  */
 public record ModelError(double meanSlope, double rmsSlope, double largestSlope, double steepShare) {
-    /** Largest mean slope at which the power law holds. Beyond it, half of the light or more is drawn in wrong directions. */
+    /** Largest mean slope at which the power law holds; beyond it, half of the light or more is drawn in wrong directions. */
     public static final double LARGEST_SLOPE = 1.2;
 
     /**
-     * Angle of the steepest surface that casts no shadow on itself, degrees. A facet of 30 degrees reflects light from the normal to 60
-     * degrees off the normal, where the next rise of the same slope just lets it pass; steeper facets shadow each other and reflect twice.
+     * Degrees. A facet of 30 degrees reflects light from the normal to 60 degrees off it, where the next rise of the same slope just lets
+     * it pass; steeper facets shadow each other and reflect twice.
      */
     public static final double STEEPEST = 30;
 
-    /** Largest share of surface steeper than {@link #STEEPEST} without a warning: the walls of a grating take less. */
+    /** Share of steeper surface without a warning: the walls of a grating take less. */
     private static final double LARGEST_SHARE = 0.02;
 
     /**
-     * Ranges of the light's angle to the normal (0 to 30, 30 to 60, 60 to 75 degrees), each with its fitted power law: expected error =
-     * factor * meanSlope^exponent. Eight of ten gratings lie between {@code low} and {@code high} times this.
+     * Ranges of the light's angle to the normal (0 to 30, 30 to 60, 60 to 75 degrees), each with its fitted power law, factor *
+     * meanSlope^exponent. Eight of ten gratings lie between {@code low} and {@code high} times this.
      */
     public enum Incidence {
         NEAR_NORMAL(0.742, 1.271, 0.36, 2.46),
@@ -50,7 +49,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         }
     }
 
-    /** Measures a surface without missing samples; the seam between repetitions is ignored. */
+    /** Ignores the seam between repetitions. */
     public static ModelError of(HeightMap map) {
         // 1e-9: rounding must not make a slope of exactly 30 degrees count as steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
@@ -80,7 +79,6 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         return Math.sqrt(alongX * alongX + alongY * alongY);
     }
 
-    /** Returns the expected error; eight of ten gratings lie between {@link #low} and {@link #high}. */
     double expected(Incidence incidence) {
         return incidence.factor * Math.pow(meanSlope, incidence.exponent);
     }
@@ -93,7 +91,6 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
         return incidence.high * expected(incidence);
     }
 
-    /** Returns a warning if more than 2 % of the surface are steeper than {@link #STEEPEST}. */
     Optional<String> warning() {
         if (steepShare <= LARGEST_SHARE) {
             return Optional.empty();

@@ -9,15 +9,13 @@ import sunbeam.precompute.optics.HeightMap;
 /**
  * Surface that is ready for analysis and rendering.
  *
- * @param name short name for titles and files: the built-in name, or the file's name without folder and extension
+ * @param name short name for titles and files
  * @param heights prepared heights in meters, without missing samples
  * @param scan the prepared heights before their edges were blended
- * @param source description of the heights' origin and preparation
  * @param channels one line per channel of the file: number, name, samples and unit; empty for built-in patches
  * @param notes choices that the program made, one line each
- * @param warnings warnings, one line each, the gravest first
+ * @param warnings one line each, the gravest first
  * @param faults faults of the measurement, which are among the warnings, too
- * @param repetition assumption about the surface outside of the heights
  */
 public record Patch(
         String name,
@@ -30,7 +28,7 @@ public record Patch(
         List<ScanFault> faults,
         Repetition repetition) {
 
-    // Largest difference between neighbors that counts as none, relative to the relief.
+    // Difference between neighbors that counts as none, relative to the relief.
     private static final double SAME = 1e-4;
 
     /** Assumption about the surface outside of the heights. */
@@ -39,7 +37,7 @@ public record Patch(
         PERIODIC,
         /** It is unknown whether the heights are a period; they are repeated as they are. */
         ASSUMED,
-        /** The heights are a piece of a surface without period; the coherence length must not exceed their size. */
+        /** The heights are a piece of a surface without period, which limits the coherence length. */
         NONE
     }
 
@@ -61,25 +59,20 @@ public record Patch(
         return warnings.stream().findFirst().map(first -> first + others);
     }
 
-    /**
-     * Returns the patch under another name.
-     *
-     * @param why reason for the name, which is added to the notes
-     */
+    /** Returns the patch under another name, with the reason among its notes. */
     public Patch named(String other, String why) {
         List<String> allNotes = new ArrayList<>(notes);
         allNotes.add(why);
         return new Patch(other, heights, scan, source, channels, allNotes, warnings, faults, repetition);
     }
 
-    /** Returns the shorter side of the scan among axes along which heights change; meters, infinite for a flat patch. */
+    /** Returns the shorter side, meters, among axes along which heights change; infinite for a flat patch. */
     public double shorterSide() {
         double alongX = changes(1, 0) ? scan.width() : Double.POSITIVE_INFINITY;
         double alongY = changes(0, 1) ? scan.height() : Double.POSITIVE_INFINITY;
         return Math.min(alongX, alongY);
     }
 
-    /** True if neighbors along an axis differ by more than {@link #SAME} of the relief anywhere. */
     private boolean changes(int columns, int rows) {
         double least = SAME * scan.relief();
         for (int row = 0; row + rows < scan.rows(); row++) {

@@ -28,25 +28,20 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Makes a patch from heights: applies defaults, prepares the heights and collects warnings.
  *
- * @param name name of the patch
  * @param file file of the heights, or a built-in name, for messages
  * @param choices values of {@link PatchSettings#PREPARING}
- * @param kind origin of the heights
  */
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
-    // Largest step between opposite borders, relative to the steps between neighbors, that causes no visible streaks.
+    // Step between opposite borders, relative to the steps between neighbors, that causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;
 
     /** Origin of heights. */
     enum Kind {
         /** Periodic by construction. */
         BUILT_IN,
-        /**
-         * File that a descriptor (.json) names: it is repeated unless it is cropped or has edges. It counts as one true period if it looks
-         * synthetic.
-         */
+        /** File that a descriptor (.json) names: repeated unless it is cropped or has edges; a true period if it looks synthetic. */
         DESCRIBED,
-        /** File without a descriptor: it counts as a piece of a surface. */
+        /** File that counts as a piece of a surface. */
         GIVEN_DIRECTLY
     }
 
@@ -120,10 +115,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
     }
 
-    /**
-     * Returns the faults that the leveling does not remove, each with a remedy. A part without faults is given as a crop relative to the
-     * present crop's corner.
-     */
+    /** Returns the faults that the leveling does not remove. A part without faults is relative to the present crop's corner. */
     private List<ScanFault> faults(HeightMap measured, Leveling leveling, Crop area) {
         boolean leveled = leveling == Leveling.ROWS || leveling == Leveling.MEDIAN_ROWS;
         return ScanFaults.in(measured, choices.find(CROP)).stream()
@@ -144,7 +136,6 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 .orElse("");
     }
 
-    /** Returns warnings about missing samples and spikes. */
     private List<String> warnings(Preparation preparation, Preparation.Prepared prepared) {
         List<String> warnings = new ArrayList<>();
         if (prepared.missing() > 0) {
@@ -186,7 +177,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }
 
-    /** Returns a setting's name as it is written where the patch was named: on the command line or in a file. */
+    /** Returns the name of a setting where the patch was named: an option, or a key of a file. */
     private String named(Setting<?> setting) {
         return choices.origin(PatchSettings.PATCH).name(setting);
     }

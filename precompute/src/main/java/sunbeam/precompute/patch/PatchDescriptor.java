@@ -12,21 +12,14 @@ import sunbeam.precompute.text.Quoted;
 /**
  * JSON file that describes a patch beside the file of its heights:
  *
- * <pre>{@code
- * {
- *   "heights":   "elaphe.png",   file in the descriptor's folder or below it; required
- *   "width":     "65 um",        extent along x; required if the file does not state it
- *   "maxHeight": "375 nm",       height of full scale: of 255 in 8 bits, 65535 in 16 bits, 1.0 in floats
- *   "note":      "shed skin"     remark, which the program ignores
- * }
- * }</pre>
+ * <pre>{@code { "heights":   "elaphe.png",   file in the descriptor's folder or below it; required "width":     "65 um",        extent
+ * along x; required if the file does not state it "maxHeight": "375 nm",       height of full scale: of 255 in 8 bits, 65535 in 16 bits,
+ * 1.0 in floats "note":      "shed skin"     remark, which the program ignores } }</pre>
  *
- * <p>and the keys of other settings in {@link PatchSettings#OF_FILES}. Descriptors are untrusted, so they may name no file outside their
- * folder.
+ * <p>and other settings of {@link PatchSettings#OF_FILES}. Descriptors are untrusted, so they may name no file outside their folder.
  *
  * @param file the descriptor itself
  * @param heights file of the heights, inside the descriptor's folder
- * @param choices values of {@link PatchSettings#OF_FILES}
  */
 record PatchDescriptor(Path file, Path heights, Choices choices) {
     /**
@@ -53,7 +46,7 @@ record PatchDescriptor(Path file, Path heights, Choices choices) {
         }
     }
 
-    /** Returns the file of the heights. It must lie in the descriptor's folder or below after all links are followed. */
+    /** The file must lie in the descriptor's folder or below after all links are followed. */
     private static Path inside(Path descriptor, String name, String heights) {
         if (heights.isBlank()) {
             throw new PatchException(name + " is empty; name a file in the descriptor's own folder");

@@ -2,10 +2,7 @@ package sunbeam.precompute.patch;
 
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Reports a patch (image, descriptor or built-in) that cannot be used; the message, always one line, names the patch, the wrong value and
- * the remedy.
- */
+/** Reports a patch that cannot be used; the message, always one line, names the patch, the wrong value and the remedy. */
 public final class PatchException extends RuntimeException {
     public PatchException(String message) {
         super(Quoted.oneLine(message));

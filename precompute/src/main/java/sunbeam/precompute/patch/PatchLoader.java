@@ -26,7 +26,7 @@ import sunbeam.precompute.setting.SettingException;
 
 /**
  * Loads the patch that a name refers to: a built-in patch, else a descriptor (*.json), else a scan or an image, which needs a scale. A file
- * that is called like a built-in patch is named with its folder, such as {@code ./blaze}.
+ * called like a built-in patch is named with its folder: {@code ./blaze}.
  */
 public final class PatchLoader {
     private PatchLoader() {}
@@ -101,10 +101,7 @@ public final class PatchLoader {
                 MAX_HEIGHT);
     }
 
-    /**
-     * Returns the heights of a built-in patch. Only heights with the default leveling are cached; for another leveling they are generated
-     * and not yet leveled.
-     */
+    /** Only heights with the default leveling are cached; for another one they are not yet leveled. */
     private static HeightMap builtIn(String name, PatchRequest request, HeightCache cache) {
         return request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
@@ -151,7 +148,7 @@ public final class PatchLoader {
         }
     }
 
-    /** @param file file after which the patch is named: the descriptor, or that of the heights */
+    /** @param file file that names the patch */
     private static Patch fromFile(Path file, Path heightsFile, Choices choices, PatchAssembler.Kind kind) {
         MeasuredHeights measured = MeasuredHeights.read(heightsFile, choices);
         return new PatchAssembler(FileNames.stem(file), heightsFile.toString(), choices, kind).patch(measured);

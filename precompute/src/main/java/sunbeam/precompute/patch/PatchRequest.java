@@ -10,10 +10,9 @@ import sunbeam.precompute.setting.SettingException;
  * Request for a patch.
  *
  * @param choices values of {@link PatchSettings}
- * @param raw true if by default files without a descriptor are prepared as in the thesis: their mean is subtracted, and they are repeated
+ * @param raw whether files without a descriptor are prepared as in the thesis: mean subtracted, repeated
  */
 public record PatchRequest(Choices choices, boolean raw) {
-    /** Drops settings other than those of patches. */
     public PatchRequest {
         choices = choices.only(PatchSettings.ALL);
     }
@@ -46,8 +45,8 @@ public record PatchRequest(Choices choices, boolean raw) {
     }
 
     /**
-     * Runs an action; the messages of its exceptions name the option or the file from which a setting came. An exception about the patch's
-     * name or a missing setting becomes a {@link PatchException}.
+     * Runs an action whose exceptions then name the option or the file of a setting. An exception about the patch's name or a missing
+     * setting becomes a {@link PatchException}.
      */
     <T> T located(Supplier<T> action) {
         try {

@@ -12,17 +12,17 @@ import sunbeam.precompute.scan.text.DecimalMark;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 
-/** Settings of a patch. Their limits admit every surface that the model can compute, and refuse nanometers typed for micrometers. */
+/** Settings of a patch. Their limits refuse nanometers typed for micrometers. */
 public final class PatchSettings {
-    /** Extent of an image along x, meters. */
+    /** Meters. */
     public static final Setting<Double> WIDTH =
             side("width", "Extent along x of an image, or of a file that does not say it, for example 65um.");
 
-    /** Extent of an image along y, meters. */
+    /** Meters. */
     public static final Setting<Double> HEIGHT =
             side("height", "Extent along y of such a file. Default: square pixels.");
 
-    /** Height of full scale, meters. Full scale is 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
+    /** Meters; of 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
             "maxHeight",
             Kinds.length(1e-12, 1),

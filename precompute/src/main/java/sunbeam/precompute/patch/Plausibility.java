@@ -14,33 +14,24 @@ import sunbeam.precompute.units.Lengths;
 
 /** Refuses impossible sizes and reliefs, and warns of unlikely ones. */
 final class Plausibility {
-    /** Least length of a patch's longer side, meters: a smaller patch has no diffraction orders of visible light. */
+    /** Meters; a smaller patch has no diffraction orders of visible light. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
-    /** Greatest length of a side, meters. */
     static final double LONGEST_SIDE = 0.1;
-    /** Largest relief, meters. */
     static final double LARGEST_RELIEF = 1e-3;
-    /** Least relief other than 0, meters: a hundredth of an atom, which no microscope resolves. */
     static final double SMALLEST_RELIEF = 1e-12;
-    /**
-     * Relief below which a patch counts as a mirror, meters: it scatters a few ten-thousandths of the light, and its unit is probably
-     * wrong.
-     */
+    /** Relief in meters below which a patch counts as a mirror: it scatters a few ten-thousandths of the light. */
     static final double FLATTEST_RELIEF = 1e-9;
     /** Largest ratio of the relief to the longer side. */
     static final double STEEPEST_RELIEF = 4;
-    /** Largest number of samples of a flat patch (2048 x 2048): more would take minutes to process. */
+    /** Samples of a flat patch; more would take minutes to process. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;
 
-    // Usual lengths of a scan's longer side, meters: force microscopes reach 150 um, interference microscopes a few
-    // hundred.
+    // Force microscopes reach 150 um, interference microscopes a few hundred.
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
-    // Largest number of samples whose steps are examined.
     private static final int MOST_EXAMINED = 100_000;
-    // Samples count as integers if they have at least this many distinct values (a synthetic surface has fewer), each
-    // RECURRING times on average.
+    // Samples count as integers if they have at least this many distinct values, each RECURRING times on average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
 
@@ -49,9 +40,7 @@ final class Plausibility {
     /**
      * Refuses a patch whose longer side is absurd; lengths are in meters.
      *
-     * @param own true if the file states its sides
-     * @throws SettingException about the width if the file does not state its sides
-     * @throws PatchException if the file states them
+     * @param own whether the file states its sides
      */
     static void requireSides(double width, double height, Path file, boolean own) {
         double longSide = Math.max(width, height);
@@ -68,10 +57,9 @@ final class Plausibility {
     }
 
     /**
-     * Refuses an absurd relief, and a large file of equal heights, which is empty but takes minutes to process.
+     * Refuses an absurd relief, and a large file of equal heights.
      *
      * @param from setting that scaled the heights; empty if the file did
-     * @throws PatchException if the file is at fault
      */
     static void requireRelief(HeightMap map, Optional<Setting<?>> from, Path file) {
         double relief = map.relief();
@@ -93,7 +81,6 @@ final class Plausibility {
         throw new PatchException(file + " has " + absurd + "; its scale is wrong, export it again");
     }
 
-    /** Returns warnings about unlikely heights, one line each. */
     static List<String> oddities(HeightMap map) {
         List<String> warnings = new ArrayList<>();
         double side = Math.max(map.width(), map.height());
@@ -110,10 +97,7 @@ final class Plausibility {
         return warnings;
     }
 
-    /**
-     * Returns the smallest difference between the heights of an evenly spaced subset, in meters, if the file seems to hold integers; else
-     * 0.
-     */
+    /** Returns the smallest step between heights in meters, of an evenly spaced subset; 0 unless the file seems to hold integers. */
     private static double smallestStep(HeightMap map) {
         long samples = (long) map.columns() * map.rows();
         long stride = Math.max(1, samples / MOST_EXAMINED);
@@ -142,8 +126,7 @@ final class Plausibility {
         if (relief >= FLATTEST_RELIEF) {
             return Optional.empty();
         }
-        // Largest deviation of the phase k w h from its mean, k w relief / 2, at the shortest wavelength and normal
-        // incidence (w = 2).
+        // The phase k w h deviates from its mean by at most k w relief / 2, at w = 2.
         double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
         return Optional.of(Text.format(
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"

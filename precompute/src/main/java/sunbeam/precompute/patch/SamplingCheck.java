@@ -10,24 +10,18 @@ public final class SamplingCheck {
     /** Shortest wavelength of the model, meters. */
     public static final double SHORTEST_WAVELENGTH = 380e-9;
 
-    /**
-     * Coarsest sufficient pitch, meters: |(u, v)| reaches 2, so spatial frequencies reach 2 / lambda, which by the sampling theorem need a
-     * pitch of lambda / 4.
-     */
+    /** Meters: |(u, v)| reaches 2, so spatial frequencies reach 2 / lambda, which by the sampling theorem need a pitch of lambda / 4. */
     public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
 
     /**
-     * Coarsest height step without a warning, meters. Rounding to steps q scatters the share (k w q)^2 / 12 of the light at random: 0.2 %
-     * for 5 nm at the shortest wavelength and w = 2.
+     * Meters. Rounding to steps q scatters the share (k w q)^2 / 12 of the light at random: 0.2 % for 5 nm at the shortest wavelength and w
+     * = 2.
      */
     public static final double COARSEST_STEP = 5e-9;
 
     private SamplingCheck() {}
 
-    /**
-     * Returns a warning if the pitch exceeds {@link #COARSEST_PITCH}. An axis with a single sample is ignored: the surface is constant
-     * along it.
-     */
+    /** Returns a warning if the pitch exceeds {@link #COARSEST_PITCH} along an axis of several samples. */
     public static Optional<String> pitch(HeightMap map) {
         double pitchX = map.columns() > 1 ? map.pitchX() : 0;
         double pitchY = map.rows() > 1 ? map.pitchY() : 0;
@@ -43,11 +37,7 @@ public final class SamplingCheck {
                 + " colors far from the specular direction, and periods that are none");
     }
 
-    /**
-     * Returns a warning if integer samples have steps above {@link #COARSEST_STEP}.
-     *
-     * @param step height difference between consecutive integers, meters
-     */
+    /** Returns a warning if integer samples have steps, in meters, above {@link #COARSEST_STEP}. */
     public static Optional<String> heightStep(double step) {
         if (step <= COARSEST_STEP) {
             return Optional.empty();
