@@ -16,13 +16,12 @@ import sunbeam.precompute.text.Text;
  * there are many, all rows count as measured.
  */
 final class MeasuredRows {
-    // Share of missing samples from which on a row counts as missing; single samples are often missing.
+    // Single samples are often missing.
     private static final double MISSING = 0.9;
-    // Least number of measured rows per run of unmeasured ones; a computed surface has more runs, as the crest of each
-    // period has two equal rows.
+    // Measured rows per run of unmeasured ones; a computed surface has more runs, as the crest of each period has two
+    // equal rows.
     private static final int ROWS_PER_RUN = 16;
-    // Tolerance of equal rows, relative to the largest height: the rounding to 32-bit floats of repeated rows that were
-    // leveled afterwards.
+    // Relative to the largest height: the rounding to 32-bit floats of repeated rows that were leveled afterwards.
     private static final double ROUNDING = 4e-7;
     private static final int MOST_RUNS_NAMED = 4;
 
@@ -48,12 +47,11 @@ final class MeasuredRows {
         }
     }
 
-    /** True if a row and the next one were measured. */
     boolean isPair(int row) {
         return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
     }
 
-    /** True if most samples differ from the sample above them; otherwise equal rows do not show a fault. */
+    /** Otherwise equal rows do not show a fault. */
     private boolean rowsDiffer() {
         double[] heights = scan.heights();
         long same = 0;
@@ -81,8 +79,7 @@ final class MeasuredRows {
     }
 
     /**
-     * True if a row minus the row {@code other} is the same in all columns, within {@code slack} meters. With a negative {@code other},
-     * true if the row itself is constant.
+     * True if a row minus another is the same in all columns, within {@code slack} meters; if {@code other} is negative, the row itself.
      */
     private boolean isConstant(int row, int other, double slack) {
         double first = Double.NaN;
@@ -100,7 +97,7 @@ final class MeasuredRows {
         return scan.heights()[row * scan.columns() + column];
     }
 
-    /** Returns the runs of set rows, each as its first row and the row after its last. */
+    /** Each run is its first row and the row after its last. */
     private static List<int[]> runs(BitSet rows) {
         List<int[]> runs = new ArrayList<>();
         for (int first = rows.nextSetBit(0); first >= 0; ) {
@@ -112,9 +109,8 @@ final class MeasuredRows {
     }
 
     /**
-     * Describes the rows without a measurement and the largest part of the scan without them; empty if all rows were measured.
+     * Describes the rows without a measurement and the largest part of the scan without them.
      *
-     * @param whole the whole scan
      * @param place position of the examined samples in the whole scan
      */
     Optional<ScanFault> fault(HeightMap whole, Crop.Samples place) {
@@ -138,7 +134,7 @@ final class MeasuredRows {
         return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));
     }
 
-    /** Returns the numbers of unmeasured rows as text, such as "3, 7 to 9 and 3 more". */
+    /** Returns "3, 7 to 9 and 3 more". */
     private String numbers(int firstNumber) {
         StringJoiner text = new StringJoiner(", ");
         List<int[]> runs = runs(unmeasured);

@@ -11,12 +11,11 @@ import sunbeam.precompute.prepare.Leveling;
  * @param part largest part of the scan without the fault; empty if no part is, or if a leveling removes the fault
  * @param leveling leveling that removes the fault; empty if none does
  * @param unmeasured share, 0..1, of rows without a measurement
- * @param remedy text that names the option that removes the fault or the rows with it; empty if unknown
+ * @param remedy text that names the option that removes the fault; empty if unknown
  */
 public record ScanFault(
         String words, Optional<Crop> part, Optional<Leveling> leveling, double unmeasured, String remedy) {
 
-    /** Returns the description and the remedy in one line without a full stop. */
     public String line() {
         return words + (remedy.isEmpty() ? "" : "; " + remedy);
     }

@@ -15,35 +15,33 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * Detection of rows without a measurement, and of rows that lie higher or lower as a whole than their neighbors. The offset between two
- * rows is the median over the columns of their difference. The spread of the differences (1.4826 times their median distance from the
- * offset) measures the variation of the surface itself. The lines of a surface along the rows cause offsets too, but these change smoothly,
- * are periodic, or come in pairs, one up and one down.
+ * rows is the median over the columns of their difference; the spread of the differences (1.4826 times their median distance from the
+ * offset) measures the surface's own variation. Lines of a surface along the rows cause offsets too, but these change smoothly, are
+ * periodic, or come in pairs, one up and one down.
  */
 public final class ScanFaults {
     private static final int FEWEST_ROWS = 16;
     private static final int FEWEST_COLUMNS = 16;
-    // Largest number of examined columns, evenly spaced: the error of their median is a twelfth of their spread.
+    // Evenly spaced: the error of their median is a twelfth of their spread.
     private static final int MOST_COLUMNS = 256;
     // Ratio of a Gaussian's standard deviation to its median absolute deviation.
     private static final double GAUSSIAN = 1.4826;
-    // Least size of a jump: in robust deviations of all offsets, and in spreads of the columns.
+    // Least jump, in robust deviations of all offsets, and in spreads of the columns.
     private static final double JUMP_DEVIATIONS = 10;
     private static final double JUMP_SPREADS = 4;
-    // Largest spread of the columns in a jump, relative to the spread in other rows.
+    // Relative to the spread in other rows.
     private static final double LARGEST_JUMP_SPREAD = 3;
-    // Largest difference between the mean and the median of a jump, and between jumps up and down of a ridge, relative
-    // to the jump.
+    // Difference between the mean and the median of a jump, and between jumps up and down of a ridge, relative to the
+    // jump.
     private static final double ALIKE = 0.25;
-    // Largest number of jumps that count as faults; more belong to the surface.
+    // More jumps belong to the surface.
     private static final int MOST_JUMPS = 3;
-    // Least robust deviation of all offsets, in spreads of the columns; smaller ones arise by chance.
+    // Smaller deviations of all offsets, in spreads of the columns, arise by chance.
     private static final double LEAST_OFFSET = 0.5;
-    // Largest correlation of neighboring offsets; it is -0.5 for independent heights of the rows, 0 for a random walk,
-    // near 1 for a smooth surface.
+    // Correlation of neighboring offsets: -0.5 for independent heights of the rows, 0 for a random walk, near 1 for a
+    // smooth surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
-    // Largest correlation of offsets farther apart: it is near 1 for a grating. The limit is three standard deviations
-    // of chance for 75
-    // rows.
+    // Correlation of offsets farther apart: near 1 for a grating. Three standard deviations of chance for 75 rows.
     private static final double LARGEST_BEYOND = 0.35;
 
     private final HeightMap whole;
@@ -53,14 +51,7 @@ public final class ScanFaults {
     private final double medianOffset;
     private final double deviation;
 
-    /**
-     * Offset from a row to the next.
-     *
-     * @param row the upper row of the two, in the examined part
-     * @param median median over the columns, in meters
-     * @param mean mean over the columns, in meters
-     * @param spread robust deviation over the columns, in meters
-     */
+    /** Offset from a row, in the examined part, to the next; meters. */
     private record Offset(int row, double median, double mean, double spread) {}
 
     private ScanFaults(HeightMap whole, Crop.Samples place, HeightMap scan, MeasuredRows measured) {
@@ -82,7 +73,6 @@ public final class ScanFaults {
      * Returns the faults of a scan: rows without a measurement first, then offsets.
      *
      * @param whole raw heights, with tilt, before missing samples are filled
-     * @param crop the examined part; the whole scan if empty
      * @throws IllegalArgumentException when the crop leaves the scan or holds fewer than two samples
      */
     public static List<ScanFault> in(HeightMap whole, Optional<Crop> crop) {
@@ -147,10 +137,7 @@ public final class ScanFaults {
         return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), 0, "");
     }
 
-    /**
-     * Returns the jumps that a surface does not explain: none if there are jumps up and down by the same amount, as at a ridge along the
-     * rows, or too many.
-     */
+    /** Returns no jumps if there are too many, or jumps up and down by the same amount, as at a ridge along the rows. */
     private List<Offset> jumps() {
         double least = Math.max(JUMP_DEVIATIONS * deviation, JUMP_SPREADS * spread);
         List<Offset> steep = offsets.stream()

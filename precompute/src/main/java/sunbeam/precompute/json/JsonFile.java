@@ -30,8 +30,7 @@ public final class JsonFile {
     /**
      * Reads a file.
      *
-     * @throws JsonException when it is too large or no JSON object; the message names file and line
-     * @throws IOException when it is missing or cannot be read
+     * @throws JsonException when it is too large or no JSON object
      */
     public static JsonObject read(Path file) throws IOException {
         try (InputStream stream = Files.newInputStream(file)) {
@@ -39,11 +38,7 @@ public final class JsonFile {
         }
     }
 
-    /**
-     * Reads a stream, which stays open.
-     *
-     * @param name name of the file in messages
-     */
+    /** Reads a stream, which stays open; messages have the name. */
     public static JsonObject read(String name, InputStream stream) throws IOException {
         byte[] content = stream.readNBytes(MOST_BYTES + 1);
         if (content.length > MOST_BYTES) {

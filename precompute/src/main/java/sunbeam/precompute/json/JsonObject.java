@@ -24,9 +24,9 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Every error
- * message is one line of text with the file, the line in it, the key, the value and a remedy. It is thrown as a {@link JsonException}, or
- * for settings as a {@link sunbeam.precompute.setting.SettingException}.
+ * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Messages are
+ * one line with the file, the line in it, the key, the value and a remedy, in a {@link JsonException}, or for settings in a {@link
+ * sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
     private final String file;
@@ -37,7 +37,7 @@ public final class JsonObject {
     private final Set<String> known = new TreeSet<>();
 
     /**
-     * @param path keys of the enclosing objects, each with a dot after it; the prefix of keys in messages
+     * @param path keys of the enclosing objects, each with a dot after it
      * @param place position of the object in the file
      * @param lines line of each value of the file, from 1
      */
@@ -49,7 +49,6 @@ public final class JsonObject {
         this.lines = lines;
     }
 
-    /** Returns the value of a key; empty if the key is absent. */
     public Optional<JsonNode> find(String key) {
         known.add(key);
         return Optional.ofNullable(node.get(key));
@@ -67,7 +66,7 @@ public final class JsonObject {
         return keys;
     }
 
-    /** Returns the value of a required key; {@code example} is a value that the error message suggests. */
+    /** Returns the value of a required key; messages suggest the example. */
     public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new JsonException(Text.format(
@@ -75,17 +74,15 @@ public final class JsonObject {
                         file, lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
     }
 
-    /** Returns the object under a required key. */
     public JsonObject object(String key, String example) {
         return inner(key, required(key, example), place.appendProperty(key));
     }
 
-    /** Returns the object under a key; empty if the key is absent. */
     public Optional<JsonObject> findObject(String key) {
         return find(key).map(value -> inner(key, value, place.appendProperty(key)));
     }
 
-    /** Returns the objects in the list under a key, at most {@code most}; none if the key is absent. */
+    /** Returns the objects in the list under a key, at most {@code most}. */
     public List<JsonObject> objects(String key, int most) {
         JsonNode list = find(key).orElse(MissingNode.getInstance());
         if (!list.isMissingNode() && (!list.isArray() || list.size() > most)) {
@@ -110,11 +107,7 @@ public final class JsonObject {
         return value.textValue();
     }
 
-    /**
-     * Parses a text that holds a number and a unit.
-     *
-     * @param parse function that may throw IllegalArgumentException with a message for the user
-     */
+    /** Parses a text that holds a number and a unit; {@code parse} may throw IllegalArgumentException. */
     public <T> T quantity(String key, JsonNode value, Function<String, T> parse) {
         if (!value.isTextual()) {
             throw complaint(key, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
@@ -138,7 +131,6 @@ public final class JsonObject {
         return number;
     }
 
-    /** Returns the values of a list that must have {@code count} of them. */
     public List<JsonNode> sequence(String key, JsonNode value, int count) {
         if (!value.isArray() || value.size() != count) {
             throw complaint(key, "must be a list of " + count + " values, [ ... ]");
@@ -160,7 +152,7 @@ public final class JsonObject {
         return choices;
     }
 
-    /** Writes the chosen settings as keys of the current object, in the form that {@link #choices} reads. */
+    /** Writes settings as keys of the current object, in the form that {@link #choices} reads. */
     public static void write(JsonGenerator json, Choices choices) throws IOException {
         for (Setting<?> setting : choices.chosen()) {
             String value = choices.written(setting);
@@ -209,7 +201,7 @@ public final class JsonObject {
         return new KeyOrigin(this, Optional.empty());
     }
 
-    /** Returns one key of this object as the origin of settings: messages about any of them name this key. */
+    /** Returns one key of this object as the origin of settings. */
     public Origin originAt(String key) {
         return new KeyOrigin(this, Optional.of(key));
     }
@@ -235,10 +227,7 @@ public final class JsonObject {
         return new JsonException(name(key) + ": " + problem);
     }
 
-    /**
-     * Returns the result of an action; its IllegalArgumentException becomes a {@link JsonException} with file, line and key as of {@link
-     * #name}.
-     */
+    /** Returns the result of an action, whose IllegalArgumentException becomes a {@link JsonException}. */
     public <T> T checked(String key, Supplier<T> action) {
         try {
             return action.get();

@@ -9,14 +9,7 @@ import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Rectangular part of a scan, in meters from its lower left corner.
- *
- * @param left least x
- * @param right largest x
- * @param bottom least y
- * @param top largest y
- */
+/** Rectangular part of a scan, in meters from its lower left corner. */
 public record Crop(double left, double right, double bottom, double top) {
     /** Text form on the command line and in files, such as {@code 5um:25um,0um:10um}. */
     public static final ValueKind<Crop> KIND = Kinds.text(
@@ -27,7 +20,7 @@ public record Crop(double left, double right, double bottom, double top) {
 
     private static final Pattern FORM = Pattern.compile("([^:,]+):([^:,]+),([^:,]+):([^:,]+)");
     private static final Pattern HAS_UNIT = Pattern.compile("\\p{L}");
-    // Tolerance in samples, for lengths written with six digits.
+    // In samples; lengths are written with six digits.
     private static final double SLACK = 1e-5;
 
     public Crop {
@@ -57,16 +50,8 @@ public record Crop(double left, double right, double bottom, double top) {
                 + Lengths.exact(top);
     }
 
-    /**
-     * Rectangle of a scan's samples.
-     *
-     * @param firstColumn first column
-     * @param endColumn column after the last
-     * @param firstRow first row; row 0 is the top one
-     * @param endRow row after the last
-     */
+    /** Rectangle of a scan's samples; row 0 is the top one, ends are exclusive. */
     public record Samples(int firstColumn, int endColumn, int firstRow, int endRow) {
-        /** Returns all samples of a scan. */
         public static Samples allOf(HeightMap field) {
             return new Samples(0, field.columns(), 0, field.rows());
         }
@@ -81,12 +66,12 @@ public record Crop(double left, double right, double bottom, double top) {
         }
     }
 
-    /** Returns this area with positions relative to the point (x, y), in meters, without the parts to its left and below it. */
+    /** Returns this area relative to the point (x, y), in meters, without the parts to its left and below it. */
     public Crop from(double x, double y) {
         return new Crop(Math.max(0, left - x), right - x, Math.max(0, bottom - y), top - y);
     }
 
-    /** Returns the text form without blanks; its lengths have six digits, enough to select the same samples. */
+    /** Returns the text form with six digits, enough to select the same samples. */
     public String written() {
         return written(left) + ":" + written(right) + "," + written(bottom) + ":" + written(top);
     }
@@ -98,7 +83,7 @@ public record Crop(double left, double right, double bottom, double top) {
     /**
      * Returns the samples whose centers lie in the area.
      *
-     * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples; the message continues "--crop AREA"
+     * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples
      */
     public Samples samples(HeightMap field) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
@@ -121,11 +106,7 @@ public record Crop(double left, double right, double bottom, double top) {
         return new Samples(firstColumn, endColumn, firstRow, endRow);
     }
 
-    /**
-     * Returns the cropped heights.
-     *
-     * @throws IllegalArgumentException if {@link #samples} throws it
-     */
+    /** Returns the cropped heights; throws as {@link #samples}. */
     public HeightMap apply(HeightMap field) {
         Samples samples = samples(field);
         int columns = samples.endColumn - samples.firstColumn;
@@ -138,9 +119,7 @@ public record Crop(double left, double right, double bottom, double top) {
         return HeightMap.owning(columns, rows, field.pitchX(), field.pitchY(), heights);
     }
 
-    /**
-     * Returns the index of the first sample whose center lies at or beyond a position. Both count from the lower left corner, in meters.
-     */
+    /** Index of the first sample whose center lies at or beyond a position from the lower left corner, meters. */
     private static int first(double position, double pitch) {
         return (int) Math.ceil(position / pitch - 0.5 - SLACK);
     }

@@ -39,10 +39,7 @@ public enum Edges {
         }
     }
 
-    /**
-     * Returns the weights of the opposite border's mirror image, from the border inwards: nearly a half, falling to 0 over the margin like
-     * a cosine.
-     */
+    /** Weights of the opposite border's mirror image, from the border inwards: from nearly a half to 0, like a cosine. */
     private static double[] weights(int samples) {
         int margin = (int) Math.round(MARGIN * samples);
         double[] weights = new double[margin];

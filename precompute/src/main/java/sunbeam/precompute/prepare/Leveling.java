@@ -5,8 +5,8 @@ import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Leveling of measured heights: removes a scan's offset of micrometers to millimeters, its tilt, the bow of the scanner, and the offset of
- * each line. Missing samples (NaN, infinities) are ignored and stay missing.
+ * Leveling of measured heights: removes a scan's offset, its tilt, the bow of the scanner, and the offset of each line. Missing samples
+ * (NaN, infinities) are ignored and stay missing.
  */
 public enum Leveling {
     /** Heights as they are. */
@@ -22,10 +22,9 @@ public enum Leveling {
     /** The least-squares surface of second degree is subtracted: tilt and bow. */
     QUADRATIC;
 
-    // Tolerance relative to the relief: the rounding of a sum over millions of samples is smaller.
+    // Relative to the relief; a sum over millions of samples rounds less.
     private static final double ROUNDING = 1e-14;
 
-    /** True if the tilt is subtracted. */
     public boolean takesTilt() {
         return this != NONE && this != MEAN;
     }
@@ -42,13 +41,13 @@ public enum Leveling {
         };
     }
 
-    /** True if the mean is 0 up to rounding; then MEAN returns the same map, whose cached properties stay valid. */
+    /** Then MEAN returns the same map, whose cached properties stay valid. */
     private static boolean isCentered(HeightMap field) {
         double[] heights = field.heights();
         return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();
     }
 
-    /** Subtracts the remaining mean, which is rounding, or after {@link #MEDIAN_ROWS} the mean of the differences from the medians. */
+    /** After {@link #MEDIAN_ROWS} the mean is that of the differences from the medians, else rounding. */
     private static HeightMap centered(HeightMap field) {
         double[] heights = field.heights().clone();
         double mean = mean(heights, 0, heights.length);
@@ -71,7 +70,6 @@ public enum Leveling {
         return field.with(heights);
     }
 
-    /** Returns the mean of the samples that are not missing; 0 if all are. */
     private static double mean(double[] heights, int from, int to) {
         return Arrays.stream(heights, from, to)
                 .filter(Double::isFinite)

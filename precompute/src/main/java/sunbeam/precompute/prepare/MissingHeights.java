@@ -6,20 +6,14 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards, every sample becomes
- * the average of its known neighbors, eight at most. Samples of one ring do not affect each other, so the result is independent of the
- * order. Linear in the number of samples.
+ * the average of its known neighbors, eight at most. Linear in the number of samples.
  */
 public final class MissingHeights {
     private final int columns;
     private final int rows;
     private final double[] heights;
 
-    /**
-     * Result of {@link #fill}.
-     *
-     * @param field heights without missing samples
-     * @param count number of filled samples
-     */
+    /** Heights without missing samples, and the number of filled ones. */
     public record Filled(HeightMap field, int count) {}
 
     private MissingHeights(HeightMap map) {
@@ -28,11 +22,7 @@ public final class MissingHeights {
         heights = map.toArray();
     }
 
-    /**
-     * Fills every missing sample.
-     *
-     * @throws IllegalArgumentException when all samples are missing
-     */
+    /** @throws IllegalArgumentException when all samples are missing */
     public static Filled fill(HeightMap map) {
         int known = (int) Arrays.stream(map.heights()).filter(Double::isFinite).count();
         int missing = map.heights().length - known;
@@ -67,14 +57,11 @@ public final class MissingHeights {
     private double averageOfKnown(int index) {
         int[] known = neighbors(index, true);
         double first = heights[known[0]];
-        // Averages differences from one height, so that a large offset costs no digits.
+        // A large offset costs no digits.
         return first + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
     }
 
-    /**
-     * Returns the indices of a sample's neighbors, eight at most, without wrapping at the edges: the known ones if {@code known}, else the
-     * missing ones.
-     */
+    /** Without wrapping at the edges: the known neighbors, or the missing ones. */
     private int[] neighbors(int index, boolean known) {
         int row = index / columns;
         int column = index % columns;

@@ -4,26 +4,20 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Detection of synthetic heights, drawn or computed as one period of a grating: they are constant along one axis. */
 public final class OnePeriod {
-    // Largest side, meters: half of sunlight's coherence length. Larger patches are taken for scans.
+    // Meters: half of sunlight's coherence length. Larger patches are taken for scans.
     private static final double LARGEST = 32.5e-6;
-    // Tolerance relative to the relief, for rounding; measured lines differ by more.
+    // Relative to the relief; measured lines differ by more.
     private static final double SAME = 1e-6;
 
     private OnePeriod() {}
 
-    /**
-     * True if the heights are constant along one axis, up to rounding; false if samples are missing, a side exceeds 32.5 um, or all heights
-     * are equal.
-     */
+    /** True if the heights are constant along one axis, up to rounding; false if samples are missing or all heights are equal. */
     public static boolean looksSynthetic(HeightMap field) {
         return Math.max(field.width(), field.height()) <= LARGEST
                 && ((field.columns() > 1 && isSame(field, 1, 0)) || (field.rows() > 1 && isSame(field, 0, 1)));
     }
 
-    /**
-     * True if all rows equal the first row (factors 1, 0), or all columns the first column (factors 0, 1), and the heights are not all
-     * equal.
-     */
+    /** Compares rows with the first one (factors 1, 0), or columns with the first one (factors 0, 1). */
     private static boolean isSame(HeightMap field, int columnFactor, int rowFactor) {
         double largest = 0;
         for (int row = 0; row < field.rows(); row++) {

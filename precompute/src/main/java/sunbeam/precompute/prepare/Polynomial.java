@@ -10,21 +10,18 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Least-squares polynomial of heights, of degree 0 to 2 in x and y, which both run from -1 to 1 over the map. If all samples lie on one
- * line, the pseudo-inverse yields the slope along it. Missing samples are ignored.
+ * line, the pseudo-inverse yields the slope along it.
  *
- * @param map fitted heights
- * @param offset height that is subtracted before the fit, meters
+ * @param offset height that is subtracted before the fit, so that it costs no digits
  * @param coefficients factors of the first 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2, meters
  */
 record Polynomial(HeightMap map, double offset, RealVector coefficients) {
-    // Exponents of x and of y in the terms 1, x, y, x^2, x y, y^2.
     private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
     private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
     private static final int HIGHEST = 2;
 
     /** @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface */
     static Polynomial fit(HeightMap map, int terms) {
-        // Heights relative to one of them, so that a large offset costs no digits.
         double offset = Arrays.stream(map.heights())
                 .filter(Double::isFinite)
                 .findFirst()
@@ -51,7 +48,7 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         return new Polynomial(map, offset, fitted);
     }
 
-    /** Returns sums over a row's samples, without missing ones: of x^0 to x^4, then of the heights times x^0 to x^2. */
+    /** Sums over a row of x^0 to x^4, then of the heights times x^0 to x^2. */
     private static double[] moments(HeightMap map, int row, double offset) {
         double[] sums = new double[3 * HIGHEST + 2];
         for (int column = 0; column < map.columns(); column++) {
@@ -77,7 +74,6 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
     }
 
-    /** Returns the heights minus the polynomial. */
     HeightMap subtracted() {
         double[] heights = map.toArray();
         IntStream.range(0, map.rows()).parallel().forEach(row -> {

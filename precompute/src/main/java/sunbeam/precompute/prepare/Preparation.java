@@ -7,17 +7,10 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges.
- *
- * @param crop part of the scan to use; empty for all of it
- * @param leveling kind of leveling
- * @param despike true to remove spikes
- * @param edges treatment of the border
- */
+/** Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges. */
 public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despike, Edges edges) {
     /**
-     * A prepared scan.
+     * Prepared scan.
      *
      * @param scan heights after cropping, leveling, despiking and filling
      * @param surface the scan with treated edges, from which light is diffracted
@@ -30,11 +23,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         }
     }
 
-    /**
-     * Prepares raw heights.
-     *
-     * @throws IllegalArgumentException when all samples are missing, or when {@link Crop#apply} throws it
-     */
+    /** @throws IllegalArgumentException when all samples are missing, or when {@link Crop#apply} throws it */
     public Prepared apply(HeightMap measured) {
         List<String> steps = new ArrayList<>();
         HeightMap field = crop.isPresent() ? crop.get().apply(measured) : measured;
@@ -66,7 +55,6 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         return new Prepared(field, surface, filled.count(), steps);
     }
 
-    /** Formats a length in meters with three digits. */
     private static String rounded(double meters) {
         return Lengths.rounded(meters, 3);
     }

@@ -3,21 +3,20 @@ package sunbeam.precompute.prepare;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Step between opposite borders of a repeated scan, along the axis with the larger ratio of this step to those inside the scan.
+ * Step between opposite borders of a repeated scan, along the axis where it is larger, as root mean squares in meters.
  *
- * @param jump root mean square of the step from one border to the opposite one, in meters
- * @param inside root mean square step between neighbors inside the scan, in meters
- * @param steepest root mean square step between the two neighboring columns or rows that differ most, in meters
+ * @param jump step from one border to the opposite one
+ * @param inside step between neighbors inside the scan
+ * @param steepest step between the two neighboring columns or rows that differ most
  */
 public record Seam(double jump, double inside, double steepest) {
-    // Largest jump that counts as none, meters: a thousandth of the smallest relief that is read.
+    // Meters: a thousandth of the smallest relief that is read.
     private static final double ROUNDING = 1e-15;
-    // Largest ratio of the jump to the steps inside that counts as fitting.
+    // Ratio of the jump to the steps inside that counts as fitting.
     private static final double FITTING = 2;
-    // Largest ratio of the jump to the steepest step inside at which the jump counts as another wall of a grating.
+    // Ratio to the steepest step at which the jump counts as another wall of a grating.
     private static final double ALIKE = 1.1;
 
-    /** Measures the seam of heights without missing samples. */
     public static Seam of(HeightMap field) {
         double[] columns = new double[field.columns()];
         double[] rows = new double[field.rows()];
@@ -49,7 +48,6 @@ public record Seam(double jump, double inside, double steepest) {
                 : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));
     }
 
-    /** Returns the jump divided by the step inside; 0 without a jump. */
     public double ratio() {
         return jump <= ROUNDING ? 0 : jump / inside;
     }

@@ -1,15 +1,9 @@
 package sunbeam.precompute.resample;
 
-/**
- * Equally spaced frequencies along one axis: sample i has the frequency (first + i) * step.
- *
- * @param first index of the first sample, in steps from frequency 0
- * @param count number of samples
- * @param step distance between neighboring samples, cycles per meter
- */
+/** Equally spaced frequencies along one axis: sample i has the frequency (first + i) * step, cycles per meter. */
 public record AxisGrid(int first, int count, double step) {
 
-    /** Covers an interval of frequencies in cycles per meter, with a margin of samples on both sides. */
+    /** Covers an interval of frequencies, with a margin of samples on both sides. */
     public static AxisGrid covering(double low, double high, double step, int margin) {
         int first = (int) Math.floor(low / step) - margin;
         int last = (int) Math.ceil(high / step) + margin;

@@ -7,7 +7,7 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
 import sunbeam.precompute.table.FourierTable;
 
-/** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. They do not depend on the origin to which the table's amplitudes refer. */
+/** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. */
 final class BinPowers {
     private final int rows;
     private final int columns;
@@ -48,7 +48,6 @@ final class BinPowers {
         return rows * columns;
     }
 
-    /** Returns the power of a bin at each node. */
     double[] at(int bin) {
         double[] powers = new double[coefficients.length];
         at(bin, powers);
@@ -59,7 +58,7 @@ final class BinPowers {
         Arrays.setAll(powers, q -> power(bin, coefficients[q]));
     }
 
-    /** Returns the strength of a bin: its mean power at three nodes, so that a zero at one of them does not hide it. */
+    /** Returns the mean power of a bin at three nodes, so that a zero at one of them does not hide it. */
     double strength(int bin) {
         int nodes = coefficients.length;
         return (power(bin, coefficients[nodes / 6])
@@ -69,7 +68,7 @@ final class BinPowers {
     }
 
     /**
-     * Returns the inner products of all bins' powers with functions, as sums over the nodes.
+     * Returns the inner products, as sums over the nodes, of all bins' powers with functions.
      *
      * @param functions {@code [function][node]}
      * @return {@code [function][bin]}
@@ -96,8 +95,7 @@ final class BinPowers {
     }
 
     /**
-     * Expands |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' inner products with c_a c_b, twice those for
-     * a != b.
+     * |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' inner products with c_a c_b, twice those for a != b.
      */
     private double[][] pairWeights(double[][] functions, int pairs) {
         double[][] weights = new double[functions.length][pairs];
@@ -115,7 +113,7 @@ final class BinPowers {
         return weights;
     }
 
-    /** Computes Re(F_a F_b*) of a bin's terms, a <= b. */
+    /** Re(F_a F_b*) of a bin's terms, a <= b. */
     private void products(int bin, double[] products) {
         double[] row = values[bin / columns];
         int first = 2 * (bin % columns) * terms;

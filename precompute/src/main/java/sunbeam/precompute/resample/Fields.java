@@ -12,10 +12,9 @@ import sunbeam.precompute.table.WindowPhase;
  * amplitudes has two fields, a term of powers has one.
  *
  * @param values {@code [field][bin]}, bins in the table's order
- * @param coefficients weights of the terms by the phase
  */
 public record Fields(double[][] values, CoefficientTable coefficients) {
-    /** Returns complex amplitudes, with phases relative to the window's origin: real part of term 0, its imaginary part, and so on. */
+    /** Returns complex amplitudes, with phases relative to the window's origin: real and imaginary part of each term. */
     public static Fields amplitudes(FourierTable table, Expansion expansion, WindowOrigin origin) {
         WindowPhase phase = new WindowPhase(table, origin);
         double[][] values = new double[2 * table.terms()][];

@@ -5,34 +5,23 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import sunbeam.precompute.fourier.Band;
 
-/**
- * Resamples DFT bins onto a grid, separably.
- *
- * @param alongX weights along x
- * @param alongY weights along y
- */
+/** Resamples DFT bins onto a grid, separably. */
 public record GridResampler(Axis alongX, Axis alongY) {
     /**
      * Weights from the DFT bins of one axis to the samples of a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within reach.
      *
-     * @param grid frequencies of the samples
-     * @param band numbers of the bins
      * @param firstBin index of the first bin within reach of each sample, from the band's first bin
-     * @param weights {@code [sample][bin]}, weights of the bins within reach, beginning with {@code firstBin}
+     * @param weights {@code [sample][bin]}, beginning with {@code firstBin}
      */
     public record Axis(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
 
-        /** Returns weights for samples to interpolate: the Gaussian with the interpolation kernel divided out. */
+        /** Returns the Gaussian with the interpolation kernel divided out. */
         public static Axis forInterpolation(AxisGrid grid, Band band, double period, InterpolationDesign design) {
             Spread spread = design.spread();
             return of(grid, band, period, spread::value, spread.reach());
         }
 
-        /**
-         * Returns weights of the plain Gaussian, for samples read at grid points only.
-         *
-         * @param sigma standard deviation of the Gaussian, cycles per meter
-         */
+        /** Returns the plain Gaussian, for samples read at grid points only; sigma in cycles per meter. */
         public static Axis exact(AxisGrid grid, Band band, double period, double sigma) {
             double deviation = sigma / grid.step();
             return of(
@@ -61,13 +50,12 @@ public record GridResampler(Axis alongX, Axis alongY) {
         }
     }
 
-    /** Order of the samples in memory: by rows (x runs fastest) or by columns. */
+    /** Order of the samples in memory. */
     public enum Order {
         ROWS,
         COLUMNS
     }
 
-    /** Returns the number of samples of one field. */
     public int size() {
         return Math.multiplyExact(alongX.grid().count(), alongY.grid().count());
     }
@@ -77,8 +65,6 @@ public record GridResampler(Axis alongX, Axis alongY) {
      *
      * @param fields {@code [field][bin]}, at most {@code stride} fields
      * @param target output: {@code stride} values per sample
-     * @param stride number of values from one sample to the next in {@code target}
-     * @param order axis along which neighboring samples lie side by side
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];

@@ -15,18 +15,16 @@ import sunbeam.precompute.numerics.KaiserBessel;
  * The error is aliasing, small because the Gaussian's transform, the coherence window, fades before the kernel's.
  *
  * @param deviation standard deviation of the Gaussian in grid steps
- * @param taps grid points within phi's support along one axis
  * @param beta shape parameter of phi, without unit
- * @param error largest difference between both sides of the equation, relative to the Gaussian, over the skirt of the design; measured
+ * @param error largest difference between both sides, relative to the Gaussian, over the skirt of the design; measured
  */
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
     private static final int FEWEST_TAPS = 3;
     private static final int MOST_TAPS = 10;
 
-    // Standard deviations of the Gaussian, in grid steps, that are tried. On finer grids the Gaussian bends less
-    // between samples, which makes its skirts exact.
+    // On finer grids the Gaussian bends less between samples, which makes its skirts exact.
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
-    // Values of beta per tap that are tried: of 1.5 to 3.2, these err least, both in the middle and on the skirts.
+    // Of 1.5 to 3.2, these err least, both in the middle and on the skirts.
     private static final double[] BETA_PER_TAP = {2.5, 2.65, 2.8, 2.95};
 
     /**
@@ -47,11 +45,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
                         .flatMap(taps -> Arrays.stream(DEVIATIONS).mapToObj(grid -> best(grid, taps, skirt))));
     }
 
-    /**
-     * Returns the design within an error that has the coarsest grid, to save memory, and of those the fewest taps.
-     *
-     * @throws IllegalArgumentException if no design is within the tolerance
-     */
+    /** Returns the design within an error that has the coarsest grid, to save memory, and of those the fewest taps. */
     public static InterpolationDesign compact(double tolerance, double skirt) {
         return first(
                 tolerance,

@@ -9,18 +9,17 @@ import sunbeam.precompute.numerics.KaiserBessel;
  */
 public enum PeriodInterpolation {
     /**
-     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)) for a period of length L. Its kernel
-     * decays so slowly that it cannot be truncated: that would lose the specular order's tails, which outshine the rest of a rough patch.
-     * So the period is padded with zeros to twice its length, which yields exact samples between the bins. Seven taps of a Kaiser-Bessel
-     * kernel interpolate these; its transform is divided out of the period beforehand (Jackson et al. 1991). Error below 1e-7 of the
-     * largest amplitude, measured in PeriodSpectrumTest.
+     * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)) for a period of length L. A truncated
+     * kernel would lose the specular order's tails, which outshine the rest of a rough patch. So the period is padded with zeros to twice
+     * its length, which yields exact samples between the bins, and seven taps of a Kaiser-Bessel kernel interpolate these; its transform is
+     * divided out beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, as measured.
      */
     SINC(2, 7),
     /** Linear interpolation between neighboring bins; exact only on the bins. */
     LINEAR(1, 2),
     /**
-     * The thesis's interpolation over the bin below and its eight neighbors, weighted by sin(pi r) / (pi r) of their distance r in bins. It
-     * is truncated and not separable. The origin of its DFT is the period's corner, so that phases turn by pi from bin to bin.
+     * The thesis's interpolation over the bin below and the ring of its eight neighbors, weighted by sin(pi r) / (pi r) of their distance r
+     * in bins. Phases refer to the period's corner and turn by pi from bin to bin.
      */
     RING(1, 3);
 
@@ -32,19 +31,16 @@ public enum PeriodInterpolation {
         this.taps = taps;
     }
 
-    /** Returns the number of samples per bin of the DFT. */
     public int oversampling() {
         return oversampling;
     }
 
-    /** Returns the number of samples summed along one axis. */
     public int taps() {
         return taps;
     }
 
-    /** Returns the number of samples needed beyond the visible ones on each side. */
     public int margin() {
-        // Half of the taps, and one more because float32 may round a frequency into the next sample.
+        // One more, because float32 may round a frequency into the next sample.
         return taps / 2 + 1;
     }
 
@@ -57,7 +53,7 @@ public enum PeriodInterpolation {
         };
     }
 
-    /** Returns the factor that undoes the kernel's attenuation at a position, in -1/2..1/2 of the period. */
+    /** Undoes the kernel's attenuation at a position, in -1/2..1/2 of the period. */
     double correction(double place) {
         return this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1;
     }

@@ -11,8 +11,8 @@ import sunbeam.precompute.patch.HeightLevels;
 
 /**
  * DFT of the terms T_n of one period with sharp edges, at samples that {@link PeriodInterpolation} interpolates. Sample j along x has the
- * frequency j / (oversampling * width in meters). Phases refer to the period's middle, so that neighboring samples differ as little as
- * possible; for {@link PeriodInterpolation#RING} they refer to the corner, as in the thesis.
+ * frequency j / (oversampling * width). Phases refer to the period's middle, so that neighboring samples differ as little as possible; for
+ * {@link PeriodInterpolation#RING} to the corner, as in the thesis.
  */
 public final class PeriodSpectrum {
     private final HeightMap map;
@@ -25,11 +25,7 @@ public final class PeriodSpectrum {
     private final double[] correctionX;
     private final double[] correctionY;
 
-    /**
-     * @param heights the map's heights by distinct value
-     * @param bandX samples along x: those of visible directions and {@link PeriodInterpolation#margin()} more on each side
-     * @param bandY samples along y, with the same margins
-     */
+    /** @param bandX samples along x: those of visible directions and {@link PeriodInterpolation#margin()} more on each side */
     public PeriodSpectrum(
             HeightMap map,
             HeightLevels heights,
@@ -89,10 +85,7 @@ public final class PeriodSpectrum {
         }
     }
 
-    /**
-     * Moves the origin from the top left sample to the middle, and multiplies by the oversampling squared, because the DFT divides by the
-     * number of padded samples.
-     */
+    /** Also multiplies by the oversampling squared, because the DFT divides by the number of padded samples. */
     private void turnToMiddle(ComplexVector samples) {
         double padding = interpolation.oversampling() * interpolation.oversampling();
         double turnsX = -middle(map.columns()) / (interpolation.oversampling() * map.columns());

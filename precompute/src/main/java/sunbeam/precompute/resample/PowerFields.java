@@ -14,33 +14,27 @@ import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
- * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones. Each phase is scaled by
- * the mean power in the octave around it, so that grazing light, whose phases are small, counts as much as other light. One color
- * integrates over about an octave.
+ * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones, and each phase by the
+ * mean power in the octave around it, over which one color integrates, so that grazing light counts, too.
  */
 public final class PowerFields {
-    /** Largest angular frequency of a power as a function of the phase: two scaled heights s, both in -1..1, differ by at most 2. */
+    /** Largest angular frequency of a power over the phase: two scaled heights s, both in -1..1, differ by at most 2. */
     public static final double BANDWIDTH = 2;
 
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
-    // Share of the strongest bin's strength from which a bin (a mirror's among grains, for instance) must keep the
-    // tolerance.
+    // Bins of this share of the strongest one's strength (a mirror's among grains) must keep the tolerance.
     private static final double BRILLIANT = 0.01;
-    // Powers below this one are not approximated: the promised accuracy begins at 1e-9.
+    // The promised accuracy begins at 1e-9.
     private static final double DARKEST = 1e-10;
-    // The seed is fixed, so that each run yields the same basis.
+    // Each run yields the same basis.
     private static final long SEED = 20140507;
 
     private final PhaseNodes nodes;
     private final double[][] functions;
     private final double[][] projections;
 
-    /**
-     * Projects all bins onto the basis.
-     *
-     * @param tolerance relative root-mean-square error of the powers over an octave of phases
-     */
+    /** @param tolerance relative root-mean-square error of the powers over an octave of phases */
     public PowerFields(FourierTable table, Expansion expansion, double tolerance) {
         nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), BANDWIDTH);
         PhaseOctaves octaves = new PhaseOctaves(nodes);
@@ -49,7 +43,6 @@ public final class PowerFields {
         double[][] rows = Arrays.stream(bins).mapToObj(powers::at).toArray(double[][]::new);
         double[] mirror = mirror(table, powers);
         double[] typical = typical(rows, octaves, mirror);
-        // Weights of inner products over the nodes.
         double[] weights = new double[nodes.count()];
         Arrays.setAll(weights, q -> nodes.weight(q) / (typical[q] * typical[q]));
         functions = basis(rows, mirror, weights, brilliant(bins, powers), octaves, tolerance);
@@ -62,14 +55,14 @@ public final class PowerFields {
         projections = powers.sums(weighted);
     }
 
-    /** Returns the powers of bin (0, 0), the only bin of a mirror; zeros if the table lacks the bin. */
+    /** Powers of bin (0, 0), the only bin of a mirror; zeros if the table lacks the bin. */
     private double[] mirror(FourierTable table, BinPowers powers) {
         Band x = table.bandX();
         Band y = table.bandY();
         return x.holds(0) && y.holds(0) ? powers.at(-y.first() * x.count() - x.first()) : new double[nodes.count()];
     }
 
-    /** Returns the mean power in the octave around each phase, over all rows except the mirror's, each scaled by its own mean. */
+    /** Mean power in the octave around each phase, over all rows but the mirror's, each scaled by its own mean. */
     private double[] typical(double[][] rows, PhaseOctaves octaves, double[] mirror) {
         double[] sums = new double[nodes.count()];
         for (double[] row : rows) {
@@ -104,7 +97,7 @@ public final class PowerFields {
         return brilliant;
     }
 
-    /** Returns an orthonormal basis: the mirror's power, then the singular vectors of the rows' remainders. */
+    /** The mirror's power, then the singular vectors of the rows' remainders. */
     private double[][] basis(
             double[][] rows,
             double[] mirror,
@@ -149,7 +142,7 @@ public final class PowerFields {
         return sum;
     }
 
-    /** Returns the fewest functions that approximate a row within the tolerance in every octave. */
+    /** Fewest functions that approximate a row within the tolerance in every octave. */
     private static int functionsNeeded(
             double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] allowed = octaves.means(squares(row));
@@ -172,10 +165,7 @@ public final class PowerFields {
         return Arrays.stream(values).map(value -> value * value).toArray();
     }
 
-    /**
-     * Returns the number of functions that suffice for all brilliant rows and 99 of 100 others. A limit of the mean error over rows would
-     * drop a grating's weak orders.
-     */
+    /** Functions that suffice for all brilliant rows and 99 of 100 others: a limit of the mean error would drop a grating's weak orders. */
     private static int basisSize(int[] functionsNeeded, boolean[] brilliant) {
         int[] sorted = Arrays.stream(functionsNeeded).sorted().toArray();
         int most = sorted[sorted.length - 1 - sorted.length / 100];
@@ -190,7 +180,7 @@ public final class PowerFields {
         double[] strengths = new double[powers.bins()];
         Arrays.parallelSetAll(strengths, powers::strength);
         double strong = largest(strengths, STRONGEST_BINS);
-        // Among equally strong bins, as a grating has in a row, the first ones are taken.
+        // Among equally strong bins, as a grating has, the first ones.
         long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
         IntStream strongest = IntStream.concat(
                 IntStream.range(0, strengths.length).filter(bin -> strengths[bin] > strong),
@@ -202,7 +192,6 @@ public final class PowerFields {
         return IntStream.concat(strongest, random).toArray();
     }
 
-    /** Returns the count-th largest value, or the smallest. */
     private static double largest(double[] values, int count) {
         PriorityQueue<Double> largest = new PriorityQueue<>(count);
         for (double value : values) {
@@ -216,12 +205,10 @@ public final class PowerFields {
         return largest.element();
     }
 
-    /** Returns the basis functions' values at a phase. */
     public double[] functions(double zeta) {
         return nodes.interpolate(functions, functions.length, zeta);
     }
 
-    /** Returns one field per function of the basis. */
     public Fields fields() {
         return new Fields(
                 projections,
@@ -229,17 +216,15 @@ public final class PowerFields {
                         nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions));
     }
 
-    /** Returns the bins' projections onto each function, {@code [function][bin]}. */
+    /** {@code [function][bin]}. */
     public double[][] projections() {
         return projections;
     }
 
-    /**
-     * Means over the octave of phases around each node: at one pair of directions the visible wavelengths cover about an octave of phases.
-     */
+    /** Means over the octave of phases around each node. */
     private static final class PhaseOctaves {
         private final PhaseNodes nodes;
-        // Per node: first node of its octave, and the node after the last.
+        // First node of each node's octave, and the node after the last.
         private final int[] first;
         private final int[] end;
 

@@ -5,11 +5,11 @@ import sunbeam.precompute.numerics.KaiserBessel;
 /** Function K of an {@link InterpolationDesign}: the Gaussian, divided by phi in the Fourier domain. */
 final class Spread {
     private static final int SPECTRUM_SAMPLES = 256;
-    // Step of the distances from a bin at which the error of a design is measured, in standard deviations.
+    // Distances at which the error of a design is measured, in standard deviations.
     private static final double DISTANCE_STEP = 0.6;
-    // Positions of a bin between two grid points for which the error is measured.
+    // Between two grid points.
     private static final int POSITIONS = 4;
-    // Distance in standard deviations beyond which the Gaussian is taken as zero: exp(-7.5^2 / 2) = 6e-13.
+    // Standard deviations; exp(-7.5^2 / 2) = 6e-13.
     static final double GAUSS_REACH = 7.5;
 
     private final KaiserBessel kernel;
@@ -27,12 +27,11 @@ final class Spread {
         }
     }
 
-    /** Returns the Gaussian's Fourier transform relative to its maximum. */
+    /** Relative to its maximum. */
     static double gaussTransform(double deviation, double frequency) {
         return Math.exp(-0.5 * Math.pow(2 * Math.PI * deviation * frequency, 2));
     }
 
-    /** Returns the distance in grid steps from which K is taken as zero. */
     double reach() {
         return GAUSS_REACH * deviation + 0.5 * kernel.taps();
     }
@@ -58,11 +57,7 @@ final class Spread {
         return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
     }
 
-    /**
-     * Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian.
-     *
-     * @param skirt largest distance of f from f_j for which the error counts, in standard deviations of the Gaussian
-     */
+    /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian, over a skirt in its standard deviations. */
     double largestError(double skirt) {
         double largest = 0;
         int distances = (int) Math.ceil(skirt / DISTANCE_STEP);

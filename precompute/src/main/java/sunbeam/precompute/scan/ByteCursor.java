@@ -8,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 
 /** Sequential reader of numbers and texts in a file. Every method refuses to pass the end of the file. */
 public final class ByteCursor {
-    /** Number of bytes read from the file at once. */
     private static final int WINDOW = 8192;
 
     private final ScanBytes bytes;
@@ -23,12 +22,10 @@ public final class ByteCursor {
         this.order = order;
     }
 
-    /** Returns the offset of the next value in bytes. */
     public long position() {
         return position;
     }
 
-    /** Moves to an offset. */
     public ByteCursor at(long target) {
         bytes.requireInside(target, 0);
         position = target;
@@ -68,7 +65,7 @@ public final class ByteCursor {
         return next(Double.BYTES).getDouble();
     }
 
-    /** Reads a Latin-1 text in a field of {@code count} bytes: up to the first NUL, without blanks around it. */
+    /** Reads a Latin-1 text of {@code count} bytes: up to the first NUL, without blanks around it. */
     public String text(int count) throws IOException {
         String text = new String(bytes.read(position, count).array(), StandardCharsets.ISO_8859_1);
         position += count;
@@ -79,8 +76,7 @@ public final class ByteCursor {
     /**
      * Reads UTF-8 up to a NUL.
      *
-     * @param most largest length of the text in bytes
-     * @throws ScanException if the text is longer
+     * @throws ScanException if the text is longer than {@code most} bytes
      */
     public String textToNul(int most) throws IOException {
         ByteArrayOutputStream text = new ByteArrayOutputStream();

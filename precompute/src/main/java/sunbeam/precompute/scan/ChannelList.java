@@ -16,8 +16,7 @@ import sunbeam.precompute.text.Similar;
 public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private static final int MOST_NAMED = 12;
 
-    // Words in vendors' names of channels, lower-case: of channels without heights, with heights, and from position
-    // sensors.
+    // Words in vendors' names of channels, lower-case: without heights, with heights, from position sensors.
     private static final Pattern OTHER = Pattern.compile(
             "amplitude|deflection|error|phase|friction|lateral|adhesion|potential|current|stiffness|modulus|dissipation"
                     + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r"
@@ -31,7 +30,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         this(checked(channels), labels(channels));
     }
 
-    /** Checks the number of channels before labels are made, which takes time in proportion to its square. */
+    /** Labels take time in proportion to the square of the number of channels. */
     private static List<ScanChannel> checked(List<ScanChannel> channels) {
         if (channels.isEmpty()) {
             throw new ScanException("holds no channel with samples on a grid; export its heights again");
@@ -56,9 +55,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * Finds a channel by its label, its name (trace before retrace), its number from 1, or its label without the page number of an image.
-     *
-     * @return index of the channel; empty if there is none
+     * Finds the index of a channel by its label, its name (trace before retrace), its number from 1, or its label without the page number
+     * of an image.
      */
     public Optional<Integer> find(String name) {
         String plain = plain(name);
@@ -75,7 +73,6 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                 .min(Comparator.comparing(i -> channels.get(i).retrace()));
     }
 
-    /** Returns the label that is most similar to an unknown one. */
     public Optional<String> nearest(String name) {
         return Similar.nearest(name, labels)
                 .or(() -> labels.stream()
@@ -84,10 +81,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * Chooses the channel of the heights. It prefers a unit of length to no unit, a sensor to a voltage, trace to retrace, and then the
-     * first in the file.
-     *
-     * @return index of the channel; empty if the units and names of all channels exclude heights
+     * Returns the index of the channel of the heights: a unit of length before no unit, a sensor before a voltage, trace before retrace.
+     * Empty if units and names exclude heights.
      */
     public Optional<Integer> heights() {
         return possible()
@@ -98,7 +93,6 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                         .thenComparing(i -> channels.get(i).retrace()));
     }
 
-    /** Returns the number of channels that may hold heights by their units and names. */
     public long candidates() {
         return possible().count();
     }
@@ -142,7 +136,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     static Kind kind(String name) {
-        // Splits ZSensor and HeightTrace into two words.
+        // ZSensor and HeightTrace are two words each.
         String words = name.replaceAll("(?<=[a-z])(?=[A-Z])|(?<=Z)(?=[A-Z][a-z])", " ")
                 .replace('_', ' ')
                 .toLowerCase(Locale.ROOT);
@@ -154,8 +148,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * Returns unique labels. A label is the channel's name; " (retrace)" is added to a retrace if another channel has the same name, and
-     * the channel's number if the label is taken.
+     * Returns unique labels: the channel's name, with " (retrace)" if another channel has the same name, and with the channel's number if
+     * that label is taken.
      */
     static List<String> labels(List<ScanChannel> channels) {
         String[] labels = new String[channels.size()];

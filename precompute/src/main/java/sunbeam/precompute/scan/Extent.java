@@ -5,8 +5,8 @@ import java.util.Optional;
 /**
  * Size of the area that a channel covers.
  *
- * @param width length of the area along x, meters; empty if the file does not state it
- * @param height length of the area along y, meters; empty if the file does not state it
+ * @param width along x, meters; empty if the file does not state it
+ * @param height along y, meters; empty if the file does not state it
  * @param aspect distance between rows divided by that between columns if the file states no lengths, else 1
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
@@ -25,10 +25,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
     }
 
     /**
-     * Computes the size from the distances between samples. If the unit is no unit of length, only the aspect is known.
-     *
-     * @param pitchX distance between columns, in {@code unit}
-     * @param pitchY distance between rows, in {@code unit}
+     * Computes the size from the distances between columns and between rows. If the unit is no unit of length, only the aspect is known.
      */
     public static Extent ofPitches(double pitchX, double pitchY, String unit, Samples samples) {
         require(pitchX);

@@ -9,7 +9,7 @@ import sunbeam.precompute.text.Quoted;
 
 /** Keys and values of a text header. Exceptions about missing or malformed values name the key. */
 public final class Header {
-    /** Largest size of a text header, bytes: ten times the longest known. */
+    /** Bytes: ten times the longest text header known. */
     public static final int LARGEST = 1 << 20;
 
     private static final Pattern QUANTITY =
@@ -31,7 +31,7 @@ public final class Header {
             return Optional.of(new Quantity(Double.parseDouble(number), found.group(2)));
         }
 
-        /** Converts to meters; empty if the unit is no unit of length. A number without a unit gets {@code unitOtherwise}. */
+        /** Empty if the unit is no unit of length; a number without a unit gets {@code unitOtherwise}. */
         public Optional<Double> meters(String unitOtherwise) {
             return LengthUnit.meters(unit.isEmpty() ? unitOtherwise : unit).map(meters -> meters * value);
         }
@@ -63,16 +63,11 @@ public final class Header {
         return Optional.ofNullable(values.get(key)).filter(value -> !value.isEmpty());
     }
 
-    /** Returns a value or a default. */
     public String text(String key, String otherwise) {
         return values.getOrDefault(key, otherwise);
     }
 
-    /**
-     * Returns a positive whole number.
-     *
-     * @throws ScanException if it is missing or malformed
-     */
+    /** Returns a positive whole number; refuses another value. */
     public int count(String key) {
         double value = number(key);
         if (value != Math.rint(value) || value < 1 || value > Integer.MAX_VALUE) {
@@ -81,11 +76,7 @@ public final class Header {
         return (int) value;
     }
 
-    /**
-     * Returns a number without a unit.
-     *
-     * @throws ScanException if it is missing or malformed
-     */
+    /** Returns a number without a unit; refuses another value. */
     public double number(String key) {
         return Optional.of(quantity(key))
                 .filter(quantity -> quantity.unit().isEmpty())
@@ -93,21 +84,16 @@ public final class Header {
                 .value();
     }
 
-    /** Like {@link #number(String)}, with a default for a missing key. */
     public double number(String key, double otherwise) {
         return has(key) ? number(key) : otherwise;
     }
 
-    /**
-     * Returns a number with its unit.
-     *
-     * @throws ScanException if it is missing or malformed
-     */
+    /** Returns a number with its unit; refuses another value. */
     public Quantity quantity(String key) {
         return Quantity.of(text(key, "")).orElseThrow(() -> wrong(key));
     }
 
-    /** Returns a length in meters; empty if the value is missing or malformed, or its unit is no unit of length. */
+    /** Returns a length in meters; empty if the value is none. */
     public Optional<Double> meters(String key, String unitOtherwise) {
         return find(key).flatMap(Quantity::of).flatMap(quantity -> quantity.meters(unitOtherwise));
     }

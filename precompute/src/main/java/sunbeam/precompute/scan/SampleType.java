@@ -36,7 +36,6 @@ public enum SampleType {
         this.decoder = decoder;
     }
 
-    /** Returns bytes per sample. */
     public int size() {
         return size;
     }
@@ -47,9 +46,8 @@ public enum SampleType {
     }
 
     /**
-     * Returns the type of signed integers of a width.
+     * Returns the type of signed integers of 8, 16, 32 or 64 bits.
      *
-     * @param bits 8, 16, 32 or 64
      * @throws ScanException for another width
      */
     public static SampleType signed(int bits) {
@@ -67,7 +65,6 @@ public enum SampleType {
     /**
      * Returns the type that a code in a file stands for.
      *
-     * @param types types of the file format by their codes
      * @throws ScanException for an unknown code
      */
     public static SampleType of(Map<?, SampleType> types, Object code) {

@@ -8,15 +8,11 @@ import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 
 /**
- * Grid of samples, which are read from the file when {@link #read} is called. The other methods undo the order and the scale of
- * instruments.
+ * Grid of samples, which are read from the file when {@link #read} is called.
  *
- * @param columns samples along x, at least 1
- * @param rows samples along y, at least 1
  * @param source source of {@code rows * columns} samples row by row, row 0 the top of the scan, NaN for missing ones
  */
 public record Samples(int columns, int rows, Source source) {
-    /** Reader of all samples. */
     @FunctionalInterface
     public interface Source {
         double[] read() throws IOException;
@@ -30,9 +26,8 @@ public record Samples(int columns, int rows, Source source) {
     }
 
     /**
-     * Returns consecutive samples of a file.
+     * Returns consecutive samples of a file, from a position in bytes.
      *
-     * @param offset position of the first sample, bytes
      * @throws ScanException if the file ends before the last sample, so that a header cannot claim more samples than the file has
      */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
@@ -51,7 +46,7 @@ public record Samples(int columns, int rows, Source source) {
         return (long) columns * rows;
     }
 
-    /** Returns the samples after a change of their whole array, which the change may overwrite. */
+    /** Changes the whole array, which the change may overwrite. */
     public Samples mapAll(UnaryOperator<double[]> change) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
@@ -82,7 +77,7 @@ public record Samples(int columns, int rows, Source source) {
         return reorder(i -> i - 2 * (i % columns) + columns - 1);
     }
 
-    /** Returns the samples in another order: sample i of the result is the present sample {@code origin(i)}. */
+    /** Sample i of the result is the present sample {@code origin(i)}. */
     public Samples reorder(IntUnaryOperator origin) {
         return mapAll(samples -> {
             double[] moved = new double[samples.length];
@@ -91,7 +86,6 @@ public record Samples(int columns, int rows, Source source) {
         });
     }
 
-    /** Returns the samples in rows of another length. */
     public Samples reshape(int newColumns, int newRows) {
         return new Samples(newColumns, newRows, source);
     }

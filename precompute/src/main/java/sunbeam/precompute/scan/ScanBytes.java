@@ -13,7 +13,7 @@ import java.nio.file.StandardOpenOption;
 
 /** Random access to the bytes of a file. Reads beyond its end are refused before memory is taken. */
 public record ScanBytes(Path path, FileChannel channel, long size) implements AutoCloseable {
-    /** Largest size of a header, bytes, since it is read at once; the longest known has 100 KB. */
+    /** Bytes, since a header is read at once; the longest known has 100 KB. */
     public static final int LARGEST_HEADER = 1 << 24;
 
     private static final int STREAM_BUFFER = 1 << 18;
@@ -64,9 +64,8 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     }
 
     /**
-     * Reads bytes of a header.
+     * Reads bytes of a header into a big-endian buffer, backed by an array of exactly these bytes.
      *
-     * @return big-endian buffer, backed by an array of exactly these bytes
      * @throws ScanException if the file has fewer bytes, or they are too many for a header
      */
     public ByteBuffer read(long offset, int count) throws IOException {
@@ -83,11 +82,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return buffer.flip();
     }
 
-    /**
-     * Refuses a range outside the file.
-     *
-     * @throws ScanException that states the size of the file and the expected size
-     */
+    /** Refuses a range outside the file. */
     public void requireInside(long offset, long count) {
         if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
             throw new ScanException(
@@ -103,7 +98,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return new ByteCursor(this, offset, order);
     }
 
-    /** Opens a stream from a position to the end; it is valid until the next call of this method, which moves the same file channel. */
+    /** Opens a stream from a position to the end, valid until the next call, which moves the same file channel. */
     public InputStream stream(long offset) throws IOException {
         requireInside(offset, 0);
         channel.position(offset);

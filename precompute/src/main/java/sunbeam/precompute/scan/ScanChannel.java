@@ -5,9 +5,7 @@ import java.util.Optional;
 /**
  * One channel of a scan.
  *
- * @param name name in the file; may be empty
- * @param retrace true if the channel was recorded while the tip moved backward
- * @param samples samples in {@code unit}
+ * @param retrace whether the tip moved backward
  * @param unit unit of the samples as written in the file; empty if the file does not state it
  */
 public record ScanChannel(String name, boolean retrace, Samples samples, Extent extent, String unit) {
@@ -19,7 +17,6 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         unit = unit.strip();
     }
 
-    /** Creates a channel of a file without scan directions. */
     public ScanChannel(String name, Samples samples, Extent extent, String unit) {
         this(name, false, samples, extent, unit);
     }
@@ -36,7 +33,7 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         return samples.rows();
     }
 
-    /** Returns meters per unit; empty if the unit is unknown or no unit of length. */
+    /** Empty if the unit is unknown or no unit of length. */
     public Optional<Double> metersPerUnit() {
         return LengthUnit.meters(unit);
     }

@@ -4,17 +4,14 @@ import sunbeam.precompute.text.Text;
 
 /** Limits of the size of scans, checked from a file's header before memory is taken. */
 public final class ScanLimits {
-    /** Longest side in samples: three times the longest that the software of force microscopes writes. */
+    /** Samples: three times the longest side that the software of force microscopes writes. */
     public static final int LONGEST_SIDE = 16_384;
-    /** Largest number of samples of a channel: 8192 x 8192, whose heights take half a gigabyte. */
+    /** 8192 x 8192, whose heights take half a gigabyte. */
     public static final long MOST_SAMPLES = 1L << 26;
-    /** Largest number of channels of a file: five times as many as any instrument records at once. */
+    /** Five times as many as any instrument records at once. */
     public static final int MOST_CHANNELS = 256;
 
-    /**
-     * Memory per height: leveling holds two arrays of heights, and the gaps that arrays of this size leave in the heap take as much as a
-     * third.
-     */
+    /** Leveling holds two arrays of heights, and the gaps that these leave in the heap take as much as a third. */
     private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ScanLimits() {}
@@ -37,9 +34,7 @@ public final class ScanLimits {
     /**
      * Refuses scans that the heap cannot hold while they are read and leveled.
      *
-     * @param samples at most {@link #MOST_SAMPLES}
      * @param otherBytes memory for reading, besides the heights
-     * @throws ScanException that states both sizes
      */
     public static void requireMemory(long samples, long otherBytes) {
         long needed = samples * BYTES_PER_HEIGHT + otherBytes;

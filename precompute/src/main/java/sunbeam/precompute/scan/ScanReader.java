@@ -7,8 +7,6 @@ import java.util.List;
  * Reader of one file format; {@code scan.format.ScanFormats} lists all.
  *
  * @param format name for messages, such as "Gwyddion (.gwy)"
- * @param check test of a file's content
- * @param opener reader of the channels
  */
 public record ScanReader(String format, Check check, Opener opener) {
     /** Fast test whether a file has a format; it throws no exception for any content. */

@@ -10,18 +10,18 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Generators of the built-in patches, by name. All are periodic, and equal on every run. Parameters and their sources: docs/guide.md. */
 public final class BuiltInPatches {
-    /** Period of the gratings, as in the thesis, meters. */
+    /** Meters, as in the thesis. */
     private static final double PERIOD = 2.5e-6;
-    /** Samples per period; enough that the visible orders (up to 13 for 2.5 um and 380 nm) have no aliases. */
+    /** The visible orders (up to 13 for 2.5 um and 380 nm) have no aliases. */
     private static final int COLUMNS = 128;
-    /** Number of rows, which are equal and 78 nm apart: finer than a quarter of 380 nm. */
+    /** Rows are equal and 78 nm apart, finer than a quarter of 380 nm. */
     private static final int ROWS = 32;
 
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
 
     static {
-        // A sawtooth of 250 nm that rises towards +x and sends light towards -x: order m has the power sinc^2(k w H /
-        // (2 pi) - m), w = -2 near the normal.
+        // Rises towards +x, so that light goes towards -x: order m has the power sinc^2(k w H / (2 pi) - m), w = -2
+        // near the normal.
         GENERATORS.put("blaze", () -> grating(x -> 250e-9 * x));
         // Order m has the power J_m(k w amplitude)^2.
         GENERATORS.put("sinusoid", () -> grating(x -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * x)));
@@ -41,11 +41,7 @@ public final class BuiltInPatches {
         return List.copyOf(GENERATORS.keySet());
     }
 
-    /**
-     * Generates a patch; heights in meters, not leveled.
-     *
-     * @throws IllegalArgumentException for an unknown name
-     */
+    /** Generates a patch of this name; heights in meters, not leveled. */
     public static HeightMap generate(String name) {
         Supplier<HeightMap> generator = GENERATORS.get(name);
         if (generator == null) {
@@ -54,7 +50,7 @@ public final class BuiltInPatches {
         return generator.get();
     }
 
-    /** Samples one period of a profile over x in 0..1 at the middle of each interval. */
+    /** Samples the profile, over x in 0..1, at the middle of each interval. */
     private static HeightMap grating(DoubleUnaryOperator profile) {
         double[] heights = new double[ROWS * COLUMNS];
         Arrays.setAll(heights, i -> profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS));

@@ -6,8 +6,8 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y, on which pits and lands alternate, each 3 to 11 channel
- * bits long. Their lengths n are random, with probabilities proportional to 0.7^n, in place of coded data. Tracks hold different data, so
- * the surface is regular across the tracks and random along them.
+ * bits long, with random lengths n of probabilities proportional to 0.7^n in place of coded data. The surface is regular across the tracks
+ * and random along them.
  */
 final class CompactDisc {
     private static final int TRACKS = 32;
@@ -17,7 +17,7 @@ final class CompactDisc {
     private static final int SAMPLES = 1024;
 
     private static final double PITCH = SIDE / SAMPLES;
-    /** Channel bits per track: 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
+    /** 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
     private static final int CHANNEL_BITS = 184;
     /** Width of a pit at half depth, meters. */
     private static final double PIT_WIDTH = 500e-9;
@@ -26,7 +26,7 @@ final class CompactDisc {
     /** Width of the walls, whose profile is a cosine, meters. */
     private static final double WALL_WIDTH = 150e-9;
 
-    // Shortest and longest pit or land, channel bits.
+    // Channel bits.
     private static final int SHORTEST_RUN = 3;
     private static final int LONGEST_RUN = 11;
     private static final double RUN_RATIO = 0.7;
@@ -34,7 +34,6 @@ final class CompactDisc {
 
     private CompactDisc() {}
 
-    /** Generates the patch: lands at height 0, pits below. */
     static HeightMap generate() {
         SeededNoise noise = new SeededNoise(SEED);
         double[] heights = new double[SAMPLES * SAMPLES];
@@ -53,7 +52,7 @@ final class CompactDisc {
         return HeightMap.owning(SAMPLES, SAMPLES, PITCH, PITCH, heights);
     }
 
-    /** Draws random lengths of pits and lands in turn, in channel bits, that fill the track exactly, so that it is periodic. */
+    /** Lengths of pits and lands in turn, in channel bits, fill the track exactly, so that it is periodic. */
     private static List<Integer> runs(SeededNoise noise) {
         List<Integer> runs = new ArrayList<>();
         int sum = 0;
@@ -78,9 +77,7 @@ final class CompactDisc {
         return run;
     }
 
-    /**
-     * Sinks one pit, a bar with round ends. It begins at row position {@code start} and wraps around the patch. All lengths are in meters.
-     */
+    /** Sinks a bar with round ends, which wraps around the patch; meters. */
     private static void sink(double[] heights, double center, double start, double length) {
         double reach = (PIT_WIDTH + WALL_WIDTH) / 2;
         double middle = start + length / 2;
@@ -99,7 +96,7 @@ final class CompactDisc {
         }
     }
 
-    /** Returns the relative depth at a signed distance in meters from the contour of half depth. */
+    /** Relative depth at a signed distance in meters from the contour of half depth. */
     private static double depthAt(double outside) {
         double z = Math.max(-1, Math.min(1, 2 * outside / WALL_WIDTH));
         return (1 - StrictMath.sin(StrictMath.PI / 2 * z)) / 2;

@@ -1,9 +1,6 @@
 package sunbeam.precompute.patch.builtin;
 
-/**
- * One row of a {@link FingerSkin}, tabulated along x over one period of the patch. A {@code place} is a fractional index into the tables,
- * which are interpolated linearly.
- */
+/** One row of a {@link FingerSkin}, tabulated along x over one period. A {@code place} is a fractional index into the tables. */
 final class FingerRow {
     private final double[] line;
     private final double[] phi;
@@ -16,8 +13,6 @@ final class FingerRow {
      * @param tips distance of each tip below the row's line, meters
      * @param lifts random offset of the height of each finger, meters
      * @param line distance from the patch's top to the row's line, meters, one per table entry
-     * @param side period in meters
-     * @param shape shape of the fingers
      */
     FingerRow(double[] centers, double[] tips, double[] lifts, double[] line, double side, FingerShape shape) {
         int size = line.length;
@@ -52,12 +47,10 @@ final class FingerRow {
         return at(phi, place);
     }
 
-    /** Returns the random offset of heights, meters. */
     double lift(double place) {
         return at(lift, place);
     }
 
-    /** Returns {@link FingerShape#edge} at a place. */
     double edge(double place) {
         return at(edge, place);
     }
@@ -74,15 +67,11 @@ final class FingerRow {
         return (1 - part) * table[left % size] + part * table[(left + 1) % size];
     }
 
-    /** Returns the periodic distance from one x to another on its right. */
     private static double distance(double from, double to, double side) {
         return to < from ? to - from + side : to - from;
     }
 
-    /**
-     * Returns the absolute slopes of a table, per meter: at each entry the larger of the slopes to both neighbors, so that no slope is 0 at
-     * a ridge or notch.
-     */
+    /** Returns at each entry the larger of the slopes to both neighbors, so that no slope is 0 at a ridge or notch. */
     private static double[] slope(double[] values, double side) {
         int size = values.length;
         double[] slope = new double[size];

@@ -4,8 +4,8 @@ package sunbeam.precompute.patch.builtin;
  * Shape of the plate of a row of fingers. Its upper edge is toothed; it lies on the plate of the row above and dives under the row below.
  * Heights are in meters above the mean surface.
  *
- * <p>With t = 0 at the tips and t = 1 where the next row begins, and phi = 0 on a finger's ridge and 1 midway to its neighbor, the edge is
- * at t = length (1 - (1 - phi^tipExponent)^baseExponent).
+ * <p>Let t be 0 at the tips and 1 where the next row begins, phi 0 on a finger's ridge and 1 midway to its neighbor. The edge is at t =
+ * length (1 - (1 - phi^tipExponent)^baseExponent).
  *
  * @param length distance from the tips to the bottom of the notches between them, as a fraction of the rows' distance
  * @param tipExponent exponent; small: pointed tips; large: blunt ones
@@ -52,12 +52,11 @@ record FingerShape(
         return notchDepth * Math.exp(-Math.max(0, distance) / notchLength);
     }
 
-    /** Returns the position t / length of the edge, for phi in [0, 1]. */
     double edge(double phi) {
         return 1 - Math.pow(1 - Math.pow(phi, tipExponent), baseExponent);
     }
 
-    /** Returns half the width of a finger, as a value of phi, at a position t / length of 0 or more: the inverse of {@link #edge}. */
+    /** Inverse of {@link #edge}: half the width of a finger, as a value of phi. */
     private double halfWidth(double position) {
         return position >= 1
                 ? 1

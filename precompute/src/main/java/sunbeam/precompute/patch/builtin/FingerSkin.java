@@ -4,13 +4,10 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Model of shed snake skin: overlapping rows of fingers on gently wavy ground, as in atomic force microscopy of Elaphe and Xenopeltis.
+ * Model of shed snake skin: overlapping rows of fingers on gently wavy ground, as in atomic force microscopy.
  *
- * @param layout positions of the fingers
- * @param shape shape of a finger
  * @param wavinessExponent the ground's power spectral density falls as frequency to minus this power
  * @param grain fine roughness, root mean square in meters
- * @param seed seed of all random numbers
  */
 record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, double grain, long seed) {
     /** Elaphe guttata: long pointed fingers in columns that run on over many rows, so colors lie along x only. */
@@ -80,29 +77,25 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             2);
 
     private static final double SIDE = 65e-6;
-    /** Samples per side: a power of two for the Fourier transforms; 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
+    /** 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
     private static final int SAMPLES = 1024;
 
     /** Waviness of the ground, root mean square in meters. */
     private static final double WAVINESS = 34e-9;
-    /** Largest number of periods of the waviness along the side. */
+    /** Periods along the side. */
     private static final int WAVINESS_MODES = 24;
     /** Standard deviation of the Gaussian that smooths the grain, meters. */
     private static final double GRAIN_LENGTH = 60e-9;
 
-    /** Table entries per sample: 16 nm apart, interpolated linearly. */
+    /** Table entries per sample, 16 nm apart. */
     private static final int OVERSAMPLING = 4;
 
-    /**
-     * Half the width of an edge's transition, in standard deviations of the edge. The transition begins near the line of the tips, so
-     * that the height has hardly a step there.
-     */
+    /** Half the width of an edge's transition, in its standard deviations. */
     private static final double EDGE_MARGIN = 2.5;
 
     /** Least distance between rows, relative to the mean distance. */
     private static final double CLOSEST = 0.35;
 
-    /** Generates the patch, heights in meters about 0. */
     public HeightMap generate() {
         SeededNoise noise = new SeededNoise(seed);
         FingerRow[] rows = layout.place(shape, SIDE, OVERSAMPLING * SAMPLES, noise);
@@ -162,7 +155,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
 
     /**
      * Returns the distances of the rows' lines from the patch's top at one table index, over two periods, in meters. Lines that come too
-     * close are moved apart, so that the rows stay in order.
+     * close are moved apart.
      */
     private double[] lines(int place, FingerRow[] rows) {
         int count = rows.length;
@@ -202,7 +195,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return height;
     }
 
-    /** Returns the coverage by the upper plate: 0 above its edge, 1 below the edge, with a smooth transition. */
+    /** 0 above the upper plate's edge, 1 below it. */
     private double cover(FingerRow row, double place, double down, double length) {
         double margin = EDGE_MARGIN * shape.edgeWidth();
         double finger = shape.length() * length - 2 * margin;

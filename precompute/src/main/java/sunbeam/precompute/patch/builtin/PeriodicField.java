@@ -8,13 +8,11 @@ final class PeriodicField {
     private PeriodicField() {}
 
     /**
-     * Generates a smooth field of mean 0: a sum of plane waves with integer numbers of periods (p, q) along the sides, random phases, and a
-     * power spectral density that falls as a power of sqrt(p^2 + q^2) within an ellipse.
+     * Generates a smooth field of mean 0: a sum of plane waves with integer numbers of periods (p, q) along the sides and random phases.
+     * The power spectral density falls as frequency to minus {@code exponent} within an ellipse.
      *
      * @param rms root mean square of the field, in any unit
-     * @param exponent the density falls as frequency to minus this power
      * @param modesX most periods along the first axis, at least 1 and below {@code columns / 2}
-     * @param modesY most periods along the second axis, at least 1 and below {@code rows / 2}
      */
     static double[] powerLaw(
             int columns, int rows, double rms, double exponent, int modesX, int modesY, SeededNoise noise) {
@@ -41,10 +39,7 @@ final class PeriodicField {
         return scaledToRms(sumOverRows(real, imaginary, rows), rms);
     }
 
-    /**
-     * Sums the waves over q, after the caller summed them over p for each column: this takes rows * columns * modesY steps, instead of rows
-     * * columns times the number of waves.
-     */
+    /** Takes rows * columns * modesY steps, since the caller summed over p for each column. */
     private static double[] sumOverRows(double[][] real, double[][] imaginary, int rows) {
         int columns = real[0].length;
         double[][] circle = circle(rows);
@@ -85,12 +80,7 @@ final class PeriodicField {
         return field;
     }
 
-    /**
-     * Generates grain: white noise, smoothed with a Gaussian, of standard deviation 1.
-     *
-     * @param samples samples along each side
-     * @param sigma standard deviation of the Gaussian, in samples
-     */
+    /** Generates white noise, smoothed with a Gaussian of sigma samples, of standard deviation 1. */
     static double[] grain(int samples, double sigma, SeededNoise noise) {
         double[] grains = new double[samples * samples];
         Arrays.setAll(grains, i -> noise.normal());
@@ -116,9 +106,7 @@ final class PeriodicField {
      * Convolves all lines along one axis with a symmetric kernel, periodically.
      *
      * @param kernel half of the kernel, from its center
-     * @param size number of lines, and of values on each
      * @param step index distance between neighbors on a line
-     * @param lineStep index distance between lines
      */
     private static double[] smoothed(double[] values, double[] kernel, int size, int step, int lineStep) {
         int reach = kernel.length - 1;

@@ -6,9 +6,8 @@ import sunbeam.precompute.optics.HeightMap;
  * Flat bumps of the size that Stam chose (Diffraction Shaders, SIGGRAPH 1999), 0.15 um high, 0.5 um along x, 1 um along y, at independent,
  * uniformly random positions (shot noise). Heights of overlapping bumps add up. Bumps align with samples and wrap around the patch's edge.
  *
- * <p>The expected power spectrum has a closed form. Let p(s) = exp(i k w h(s)) be the phase factor, N the number of bumps of area a on a
- * patch of area A, t = k w HEIGHT, c = 1 - cos t, and g(r) the area of the intersection of a bump with itself shifted by r. The expected
- * autocorrelation of p is
+ * <p>Let p(s) = exp(i k w h(s)) be the phase factor, N the number of bumps of area a on a patch of area A, t = k w HEIGHT, c = 1 - cos t.
+ * Let g(r) be the area of the intersection of a bump with itself shifted by r. The expected autocorrelation of p is
  *
  * <pre> mean of p(s) p*(s + r) = (1 - 2 c (a - g(r)) / A)^N
  * </pre>
@@ -21,20 +20,19 @@ final class RandomBumps {
     static final double HEIGHT = 150e-9;
 
     static final double PITCH = 62.5e-9;
-    /** Samples of a bump along x. */
+    /** Samples of a bump along x and along y. */
     static final int COLUMNS = 8;
-    /** Samples of a bump along y. */
+
     static final int ROWS = 16;
 
     private static final int SAMPLES = 1024;
-    /** Number of bumps; their areas add up to an eighth of the patch's. */
+    /** Their areas add up to an eighth of the patch's. */
     private static final int BUMPS = 1024;
 
     private static final int SEED = 5;
 
     private RandomBumps() {}
 
-    /** Generates the built-in patch, 64 um along each side. */
     static HeightMap generate() {
         return generate(SAMPLES, BUMPS, SEED);
     }

@@ -11,8 +11,8 @@ import java.util.Arrays;
  * @param fingerSpread standard deviation of the distance between neighboring fingers of a row, as a fraction of its mean; deviations add up
  *     along the row, so order is lost over long distances
  * @param coherenceRows number of rows (standard deviation of a Gaussian) over which columns of fingers continue; 0 makes the rows
- *     independent, each with a random offset and a number of fingers that varies by {@code countSpread}
- * @param countSpread standard deviation of the number of fingers between rows; only for {@code coherenceRows} 0
+ *     independent, each with a random offset
+ * @param countSpread standard deviation of the number of fingers between independent rows
  * @param wander root mean square in meters of the common meander of the rows' lines
  * @param wanderModesX largest number of periods of the meander along x
  * @param wanderModesY largest number of periods of the meander along y; few keep neighboring rows parallel
@@ -33,13 +33,10 @@ record RowLayout(
         double tipSpread,
         double heightSpread,
         double lean) {
-    /** The meander's power spectral density falls with the square of the frequency: slopes are equal on all scales. */
+    /** The density falls with the square of the frequency: slopes are equal on all scales. */
     private static final double WANDER_EXPONENT = 2;
 
-    /**
-     * @param side period, meters
-     * @param places number of entries of a row's tables
-     */
+    /** @param places number of entries of a row's tables */
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
         double[] starts = intervalStarts(normals(rows, rowSpread, noise), side);
         int modesDown = Math.min(wanderModesY, (rows - 1) / 2);
@@ -85,7 +82,7 @@ record RowLayout(
         return centers;
     }
 
-    /** Returns the mean deviation from a regular lattice, meters. If it were not subtracted, the first column would be straight. */
+    /** If it were not subtracted, the first column would be straight. */
     private static double meanDeviation(double[] positions, double side) {
         double sum = 0;
         for (int i = 0; i < positions.length; i++) {
@@ -94,7 +91,7 @@ record RowLayout(
         return sum / positions.length;
     }
 
-    /** Returns starts of intervals that fill the side and whose lengths deviate from their mean by the given fractions. */
+    /** Intervals fill the side; their lengths deviate from their mean by the given fractions. */
     private static double[] intervalStarts(double[] deviations, double side) {
         int count = deviations.length;
         double[] lengths = new double[count];
@@ -126,7 +123,7 @@ record RowLayout(
         return values;
     }
 
-    /** Averages over neighboring rows with periodic Gaussian weights, and restores the standard deviation. */
+    /** Restores the standard deviation after averaging. */
     private static double[][] smoothedOverRows(double[][] values, double sigma) {
         int rows = values.length;
         double[][] smooth = new double[rows][values[0].length];

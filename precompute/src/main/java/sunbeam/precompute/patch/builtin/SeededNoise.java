@@ -18,7 +18,7 @@ final class SeededNoise {
         return random.nextDouble();
     }
 
-    /** Returns a normal deviate of mean 0 and standard deviation 1. */
+    /** Returns a deviate of mean 0 and standard deviation 1. */
     double normal() {
         double radius = StrictMath.sqrt(-2 * StrictMath.log(1 - random.nextDouble()));
         return radius * StrictMath.cos(2 * StrictMath.PI * random.nextDouble());

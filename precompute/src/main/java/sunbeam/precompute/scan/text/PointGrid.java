@@ -7,15 +7,15 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Grid on which points x y z lie, which a file lists in any order; a cell without a point is a missing sample.
+ * Grid on which points x y z lie, which a file lists in any order.
  *
  * @param axisY axis of the rows; row 0 has the largest y
- * @param heights heights row by row, NaN for missing samples
+ * @param heights heights row by row, NaN for cells without a point
  */
 record PointGrid(Axis axisX, Axis axisY, double[] heights) {
     /**
-     * Largest distance of a coordinate from its grid line, in pitches; files round coordinates to a few digits. Coordinates that differ by
-     * less than twice this share of the largest gap between neighbors belong to one grid line.
+     * In pitches: files round coordinates to a few digits. Coordinates that differ by less than twice this share of the largest gap belong
+     * to one grid line.
      */
     private static final double MOST_OFF = 0.05;
 
@@ -28,7 +28,7 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
             return (int) Math.round((coordinate - first) / pitch);
         }
 
-        /** Fits an axis to coordinates in any order; empty if they are not equidistant or all equal. Takes O(n log n). */
+        /** Fits an axis to coordinates in any order; empty if they are not equidistant or all equal. */
         static Optional<Axis> of(double[] coordinates) {
             double[] sorted = coordinates.clone();
             Arrays.sort(sorted);
@@ -56,7 +56,7 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
     }
 
     /**
-     * Fits a grid to points; empty if they lie on no grid.
+     * Fits a grid to points; empty if they lie on none.
      *
      * @throws ScanException if two points share a cell
      */

@@ -9,13 +9,7 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
 
-/**
- * Facts that a text's header states about its numbers, under the keys that Gwyddion, SPIP, Park's XEI and WSxM write.
- *
- * @param channel name of the channel; empty if unknown
- * @param columns numbers per row; empty if unknown
- * @param unit unit of the numbers as written; empty if unknown
- */
+/** Facts that a text's header states about its numbers, under the keys that Gwyddion, SPIP, Park's XEI and WSxM write; empty if unknown. */
 record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
     private static final Pattern LINE = Pattern.compile("[#%;*/\\s\"]*([^:=]{1,60}?)\\s*[:=]\\s*(.{0,200}?)[\\s\"]*");
 
@@ -60,7 +54,7 @@ record TextFacts(String channel, Optional<Integer> columns, Optional<Integer> ro
                 unit.orElse(""));
     }
 
-    /** Reads Gwyddion's four lines by their order (channel, width, height, unit), since their keys are in the user's language. */
+    /** Gwyddion's four lines (channel, width, height, unit) have keys in the user's language. */
     private static Optional<TextFacts> inOrder(List<String> values) {
         if (values.size() != 4) {
             return Optional.empty();

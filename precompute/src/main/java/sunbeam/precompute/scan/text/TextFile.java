@@ -23,10 +23,10 @@ import sunbeam.precompute.scan.ScanLimits;
  * @param charset UTF-16 if the file begins with its byte order mark, UTF-8 if the first bytes are valid in it, else Latin-1, which
  *     instruments still write
  * @param header lines before the first line of numbers
- * @param decimalComma true if 1,5 is one and a half
+ * @param decimalComma whether 1,5 is one and a half
  */
 record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
-    /** Number of bytes within which the first line of numbers must begin. */
+    /** The first line of numbers must begin within this many bytes. */
     private static final int LONGEST_HEADER = 1 << 18;
 
     private static final Pattern NUMBER =
@@ -38,10 +38,9 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
 
     /**
-     * Recognizes a text; empty if the file is no text, or has no line of numbers in its first 256 KB.
+     * Recognizes a text; empty if the file has no line of numbers in its first 256 KB.
      *
-     * @param mark the user's choice. Without a choice, commas are decimal marks if something else separates numbers and no number has a
-     *     point
+     * @param mark the user's choice; without one, commas are decimal marks if something else separates numbers and no number has a point
      */
     static Optional<TextFile> of(ScanBytes file, Optional<DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);

@@ -13,11 +13,10 @@ import sunbeam.precompute.text.Quoted;
  * is a missing sample.
  */
 public final class TextNumbers {
-    /** Words for a missing sample. */
     private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
 
     private static final int FIRST_CAPACITY = 1 << 12;
-    /** Largest count of numbers: three for each point of the largest grid. */
+    /** Three for each point of the largest grid. */
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
 
     private static final int LONGEST_WORD = 100;
@@ -34,9 +33,8 @@ public final class TextNumbers {
     }
 
     /**
-     * Reads numbers; memory grows with their count.
+     * Reads numbers.
      *
-     * @param in reader at the start of a line
      * @param line number of the first line, for messages
      * @param most count after which reading stops
      * @throws ScanException if there are too many numbers, or a word that is no number
@@ -69,7 +67,6 @@ public final class TextNumbers {
                     end++;
                 }
                 add(parse(text.substring(i, end), line));
-                // Skip the separator after the number.
                 i = end < text.length() && isSeparator(text.charAt(end)) ? end + 1 : end;
                 separated = i > end;
             }
@@ -127,12 +124,10 @@ public final class TextNumbers {
         return count;
     }
 
-    /** Returns the count of numbers in the first line. */
     int columns() {
         return columns;
     }
 
-    /** Returns the count of lines with numbers. */
     int rows() {
         return rows;
     }
@@ -148,11 +143,7 @@ public final class TextNumbers {
         }
     }
 
-    /**
-     * Returns the first numbers.
-     *
-     * @throws ScanException if there are fewer
-     */
+    /** Returns the first numbers; refuses fewer. */
     public double[] first(int wanted) {
         if (wanted > count) {
             throw new ScanException(

@@ -20,12 +20,12 @@ import sunbeam.precompute.scan.ScanException;
 public record TextReader(Optional<DecimalMark> decimalMark) {
     /** Numbers per point: x, y, z. */
     private static final int POINT = 3;
-    /** Least number of lines with three numbers that must be points; fewer that form no grid may be a matrix of three columns. */
+    /** This many lines with three numbers must be points; fewer may be a matrix of three columns. */
     private static final int SURELY_POINTS = 16;
 
-    /** Least number of evenly spaced numbers that count as coordinates; fewer may be heights. */
+    /** This many evenly spaced numbers count as coordinates; fewer may be heights. */
     private static final int FEWEST_EVENLY_SPACED = 8;
-    // Tolerance of evenly spaced numbers, as a share of their step: files round them.
+    // As a share of the step: files round numbers.
     private static final double ROUNDING = 0.2;
 
     private static final Pattern AXES = Pattern.compile(
@@ -73,16 +73,13 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         return new ScanChannel(facts.channel(), samples, facts.extent(), facts.unit());
     }
 
-    /**
-     * Refuses profiles. Refuses a first column or row of evenly spaced numbers if the next one is not: these are coordinates or row numbers
-     * that were exported with the heights.
-     */
+    /** Refuses profiles, and a first column or row of evenly spaced numbers beside others: coordinates or row numbers. */
     private static void refuseCoordinates(double[] heights, int columns, int rows) {
         if (columns == 2 && rows > 2) {
             throw new ScanException(
                     "has two columns, places and heights: a profile is no surface; export the whole image");
         }
-        // The number in the corner, where the first column and row meet, is left out.
+        // The corner, where the first column and row meet, is left out.
         if (columns > 1
                 && isEvenlySpaced(heights, columns, columns, rows - 1)
                 && !isEvenlySpaced(heights, columns + 1, columns, rows - 1)) {
