@@ -16,8 +16,8 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Light that the scalar model sends into all orders of a surface, relative to the light that a mirror of the same material reflects. The
- * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2, the integral of the BRDF over the order
- * without Schlick's factor (docs/theory.md).
+ * order of DFT bin F_j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(w)|^2. This is the integral of the BRDF over the
+ * order without Schlick's factor (docs/theory.md).
  *
  * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
  * @param wavelength meters
@@ -26,7 +26,7 @@ public record EnergyBalance(double ratio, double wavelength) {
     /** Ratio above which {@link #warning} reports a surface. */
     public static final double LARGEST = 1.05;
 
-    // Of a larger scan, the middle is evaluated.
+    // Samples along a side; a larger scan is evaluated in its middle.
     private static final int MOST_SAMPLES = 256;
     // With more orders than this, orders of similar w share a transform at their mean w.
     private static final int MOST_TRANSFORMS = 8;

@@ -32,7 +32,7 @@ final class PeriodModel {
     private static final double FINITE = 0.01;
     // Largest distance of a wave in a part of the scan, as a share of the frequency.
     private static final double NEAR = 0.3;
-    // What makes a part deviate also biases the whole.
+    // A cause that makes a part deviate also biases the whole.
     private static final double BEYOND = 1.3;
     // Minimum WaveSearch.sharpness of a sharp line, and of a line that is one of a few equally strong speckles.
     private static final double SHARP = 0.5;
@@ -40,16 +40,15 @@ final class PeriodModel {
     private static final int MOST_TILES = 4;
     // Prominence. Isotropic noise stays below; rows of fingers of a snake's skin have 16 to 30, gratings 50 and more.
     private static final double LEAST_PROMINENCE = 12;
-    // Of straight lines, which have fewer independent samples: noise along one axis reaches 16, once in 600 surfaces
-    // 23.
+    // Straight lines have fewer independent samples: noise along one axis reaches 16, once in 600 surfaces 23.
     private static final double LEAST_OF_STRAIGHT = 20;
-    // Of a line with few periods, which overlaps its neighborhood: the prominence of noise reaches 5, that of three
-    // trenches is 6 or more.
+    // A line with few periods overlaps its neighborhood: the prominence of noise reaches 5, that of three trenches is 6
+    // or more.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
     // Share of the variance: stretched noise reaches 0.45, gratings of 3.2 periods or more have 0.7.
     private static final double STRAIGHT = 0.55;
-    // Of lines with too few samples per period, and of uneven lines that are not straight.
+    // Prominence of lines with too few samples per period, and of uneven lines that are not straight.
     private static final double WITHOUT_LINES = 60;
     // Bins of distance across the lines, per period.
     private static final int BINS_PER_PERIOD = 12;

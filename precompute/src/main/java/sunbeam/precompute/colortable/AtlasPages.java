@@ -11,8 +11,8 @@ import sunbeam.precompute.shader.TableArray;
 
 /**
  * Atlas pages and page table, as in shaders/include/color_table.glsl. Pages lie side by side in layers of texels, in the order in which
- * tiles are added. For each tile of the grids, added or not, the page table has its page number plus one (0 without a page), and the same
- * for the tile at its column and row in the next slice. Not thread-safe.
+ * tiles are added. The page table has two numbers for each tile of the grids: its page number plus one (0 without a page), and the same for
+ * the tile at its column and row in the next slice. Not thread-safe.
  */
 public final class AtlasPages {
     /** Texels along a layer's side: a power of two, so that texture coordinates are exact. */

@@ -8,7 +8,7 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /**
  * Color table with mip levels, each averaged over wider footprints in (u, v) than the one before. The ensemble average under a Gaussian
- * window is a sum of Gaussians in frequency, and its mean over a Gaussian footprint a sum of wider Gaussians, those of a shorter window. So
+ * window is a sum of Gaussians in frequency. Its mean over a Gaussian footprint is a sum of wider Gaussians, those of a shorter window. So
  * a coarse level is evaluated at its own few texels under a shorter window, not averaged from a fine level (docs/color-tables.md). Level 0
  * is for points, as in maps and lists.
  *

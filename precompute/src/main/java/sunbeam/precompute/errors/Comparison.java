@@ -6,27 +6,22 @@ import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.plan.ErrorBudget;
 
 /**
- * Computed and exact value at one sample (a direction pair).
+ * Computed and exact X, Y, Z, or power, of one pair of directions.
  *
- * @param computed X, Y, Z, or a single power
- * @param exact the reference's values, as many as computed
- * @param gain factor from power to radiance that both values include
+ * @param gain factor from power to radiance that both include
  */
 public record Comparison(double[] computed, double[] exact, double gain) {
     /** Limit of a power, or of the largest of X, Y, Z of power, below which relative errors are meaningless. */
     public static final double FLOOR = ErrorBudget.DARKEST_POWER;
 
-    /** Returns the comparison of two powers, without a gain. */
     public static Comparison ofPower(double computed, double exact) {
         return new Comparison(new double[] {computed}, new double[] {exact}, 1);
     }
 
-    /** Returns X, Y and Z of one sample from an array with three values per sample. */
     public static double[] xyz(float[] values, int place) {
         return new double[] {values[3 * place], values[3 * place + 1], values[3 * place + 2]};
     }
 
-    /** Returns the largest of X, Y and Z. */
     public static double largest(double[] values) {
         double result = values[0];
         for (double value : values) {
@@ -40,16 +35,13 @@ public record Comparison(double[] computed, double[] exact, double gain) {
         return largest(xyz) > FLOOR;
     }
 
-    /** True if either value without the gain exceeds {@link #FLOOR}, or is NaN. The gain is infinite at the horizon. */
+    /** True if either value without the gain, which is infinite at the horizon, exceeds {@link #FLOOR}, or is NaN. */
     public boolean bright() {
         // The negation makes a NaN bright.
         return !(Math.max(largest(computed), largest(exact)) <= FLOOR * gain);
     }
 
-    /**
-     * Returns the largest difference in X, Y or Z over the largest exact value of the three, so that a nearly dark channel does not
-     * dominate. For dark exact values, the floor is the divisor.
-     */
+    /** Returns the largest difference over the largest exact value, so that a nearly dark channel does not dominate. */
     public double relative() {
         double difference = 0;
         for (int c = 0; c < exact.length; c++) {
@@ -67,7 +59,6 @@ public record Comparison(double[] computed, double[] exact, double gain) {
         return CieLab.ofXyz(exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]);
     }
 
-    /** Returns statistics of the relative errors of bright samples. */
     public static ErrorStatistics relative(List<Comparison> compared) {
         return ErrorStatistics.of(compared.stream()
                 .filter(Comparison::bright)

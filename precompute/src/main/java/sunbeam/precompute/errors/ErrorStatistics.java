@@ -4,22 +4,13 @@ import java.util.Arrays;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
-/**
- * Statistics of a set of errors; all but the count are NaN for an empty set.
- *
- * @param count number of errors
- * @param median 50th percentile
- * @param percentile95 95th percentile
- * @param percentile98 98th percentile
- * @param maximum largest error
- * @param mean mean error
- */
+/** Statistics of a set of errors; all but the count are NaN for an empty set. */
 public record ErrorStatistics(
         int count, double median, double percentile95, double percentile98, double maximum, double mean) {
     /** Tolerances that the 95th percentile may have. */
     public static final double PROMISED_PERCENTILE = 3;
 
-    /** Computes the statistics of errors in any order; a NaN counts as an infinite error. */
+    /** A NaN counts as an infinite error. */
     public static ErrorStatistics of(double... errors) {
         double[] counted = Arrays.stream(errors)
                 .map(error -> Double.isNaN(error) ? Double.POSITIVE_INFINITY : error)
@@ -33,17 +24,14 @@ public record ErrorStatistics(
                 Arrays.stream(counted).average().orElse(Double.NaN));
     }
 
-    /**
-     * True if the median is within a tolerance and the 95th percentile within {@link #PROMISED_PERCENTILE} times it, or if there are no
-     * errors.
-     */
+    /** True if the median is within a tolerance and the 95th percentile within {@link #PROMISED_PERCENTILE} times it. */
     public boolean keep(double tolerance) {
         return count == 0 || (median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance);
     }
 
     /**
-     * Returns a warning, to append to a sentence, if there are too few errors for the 95th percentile, else an empty text. The chance that
-     * all of n random errors lie below the true 95th percentile is 0.95^n.
+     * Returns the end of a sentence if there are too few errors for the 95th percentile: the chance that all of n random errors lie below
+     * the true one is 0.95^n.
      */
     public String doubt() {
         double chance = Math.pow(0.95, count);
@@ -54,7 +42,7 @@ public record ErrorStatistics(
                         100 * chance);
     }
 
-    /** Returns a text such as {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
+    /** Returns {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
     @Override
     public String toString() {
         return Text.format("median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);

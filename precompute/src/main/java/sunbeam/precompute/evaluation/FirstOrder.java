@@ -2,14 +2,8 @@ package sunbeam.precompute.evaluation;
 
 import java.util.Optional;
 
-/**
- * Range of periods in which a grating's first order is searched.
- *
- * @param shortest shortest period, meters
- * @param longest longest period, meters
- */
+/** Range of periods, in meters, in which a grating's first order is searched. */
 public record FirstOrder(double shortest, double longest) {
-    /** Returns the range from {@code period / factor} to {@code period * factor}. */
     public static FirstOrder around(double period, double factor) {
         return new FirstOrder(period / factor, period * factor);
     }
@@ -20,8 +14,8 @@ public record FirstOrder(double shortest, double longest) {
     }
 
     /**
-     * Returns angles theta_r to the viewer, radians, ascending and evenly spaced. They span all directions that see the order +1 or -1 at a
-     * wavelength between two limits (meters); empty if no direction does.
+     * Returns evenly spaced angles theta_r to the viewer, radians. They span all directions that see the order +1 or -1 at a wavelength
+     * between two limits (meters); empty if no direction does.
      */
     public Optional<double[]> angles(
             GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {

@@ -5,8 +5,8 @@ import sunbeam.precompute.optics.DirectionPair;
 
 /**
  * Set of directions into which a grating diffracts one light: those whose (u, v) lies along the grating's direction. With the light in the
- * plane of the grating's direction (phi 0 or 180 degrees) that is the plane of incidence; with any other light it is the cone on which the
- * component across the grating is the mirror's (conical diffraction).
+ * plane of the grating's direction that is the plane of incidence; else it is the cone on which the component across the grating is the
+ * mirror's (conical diffraction).
  *
  * <p>Directions to the viewer are named by a signed angle theta_r, whose sine is their component along the grating's direction; positive on
  * the side where the light is for phi 0, so that the mirror lies at theta_r = -theta_i. The grating equation then reads {@code u = -(sin
@@ -17,12 +17,11 @@ import sunbeam.precompute.optics.DirectionPair;
  * @param azimuth the grating's direction in the patch, radians counter-clockwise from +x
  */
 public record GratingPlane(double thetaI, double phiI, double azimuth) {
-    /** The light's component along the grating's direction. */
     public double lightAlong() {
         return Math.sin(thetaI) * Math.cos(phiI);
     }
 
-    /** The light's component across the grating's direction; the viewer's is its opposite. */
+    /** The viewer's component is its opposite. */
     private double lightAcross() {
         return Math.sin(thetaI) * Math.sin(phiI);
     }
@@ -50,7 +49,6 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
         return new DirectionPair(wi, wr);
     }
 
-    /** cos of the viewer's angle to the normal. */
     private double cosine(double thetaR) {
         if (lightAcross() == 0) {
             return Math.cos(thetaR);

@@ -7,12 +7,10 @@ import sunbeam.precompute.optics.DirectionPair;
 /**
  * Wavelengths and directions at which a response is evaluated.
  *
- * @param plane the light and the plane of the viewers
  * @param wavelengths meters, ascending
  * @param angles signed angles theta_r to the viewer, radians, ascending (see {@link GratingPlane})
  */
 public record ResponseGrid(GratingPlane plane, double[] wavelengths, double[] angles) {
-    /** Returns the directions to the light and to the viewer for each angle. */
     public List<DirectionPair> pairs() {
         return Arrays.stream(angles).mapToObj(plane::pair).toList();
     }

@@ -24,10 +24,7 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return new ResponseMatrix(grid, radiance);
     }
 
-    /**
-     * Returns the response at wavelength {@code row} and a frequency u / lambda in cycles per meter, linear between angles; NaN if the
-     * frequency's angle is not on the grid.
-     */
+    /** Returns the response at a frequency u / lambda in cycles per meter, linear between angles; NaN beyond the grid. */
     double atFrequency(int row, double frequency) {
         double position = position(grid.plane().thetaR(frequency * grid.wavelengths()[row]));
         if (!(position >= 0 && position <= grid.angles().length - 1)) {
@@ -39,7 +36,7 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return fraction == 0 ? before : before + fraction * (values[row][index + 1] - before);
     }
 
-    /** Returns the fractional index of an angle among the grid's angles; NaN if the angle lies outside. */
+    /** NaN if the angle lies outside. */
     private double position(double angle) {
         double[] angles = grid.angles();
         if (!(angle >= angles[0] && angle <= angles[angles.length - 1])) {

@@ -7,9 +7,8 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 /**
  * Ridge of a response: the angle of its peak at each wavelength.
  *
- * @param plane light and plane of the directions
  * @param wavelengths wavelengths with a peak, meters, ascending
- * @param angles angles theta_r of the peaks, radians: maxima of parabolas through the logarithms of the three samples at each peak
+ * @param angles angles theta_r of the peaks, radians
  */
 public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
     /** Returns the order, +1 or -1, which is the sign of u: -1 if theta_r is above the mirror's angle, else 1. */
@@ -24,7 +23,7 @@ public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
                 .toArray();
     }
 
-    /** Returns number, mean and variance of the periods over the wavelengths, as in the thesis's Table 4.1. */
+    /** Returns the statistics of the periods, as in the thesis's Table 4.1. */
     public StatisticalSummary statistics() {
         SummaryStatistics statistics = new SummaryStatistics();
         for (double period : periods()) {

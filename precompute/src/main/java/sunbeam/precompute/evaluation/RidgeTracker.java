@@ -10,26 +10,23 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.LogParabola;
 
 /**
- * Follows the ridge of a first order through a response. First, the frequency f = u / lambda = +-1 / d is found with the largest sum of the
- * response along its curve, the grating equation. Then each wavelength's local maxima near that curve are candidates. Dynamic programming
- * (Viterbi) finds the path through them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it
- * jump.
+ * Follows the ridge of a first order through a response. The frequency f = u / lambda = +-1 / d has the largest sum of the response along
+ * its curve, the grating equation. Local maxima near that curve are candidates at each wavelength; dynamic programming (Viterbi) finds the
+ * path through them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it jump.
  *
- * @param response response that is searched
  * @param sigmaFrequency standard deviation of the coherence window's spectrum, cycles per meter
  */
 public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
-    // Step between candidate frequencies, in deviations of the window's spectrum: well below a ridge's width of 1.7.
+    // Deviations of the window's spectrum: well below a ridge's width of 1.7.
     private static final double STEP = 1.0 / 6;
-    // Largest distance of candidates from the curve, in deviations of the window's spectrum: neighboring speckles lie
-    // about two apart.
+    // Deviations of the window's spectrum: neighboring speckles lie about two apart.
     private static final double CORRIDOR = 2;
     // A step between wavelengths of this many deviations costs as much as a factor e in brightness.
     private static final double STIFFNESS = 0.25;
-    // Minimum number of wavelengths; a variance of fewer periods is meaningless.
+    // A variance of fewer periods is meaningless.
     private static final int FEWEST = 3;
 
-    /** A local maximum at one wavelength, with the cost of the cheapest path to it and the peak before it on that path, or null. */
+    /** Local maximum at one wavelength, with the cost of the cheapest path to it and the peak before it, or null. */
     private record Peak(double wavelength, double angle, double frequency, double value, double cost, Peak previous) {}
 
     /** Returns the strongest ridge of an order; empty if it has peaks at fewer than three wavelengths. */
@@ -47,7 +44,7 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
         return strongest > 0 ? follow(frequency) : Optional.empty();
     }
 
-    /** Returns the sum of the response along a frequency's curve, over the wavelengths whose angle is on the grid. */
+    /** Wavelengths whose angle is on the grid count. */
     private double strength(double frequency) {
         return IntStream.range(0, response.values().length)
                 .mapToDouble(row -> response.atFrequency(row, frequency))
@@ -55,10 +52,7 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
                 .sum();
     }
 
-    /**
-     * Returns the ridge near a frequency u / lambda, in cycles per meter, without the wavelengths that have no peak there; empty if fewer
-     * than three remain.
-     */
+    /** Returns the ridge near a frequency u / lambda, in cycles per meter, without wavelengths that have no peak there. */
     Optional<Ridge> follow(double frequency) {
         List<Peak> paths = List.of();
         for (int row = 0; row < response.values().length; row++) {
@@ -98,7 +92,7 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
         return peaks;
     }
 
-    /** Returns the peaks of one wavelength, each with the cheapest path from the peaks of the wavelength before. */
+    /** Connects each peak by the cheapest path to the wavelength before. */
     private List<Peak> connected(List<Peak> before, List<Peak> peaks) {
         double brightest = peaks.stream().mapToDouble(Peak::value).max().orElseThrow();
         return peaks.stream()

@@ -7,21 +7,18 @@ import java.util.stream.IntStream;
  * Real coefficients c_n(zeta) of an {@link Expansion}, sampled at equal steps of the phase zeta in radians. Shaders interpolate them by
  * parabolas through the nearest three samples.
  *
- * @param minimumPhase phase of the first sample, radians
- * @param maximumPhase phase of the last sample, radians
  * @param values {@code [term][sample]}
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
 
-    // Largest interpolation error of functions of bandwidth 1 and magnitude 1, per radian of the range of phases, or in
-    // all for ranges below a radian: a third of float32's rounding of the phase and of the coefficients. Weak orders
-    // are small differences of large terms, and see both errors.
+    // Interpolation error of functions of bandwidth 1 and magnitude 1, per radian of the range of phases: a third of
+    // float32's rounding of the phase and of the coefficients. Weak orders, small differences of large terms, see both
+    // errors.
     private static final double LARGEST_ERROR = 2e-8;
     // The parabola through three samples errs by step^3 / PARABOLA.
     private static final double PARABOLA = 16;
     private static final int FEWEST_SAMPLES = 64;
 
-    /** Returns the samples of all coefficients of an expansion over its phases. */
     public static CoefficientTable sampled(Expansion expansion) {
         return sampled(
                 expansion.minimumPhase(), expansion.maximumPhase(), 1, expansion.terms(), expansion::coefficients);
@@ -30,11 +27,8 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
     /**
      * Returns the samples of functions of the phase between two phases in radians.
      *
-     * @param low first phase, radians
-     * @param high last phase, radians
      * @param bandwidth largest frequency of the functions, in radians per radian of phase
      * @param terms number of functions
-     * @param coefficientsAt values of all functions at a phase
      */
     public static CoefficientTable sampled(
             double low, double high, double bandwidth, int terms, DoubleFunction<double[]> coefficientsAt) {
@@ -49,11 +43,7 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
         return new CoefficientTable(low, high, values);
     }
 
-    /**
-     * Returns the number of samples over the phases of an expansion, for the layout of a texture whose samples are not computed yet.
-     *
-     * @param bandwidth largest frequency of the sampled functions, in radians per radian of phase
-     */
+    /** Returns the number of samples over the phases of an expansion, for the layout of a texture. */
     public static int sampleCount(Expansion expansion, double bandwidth) {
         return sampleCount(expansion.maximumPhase() - expansion.minimumPhase(), bandwidth);
     }

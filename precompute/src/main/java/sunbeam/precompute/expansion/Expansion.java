@@ -13,10 +13,8 @@ import sunbeam.precompute.setting.Kinds;
  */
 public interface Expansion {
 
-    /** Returns the kind, which determines the factors (-i)^turns(n) ({@link ExpansionKind#turn}). */
     ExpansionKind kind();
 
-    /** Returns the number of terms, at least 1. */
     int terms();
 
     HeightScale scale();
@@ -29,7 +27,6 @@ public interface Expansion {
         return 0;
     }
 
-    /** Returns T_n(s). */
     default Complex basis(int n, double s) {
         return new Complex(realBasis(n, s), imaginaryBasis(n, s));
     }
@@ -37,18 +34,17 @@ public interface Expansion {
     /** Returns all c_n(zeta), n from 0 to terms() - 1, for zeta in {@link #minimumPhase()}..{@link #maximumPhase()}. */
     double[] coefficients(double zeta);
 
-    /** Returns the smallest phase zeta at which the expansion is accurate, radians. */
+    /** Smallest and largest phase zeta at which the expansion is accurate, radians. */
     default double minimumPhase() {
         return 0;
     }
 
-    /** Returns the largest phase zeta at which the expansion is accurate, radians. */
     double maximumPhase();
 
     /** Returns the error of the sum in exact arithmetic: an upper bound or a root mean square, depending on the kind. */
     double error();
 
-    /** Returns a text that identifies this expansion of a patch's heights in cache keys; different numbers have different texts. */
+    /** Returns a text that identifies this expansion of a patch's heights in cache keys. */
     default String key() {
         return String.join(
                 "|",

@@ -5,22 +5,19 @@ import org.apache.commons.math3.linear.EigenDecomposition;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Quadrature rule over the heights of a patch: the weighted sum of a function at a few heights replaces its mean over all samples, spikes
- * and terraces included. The range of heights is divided into intervals of bounded phase. Each interval has the Gauss rule of its heights
- * with at most {@value #NODES} nodes. The rule is exact for polynomials up to degree 2 {@value #NODES} - 1; an interval of fewer distinct
- * heights has these as its nodes.
+ * Quadrature rule over the heights of a patch: a weighted sum at a few heights replaces the mean over all samples. The range of heights is
+ * divided into intervals of bounded phase. Each has the Gauss rule of its heights with at most {@value #NODES} nodes, exact for polynomials
+ * up to degree 2 {@value #NODES} - 1.
  *
  * @param heights nodes of the rule: scaled heights, -1..1
- * @param shares weight of each node, as a share of the patch's samples; the sum is 1
+ * @param shares weight of each node, as a share of the patch's samples
  */
 record HeightRule(double[] heights, double[] shares) {
-    // Length of an interval, in radians of the largest phase. The squared error of an expansion is a function of
-    // bandwidth 1 of that phase; the rule's mean of it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24,
-    // that is 2e-12 in the root mean square error.
+    // Radians of the largest phase. The squared error of an expansion is a function of bandwidth 1 of that phase; the
+    // rule's mean of it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
     private static final double INTERVAL = 4;
     private static final int NODES = 12;
 
-    /** Returns the rule for phases up to a maximum, in radians. */
     static HeightRule of(HeightLevels levels, HeightScale scale, double maximumPhase) {
         int count = Math.max(1, (int) Math.ceil(2 * maximumPhase / INTERVAL));
         Interval[] intervals = new Interval[count];
@@ -48,8 +45,8 @@ record HeightRule(double[] heights, double[] shares) {
     }
 
     /**
-     * Jacobi matrix of the heights in an interval, weighted by their numbers of samples; each added height updates it by numerically stable
-     * rotations (Gragg and Harrod 1984). Rows do not depend on later rows, so that {@code NODES} rows suffice.
+     * Jacobi matrix of the heights in an interval, weighted by their numbers of samples; numerically stable rotations add a height (Gragg
+     * and Harrod 1984). Rows do not depend on later rows.
      */
     private static final class Interval {
         private final double[] diagonal = new double[NODES];
@@ -79,7 +76,7 @@ record HeightRule(double[] heights, double[] shares) {
             }
         }
 
-        /** Appends the interval's nodes and weights from index {@code used} on; returns the index after the last. */
+        /** Appends nodes and weights from index {@code used} on; returns the index after the last. */
         int addTo(double[] heights, double[] weights, int used) {
             double[] beside = new double[size - 1];
             for (int k = 1; k < size; k++) {

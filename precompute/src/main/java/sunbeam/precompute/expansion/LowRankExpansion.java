@@ -4,11 +4,11 @@ import sunbeam.precompute.patch.HeightLevels;
 
 /**
  * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), with heights weighted by their number of
- * samples, over the phases that a scene needs (Eckart and Young 1936). The c_n are real and orthonormal over the phases. T_n, the kernel's
- * projection on c_n, is stored as a Chebyshev series.
+ * samples, over the phases that a scene needs (Eckart and Young 1936). The c_n are real and orthonormal over the phases; T_n is stored as a
+ * Chebyshev series.
  */
 public final class LowRankExpansion implements Expansion {
-    // Smallest significant coefficient, relative to the largest one of all terms: a hundredth of a double's rounding.
+    // Relative to the largest coefficient of all terms: a hundredth of a double's rounding.
     private static final double SMALLEST_SIGNIFICANT = 1e-18;
 
     private final HeightScale scale;
@@ -27,11 +27,7 @@ public final class LowRankExpansion implements Expansion {
         this.odd = everySecond(series, 1);
     }
 
-    /**
-     * Returns the expansion with the fewest terms that keeps a tolerance.
-     *
-     * @param tolerance largest root mean square error over heights and phases
-     */
+    /** Returns the expansion with the fewest terms whose root mean square error over heights and phases is within a tolerance. */
     public static LowRankExpansion within(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, double tolerance) {
         PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
@@ -60,7 +56,7 @@ public final class LowRankExpansion implements Expansion {
         return result;
     }
 
-    /** Returns the length of the series up to the last significant coefficient of any term. */
+    /** Up to the last significant coefficient of any term. */
     private static int significantLength(double[][] series) {
         double largest = 0;
         int length = 1;
@@ -141,7 +137,6 @@ public final class LowRankExpansion implements Expansion {
         return phases.maximumPhase();
     }
 
-    /** Returns the root mean square error over the patch's heights and the phases. */
     @Override
     public double error() {
         return phases.rootMeanSquareError(terms);

@@ -18,9 +18,8 @@ final class PhaseBasis {
 
     private PhaseBasis(PhaseNodes nodes, HeightRule rule) {
         this.nodes = nodes;
-        // Decomposes the kernel and not its Gram matrix, whose singular values are the squares and lose half of the
-        // digits: where nearly no light is diffracted, errors of 1e-9 count. The kernel's triangular QR factor has few
-        // rows and the same singular values and right vectors.
+        // The kernel's Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9
+        // count. The kernel's triangular QR factor has few rows and the same singular values and right vectors.
         RealMatrix triangle = new QRDecomposition(kernel(rule)).getR();
         int last = nodes.count() - 1;
         SingularValueDecomposition decomposition =
@@ -41,7 +40,7 @@ final class PhaseBasis {
                 new PhaseNodes(minimumPhase, maximumPhase, 1), HeightRule.of(heights, scale, maximumPhase));
     }
 
-    /** Returns the kernel with real and imaginary parts of exp(-i zeta s) in separate rows, so that the functions of the phase are real. */
+    /** Real and imaginary parts of exp(-i zeta s) are separate rows, so that the functions of the phase are real. */
     private RealMatrix kernel(HeightRule rule) {
         int heights = rule.heights().length;
         // A QR decomposition needs at least as many rows as columns.
@@ -69,7 +68,7 @@ final class PhaseBasis {
         return nodes.maximum();
     }
 
-    /** Returns the root mean square error of the kernel without the functions from index {@code terms} on. */
+    /** Returns the error without the functions from index {@code terms} on. */
     double rootMeanSquareError(int terms) {
         double tail = 0;
         for (int n = terms; n < squaredSingularValues.length; n++) {
@@ -78,7 +77,6 @@ final class PhaseBasis {
         return Math.sqrt(tail);
     }
 
-    /** Returns c_n(zeta) for n from 0 to terms - 1. */
     double[] values(int terms, double zeta) {
         return nodes.interpolate(functions, terms, zeta);
     }
@@ -104,8 +102,8 @@ final class PhaseBasis {
         return series;
     }
 
-    // Beyond the turning point n = zeta, the Bessel function J_n(zeta) falls faster than exponentially; 12 zeta^(1/3)
-    // orders later it is below 1e-17.
+    // Beyond n = zeta, the Bessel function J_n(zeta) falls faster than exponentially; 12 zeta^(1/3) orders later it is
+    // below 1e-17.
     private static int orderWhereCoefficientsVanish(double zeta) {
         return (int) Math.ceil(zeta + 12 * Math.cbrt(zeta) + 12);
     }
@@ -117,7 +115,7 @@ final class PhaseBasis {
     static double[] bessel(int count, double zeta) {
         BesselJ.BesselJResult result = BesselJ.rjBesl(zeta, 0, count);
         double[] values = result.getVals();
-        // The library does not compute orders that underflow a double; these are zero.
+        // The library does not compute orders that underflow a double.
         for (int n = 1; n < count; n++) {
             values[n] = n < result.getnVals() || result.getnVals() == count ? 2 * values[n] : 0;
         }

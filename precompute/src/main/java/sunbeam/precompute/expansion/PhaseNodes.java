@@ -8,10 +8,9 @@ import sunbeam.precompute.numerics.GaussLegendre;
  * barycentric formula, to a double's rounding.
  */
 public final class PhaseNodes {
-    // Nodes beyond one per radian of phase and bandwidth; they reduce the error to a double's rounding also over short
-    // ranges.
+    // Beyond one node per radian of phase and bandwidth; for a double's rounding also over short ranges.
     private static final int EXTRA_NODES = 28;
-    // Smallest range in radians; a single direction at a single wavelength has a range of 0.
+    // Radians; a single direction at a single wavelength has a range of 0.
     private static final double SMALLEST_RANGE = 1e-3;
 
     private final double minimum;
@@ -20,11 +19,7 @@ public final class PhaseNodes {
     private final double[] weights;
     private final double[] barycentric;
 
-    /**
-     * Places the nodes between two phases.
-     *
-     * @param bandwidth largest frequency, in radians per radian of phase, of the functions to integrate or interpolate
-     */
+    /** @param bandwidth largest frequency, in radians per radian of phase, of the functions to integrate or interpolate */
     public PhaseNodes(double minimum, double maximum, double bandwidth) {
         this.minimum = minimum;
         this.maximum = Math.max(maximum, minimum + SMALLEST_RANGE);
@@ -58,16 +53,15 @@ public final class PhaseNodes {
         return nodes[index];
     }
 
-    /** Returns the weight of a node in the mean over the phases; the sum of all weights is 1. */
+    /** Weights add up to 1. */
     public double weight(int index) {
         return weights[index];
     }
 
     /**
-     * Returns functions, interpolated at a phase.
+     * Interpolates the first functions at a phase.
      *
      * @param functions values at the nodes, {@code [function][node]}
-     * @param count number of functions to interpolate, from index 0 on
      */
     public double[] interpolate(double[][] functions, int count, double zeta) {
         double[] sums = new double[count];

@@ -34,7 +34,7 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
         return values;
     }
 
-    /** Returns the largest coefficient; terms of this size cancel to a sum of magnitude 1. */
+    /** Terms of this size cancel to a sum of magnitude 1. */
     public double largestTerm(double zeta) {
         return Arrays.stream(coefficients(zeta)).max().orElseThrow();
     }
@@ -47,7 +47,6 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
         return coefficients(zeta)[terms - 1] * zeta / terms;
     }
 
-    /** Returns the error bound at the largest phase. */
     @Override
     public double error() {
         return errorBound(maximumPhase);

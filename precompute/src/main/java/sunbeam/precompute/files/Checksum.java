@@ -19,14 +19,12 @@ public final class Checksum {
         return this;
     }
 
-    /** Adds IEEE floats, 4 bytes each, big-endian. */
     public Checksum add(float[] values) {
         ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length);
         bytes.asFloatBuffer().put(values);
         return add(bytes.array());
     }
 
-    /** Adds integers, 4 bytes each, big-endian. */
     public Checksum add(int[] values) {
         ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * values.length);
         bytes.asIntBuffer().put(values);

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 /**
  * Restricts the files that an untrusted file may name to its own folder and below.
  *
- * @param owner the untrusted file
  * @param kind kind of the file in messages, such as {@code scene}
  */
 public record OwnFolder(Path owner, String kind) {
@@ -15,7 +14,7 @@ public record OwnFolder(Path owner, String kind) {
     /**
      * Resolves a name; the file need not exist.
      *
-     * @throws IllegalArgumentException if the name is invalid or leads out of the folder, with a message that continues "the name ..."
+     * @throws IllegalArgumentException if the name is invalid or leads out of the folder
      */
     public Path file(String name) {
         Path relative = parsed(name);
@@ -31,10 +30,9 @@ public record OwnFolder(Path owner, String kind) {
     }
 
     /**
-     * Checks that an existing file lies in the folder or below after all links are followed.
+     * Requires that an existing file lies in the folder or below after all links are followed.
      *
-     * @throws IllegalArgumentException if the links lead out of the folder or cannot be followed, with a message that continues "the name
-     *     ..."
+     * @throws IllegalArgumentException if the links lead out of the folder or cannot be followed
      */
     public void requireNoWayOut(Path file) {
         try {

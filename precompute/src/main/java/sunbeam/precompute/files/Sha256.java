@@ -23,7 +23,6 @@ public final class Sha256 {
         return new Sha256().add(text).hex();
     }
 
-    /** Adds a text in UTF-8. */
     public Sha256 add(String text) {
         return add(text.getBytes(StandardCharsets.UTF_8));
     }
@@ -46,7 +45,7 @@ public final class Sha256 {
         return add(bytes);
     }
 
-    /** Returns the hash as 64 lower-case hexadecimal digits and starts a new one. */
+    /** Returns the hash as 64 hexadecimal digits and starts a new one. */
     public String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }

@@ -28,17 +28,14 @@ public record Band(int first, int count) {
         return bin >= first && bin <= last();
     }
 
-    /** Returns the smallest band around bin 0 that holds this one. */
     public Band symmetric() {
         int reach = Math.max(Math.abs(first), Math.abs(last()));
         return of(-reach, reach);
     }
 
     /**
-     * Returns exp(2 pi i bin shift / samples) of each bin, which moves the origin of a DFT.
+     * Returns exp(2 pi i bin shift / samples) of each bin, which moves the origin of a DFT by {@code shift} samples.
      *
-     * @param samples length of the transform
-     * @param shift number of samples by which the origin moves
      * @return {@code [0][bin]}: cosines; {@code [1][bin]}: sines
      */
     public double[][] phases(int samples, int shift) {

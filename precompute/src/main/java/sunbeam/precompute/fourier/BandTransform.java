@@ -25,15 +25,11 @@ public final class BandTransform {
         return band;
     }
 
-    /** Allocates a work vector of N samples. */
     public ComplexVector workspace() {
         return ComplexVector.zeros(length);
     }
 
-    /**
-     * Transforms the first N values of {@code work} (overwritten) and writes the band to {@code target}, from {@code offset} on in steps of
-     * {@code stride}.
-     */
+    /** Transforms the first N values of {@code work} (overwritten) and writes the band to {@code target}, in steps of {@code stride}. */
     public void transform(ComplexVector work, ComplexVector target, int offset, int stride) {
         if (grid == null) {
             double[][] data = {work.real(), work.imaginary()};

@@ -16,8 +16,7 @@ import sunbeam.precompute.numerics.KaiserBessel;
  * <p>Errors are some 1e-14 of the largest bin. Immutable and thread-safe.
  */
 final class GridTransform {
-    // Controls the kernel's number of taps: aliases from beyond the grid's frequencies are some 100 exp(-pi ACCURACY)
-    // of their amplitude.
+    // Aliases from beyond the grid's frequencies are some 100 exp(-pi ACCURACY) of their amplitude.
     private static final double ACCURACY = 12;
 
     private final int length;
@@ -25,11 +24,10 @@ final class GridTransform {
     private final int middle;
     private final int gridSize;
     private final int margin;
-    // Per grid point: index of the first sample within the kernel's reach in the periodically extended sequence, and
-    // the weights of the samples from there on.
+    // Per grid point: first sample within the kernel's reach, and the weights of the samples from there on.
     private final int[] first;
     private final double[][] weights;
-    // Factors exp(2 pi i middle n / N), which move the band's middle to bin 0.
+    // exp(2 pi i middle n / N), which moves the band's middle to bin 0.
     private final ComplexVector turn;
     // Per bin: reciprocal of the kernel's transform.
     private final double[] gains;
@@ -66,10 +64,7 @@ final class GridTransform {
         Arrays.setAll(gains, m -> gridSize / kernel.transform((double) (band.first() + m - middle) / gridSize));
     }
 
-    /**
-     * Transforms the first N values of a vector and writes the band, times a factor, to the target from index {@code offset} on in steps of
-     * {@code stride}.
-     */
+    /** Transforms the first N values and writes the band, times a factor, to the target in steps of {@code stride}. */
     void transform(ComplexVector samples, double factor, ComplexVector target, int offset, int stride) {
         ComplexVector turned = turned(samples);
         double[] re = turned.real();
@@ -95,7 +90,7 @@ final class GridTransform {
         }
     }
 
-    /** Returns the sequence multiplied so that the band's middle moves to bin 0, and extended periodically by the margin on both sides. */
+    /** The band's middle moves to bin 0; the sequence is extended periodically by the margin on both sides. */
     private ComplexVector turned(ComplexVector samples) {
         ComplexVector turned = ComplexVector.zeros(length + 2 * margin);
         for (int i = 0; i < turned.length(); i++) {

@@ -4,8 +4,7 @@ import java.util.stream.IntStream;
 
 /**
  * Squared magnitudes of the bins around 0 of a real field's two-dimensional DFT, as defined by {@link BandTransform2d}. Bins (jx, jy) and
- * (-jx, -jy) of a real field are complex conjugates. So two rows are transformed as one complex row, and only columns with jx >= 0 are
- * transformed. Runs on all cores.
+ * (-jx, -jy) are complex conjugates: two rows are transformed as one complex row, and only columns with jx >= 0. Runs on all cores.
  */
 public final class PowerSpectrum2d {
     private final int rows;
@@ -20,10 +19,7 @@ public final class PowerSpectrum2d {
         void fill(int row, double[] samples);
     }
 
-    /**
-     * @param reachX last bin along x (the first one is -reachX); less than half the number of columns
-     * @param reachY last bin along y (the first one is -reachY); less than half the number of rows
-     */
+    /** @param reachX last bin along x (the first one is -reachX); less than half the number of columns */
     public PowerSpectrum2d(int columns, int rows, int reachX, int reachY) {
         this.rows = rows;
         this.reachX = reachX;

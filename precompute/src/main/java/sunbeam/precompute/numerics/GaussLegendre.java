@@ -1,19 +1,13 @@
 package sunbeam.precompute.numerics;
 
 /**
- * Gauss-Legendre quadrature rule over -1..1: nodes, ascending, and weights, whose sum is 2. Newton's method finds the nodes, which are the
- * zeros of Legendre's polynomial, in a time that grows with the square of their number.
+ * Gauss-Legendre quadrature rule over -1..1: nodes, ascending, and weights, whose sum is 2. Newton's method finds the zeros of Legendre's
+ * polynomial.
  */
 public record GaussLegendre(double[] nodes, double[] weights) {
-    // The start has about four digits and each iteration doubles them; the third and further iterations serve zeros
-    // near the ends, whose start is worse.
+    // Four digits at the start, doubled by each iteration; zeros near the ends start worse.
     private static final int ITERATIONS = 6;
 
-    /**
-     * Computes a rule.
-     *
-     * @param count number of nodes, at least 1
-     */
     public static GaussLegendre of(int count) {
         double[] nodes = new double[count];
         double[] weights = new double[count];

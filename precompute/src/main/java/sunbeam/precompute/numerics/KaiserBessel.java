@@ -26,7 +26,7 @@ public record KaiserBessel(int taps, double beta, double peak) {
         return shape * taps / peak;
     }
 
-    /** Returns the modified Bessel function I0 by its power series; all terms are positive, so none cancel. */
+    /** I0 by its power series; all terms are positive, so none cancel. */
     private static double besselI0(double x) {
         double term = 1;
         double sum = 1;

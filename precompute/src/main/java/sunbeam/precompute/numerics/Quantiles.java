@@ -11,18 +11,18 @@ import org.apache.commons.math3.stat.ranking.NaNStrategy;
  * Quantiles in Statistical Packages", 1996).
  */
 public final class Quantiles {
-    // Value that replaces infinity, since differences of infinite neighbors are NaN. Interpolation towards it exceeds
-    // INFINITE_FROM even at a share of 1e-16.
+    // Differences of infinite neighbors are NaN. Interpolation towards this value exceeds INFINITE_FROM even at a share
+    // of 1e-16.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;
 
     private Quantiles() {}
 
     /**
-     * Returns the value below which a share of the samples lies; infinite if an infinite sample contributes to it, NaN without samples.
+     * Returns the value below which a share, 0..1, of the samples lies; infinite if an infinite sample contributes to it, NaN without
+     * samples.
      *
      * @param samples in any order, without NaN, up to 1e280 or positive infinity
-     * @param share 0..1
      */
     public static double of(double[] samples, double share) {
         if (share == 0) {

@@ -1,23 +1,21 @@
 package sunbeam.precompute.numerics;
 
 /**
- * Recursive filter that turns equally spaced samples into the coefficients of the B-spline that interpolates them. For each pole, it runs
- * forwards and backwards along each column (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing
- * Magazine 16 (1999), table 1 and box 2).
+ * Recursive filter that turns equally spaced samples into B-spline coefficients. For each pole, it runs forwards and backwards along each
+ * column (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999), table 1 and box
+ * 2).
  */
 public final class SplineFilter {
     /** Pole of the cubic B-spline's filter. */
     public static final double CUBIC = Math.sqrt(3) - 2;
 
-    // Number of samples from the start that initialize the forward filter: the largest pole to this power is below the
-    // rounding of float32.
+    // Samples that initialize the forward filter: the largest pole to this power is below the rounding of float32.
     private static final int HORIZON = 20;
 
     private SplineFilter() {}
 
     /**
-     * Filters in place along each column. Both ends continue as mirror images about the first and the last sample. Each step rounds to
-     * float32.
+     * Filters in place along each column; both ends continue as mirror images.
      *
      * @param samples {@code rows * columns} values, row by row, of at least 11 rows
      */

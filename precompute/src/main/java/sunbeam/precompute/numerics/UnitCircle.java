@@ -2,8 +2,7 @@ package sunbeam.precompute.numerics;
 
 /**
  * Computes cosines and sines of many angles, five times as fast as the Java library: a table at 4096 angles, and a Taylor series for the
- * rotation by the remainder of at most 2 pi / 8192. Truncation errs by 2e-18 in the sine and 3e-22 in the cosine; rounding errs by 2e-16
- * times the larger of the angle and one.
+ * remainder, whose truncation errs by 2e-18. Rounding errs by 2e-16 times the larger of the angle and one.
  */
 public final class UnitCircle {
     private static final int STEPS = 1 << 12;
@@ -21,12 +20,7 @@ public final class UnitCircle {
 
     private UnitCircle() {}
 
-    /**
-     * Replaces angles by their sines, and computes their cosines.
-     *
-     * @param angles radians, of magnitude up to 1e6; overwritten with the sines
-     * @param cosines receives the cosines; as long as the angles
-     */
+    /** Replaces angles, radians of magnitude up to 1e6, by their sines, and computes their cosines. */
     public static void points(double[] angles, double[] cosines) {
         for (int i = 0; i < angles.length; i++) {
             double steps = angles[i] * STEPS_PER_RADIAN;

@@ -9,9 +9,9 @@ public record CoherenceWindow(double sigmaMeters) {
     /** Sunlight's coherence length, meters (thesis section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
-    // Longest visible wavelength, meters.
+    // Meters.
     private static final double LONGEST_WAVELENGTH = 780e-9;
-    // Length, meters, of surface waves above which their scatter counts as gloss.
+    // Meters; scatter of longer surface waves counts as gloss.
     private static final double LONGEST_WAVE = 5e-6;
 
     public CoherenceWindow {
@@ -30,8 +30,8 @@ public record CoherenceWindow(double sigmaMeters) {
     }
 
     /**
-     * Returns the radiance of a mirror under light of this coherence, relative to sunlight of the same irradiance: the solid angle of the
-     * reflected light falls with the square of the coherence length.
+     * Returns the radiance of a mirror relative to sunlight of the same irradiance: the solid angle of the reflected light falls with the
+     * square of the coherence length.
      */
     public double mirrorRadiance() {
         double ratio = coherenceLength() / SUNLIGHT_COHERENCE_LENGTH;
@@ -44,17 +44,16 @@ public record CoherenceWindow(double sigmaMeters) {
     }
 
     /**
-     * Returns the |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, in meters. The peak is as
-     * wide as the window's spectrum; five standard deviations contain it.
+     * Returns the |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, in meters: five standard
+     * deviations of the window's spectrum.
      */
     public double specularReach(double longestWavelength) {
         return 5 * sigmaFrequency() * longestWavelength;
     }
 
     /**
-     * Returns the |(u, v)| up to which a direction sees gloss (the specular peak or its surroundings) and no order (docs/color.md). Gloss
-     * contains the specular peak of visible light, and light scattered by surface waves longer than both 5 um and two periods. The first
-     * order lies beyond.
+     * Returns the |(u, v)| up to which a direction sees gloss and no order (docs/color.md): the specular peak of visible light, and light
+     * scattered by surface waves longer than both 5 um and two periods.
      *
      * @param period the surface's period, meters; 0 if none is known
      */

@@ -3,12 +3,7 @@ package sunbeam.precompute.optics;
 /** Unit vector in the tangent frame (x tangent, y bitangent, z normal) that points away from the surface. */
 public record Direction(double x, double y, double z) {
 
-    /**
-     * Returns the direction with the given polar angles.
-     *
-     * @param thetaDegrees angle to the normal in degrees, 0..90
-     * @param phiDegrees azimuth in degrees, counter-clockwise from +x
-     */
+    /** Returns the direction with an angle to the normal, 0..90, and an azimuth counter-clockwise from +x, in degrees. */
     public static Direction ofDegrees(double thetaDegrees, double phiDegrees) {
         double theta = Math.toRadians(thetaDegrees);
         double phi = Math.toRadians(phiDegrees);

@@ -26,20 +26,14 @@ public final class Gain {
         return Math.min(1, factor * Math.min(pair.cosThetaR(), pair.cosThetaI()));
     }
 
-    /**
-     * Returns the relative radiance per diffracted power, for keratin: rho = relativeRadiance * power. It is 1 for a flat mirror seen along
-     * the normal.
-     */
+    /** Returns the relative radiance per diffracted power, for keratin; 1 for a flat mirror seen along the normal. */
     public static double relativeRadiance(DirectionPair pair) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
         double sum = pair.cosThetaI() + pair.cosThetaR();
         return reflectance(pair.cosThetaD()) / R0 * kirchhoff * kirchhoff / (sum * sum * pair.cosThetaR()) * mask(pair);
     }
 
-    /**
-     * Returns the BRDF in 1/sr per diffracted power, without the mask, for a wavelength in meters; the window's effective area is 4 pi
-     * sigma^2.
-     */
+    /** Returns the BRDF in 1/sr per diffracted power, without the mask, for a wavelength in meters. */
     public static double brdf(DirectionPair pair, CoherenceWindow window, double wavelength) {
         double kirchhoff = 1 + pair.wi().dot(pair.wr());
         double ratio = kirchhoff * window.sigmaMeters() / (wavelength * pair.w());

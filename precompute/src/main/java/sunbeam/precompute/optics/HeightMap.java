@@ -11,7 +11,7 @@ import sunbeam.precompute.units.Lengths;
  * Heights in meters on a rectangular grid, seen from above: a scan, or one period of a surface. Column index grows with +x, row 0 is the
  * top (largest y).
  *
- * <p>Immutable. Missing samples are NaN or infinite until they are filled ({@code prepare.MissingHeights}).
+ * <p>Immutable. Missing samples are NaN or infinite until they are filled.
  */
 public final class HeightMap {
     private static final int HEIGHTS_PER_BLOCK = 8192;
@@ -61,11 +61,7 @@ public final class HeightMap {
         return new HeightMap(heights, columns, rows, pitchX, pitchY);
     }
 
-    /**
-     * Returns this map with a known fingerprint, since computing that of a large scan is slow.
-     *
-     * @param known the value of {@link #digest()}
-     */
+    /** Returns this map with a known {@link #digest()}, since computing that of a large scan is slow. */
     public HeightMap withDigest(String known) {
         HeightMap same = new HeightMap(heights, columns, rows, pitchX, pitchY);
         same.digest = known;
@@ -77,7 +73,6 @@ public final class HeightMap {
         return new HeightMap(others, columns, rows, pitchX, pitchY);
     }
 
-    /** Returns a map of the same grid with a function applied to each height. */
     public HeightMap map(DoubleUnaryOperator function) {
         return with(Arrays.stream(heights).map(function).toArray());
     }
@@ -90,12 +85,10 @@ public final class HeightMap {
         return rows;
     }
 
-    /** Returns the distance of neighboring columns, meters. */
     public double pitchX() {
         return pitchX;
     }
 
-    /** Returns the distance of neighboring rows, meters. */
     public double pitchY() {
         return pitchY;
     }
@@ -105,7 +98,6 @@ public final class HeightMap {
         return columns * pitchX;
     }
 
-    /** Returns the extent along y, meters: the period of a surface that repeats. */
     public double height() {
         return rows * pitchY;
     }
@@ -130,12 +122,10 @@ public final class HeightMap {
         return range().low();
     }
 
-    /** Returns the highest height in meters, ignoring missing samples; NaN when all are missing. */
     public double maximum() {
         return range().high();
     }
 
-    /** Returns the distance from the lowest to the highest height, meters; NaN when all are missing. */
     public double relief() {
         return range().high() - range().low();
     }
@@ -145,7 +135,6 @@ public final class HeightMap {
         return range().complete();
     }
 
-    /** Lowest and highest height, NaN when all are missing, and whether the map is complete. */
     private record Range(double low, double high, boolean complete) {
         static Range of(double[] heights) {
             double low = Double.POSITIVE_INFINITY;
@@ -165,7 +154,7 @@ public final class HeightMap {
         }
     }
 
-    /** Returns the range, computed on first use; concurrent threads may compute it twice with the same result. */
+    /** Concurrent threads may compute it twice with the same result. */
     private Range range() {
         Range known = range;
         if (known == null) {
@@ -176,9 +165,8 @@ public final class HeightMap {
     }
 
     /**
-     * Returns a fingerprint for cache keys, equal for equal surfaces from any file, as 64 lower-case hexadecimal digits. It is the SHA-256
-     * of a tag that names the layout, columns and rows (int), pitch along x and y and all heights row by row (IEEE doubles), all
-     * big-endian.
+     * Returns a fingerprint for cache keys, equal for equal surfaces from any file: the SHA-256 of a tag, columns and rows (int), pitch
+     * along x and y and all heights row by row (IEEE doubles), all big-endian.
      */
     public String digest() {
         String known = digest;

@@ -11,7 +11,6 @@ public final class RefractiveIndex {
     /** Index of keratin (thesis section 2.5). */
     public static final RefractiveIndex KERATIN = constant(1.5, 0);
 
-    // Largest n and k that are accepted.
     private static final double LARGEST = 100;
     private static final Pattern NUMBER = Pattern.compile(
             "([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)(?:\\s*\\+\\s*([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)i)?");
@@ -39,7 +38,6 @@ public final class RefractiveIndex {
         }
     }
 
-    /** Returns an index that is the same at all wavelengths. */
     public static RefractiveIndex constant(double n, double k) {
         return new RefractiveIndex(new double[1], new double[] {n}, new double[] {k});
     }
@@ -47,7 +45,7 @@ public final class RefractiveIndex {
     /**
      * Returns an index that is linear between tabulated wavelengths and constant beyond them.
      *
-     * @param wavelengths meters, ascending; n and k have one value for each
+     * @param wavelengths meters, ascending
      * @throws IllegalArgumentException when wavelengths do not ascend or an index is out of range
      */
     public static RefractiveIndex tabulated(double[] wavelengths, double[] n, double[] k) {
@@ -59,11 +57,7 @@ public final class RefractiveIndex {
         return new RefractiveIndex(wavelengths.clone(), n.clone(), k.clone());
     }
 
-    /**
-     * Parses {@code 1.56} or {@code 0.97+6.5i}.
-     *
-     * @throws IllegalArgumentException if the text is no index
-     */
+    /** Parses {@code 1.56} or {@code 0.97+6.5i}. */
     public static RefractiveIndex parse(String text) {
         Matcher matcher = NUMBER.matcher(text.strip());
         if (!matcher.matches()) {
@@ -86,10 +80,7 @@ public final class RefractiveIndex {
         return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
     }
 
-    /**
-     * Returns Schlick's reflectance (Schlick 1994) for a wavelength in meters and the cosine of the angle between the half vector and the
-     * view.
-     */
+    /** Returns Schlick's reflectance for a wavelength in meters and the cosine of the angle between the half vector and the view. */
     public double reflectance(double wavelength, double cosThetaD) {
         double normal = reflectance(wavelength);
         return normal + (1 - normal) * Math.pow(Math.max(0, 1 - cosThetaD), 5);

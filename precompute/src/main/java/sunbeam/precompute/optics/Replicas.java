@@ -1,13 +1,8 @@
 package sunbeam.precompute.optics;
 
-/**
- * Numbers of repetitions of a patch in an evenly lit rectangle with sharp edges.
- *
- * @param alongX at least 1
- * @param alongY at least 1
- */
+/** Numbers of repetitions of a patch, at least 1, in an evenly lit rectangle with sharp edges. */
 public record Replicas(int alongX, int alongY) {
-    /** Maximum number along an axis; with more, float32 does not resolve the orders. */
+    /** With more, float32 does not resolve the orders. */
     public static final int MOST = 10_000;
 
     public Replicas {
@@ -16,10 +11,7 @@ public record Replicas(int alongX, int alongY) {
         }
     }
 
-    /**
-     * Returns the numbers of replicas whose lengths come closest to the coherence length along each axis, for a patch of a width and height
-     * in meters.
-     */
+    /** Returns the numbers whose lengths come closest to the coherence length along each axis, for sides in meters. */
     public static Replicas filling(CoherenceWindow window, double width, double height) {
         return new Replicas(count(window, width), count(window, height));
     }

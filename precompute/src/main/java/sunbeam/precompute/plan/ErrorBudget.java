@@ -3,8 +3,8 @@ package sunbeam.precompute.plan;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /**
- * Shares of the tolerance t for each source of error. The promise: the relative error of power, and of X, Y, Z, is at most t in the median
- * and 3 t at the 95th percentile, for powers of {@link #DARKEST_POWER} or more. The shares of one output add up to less than 1.
+ * Shares of the tolerance t for each source of error. The promise holds for powers of {@link #DARKEST_POWER} or more: the relative error of
+ * power, and of X, Y, Z, is at most t in the median and 3 t at the 95th percentile. The shares of one output add up to less than 1.
  *
  * <p>An amplitude a with error e has a power with relative error 2 e / |a|. So errors that do not depend on the direction, of the expansion
  * or of omitted bins, may be t / 2 times the darkest amplitude. Interpolation errs relative to what it interpolates: a bright order's skirt
@@ -114,8 +114,8 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     /**
      * Returns the panel of Gauss's rule with four nodes, in deviations of an order's power, where the band cuts the order. A panel of size
-     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), at most 105 for exp(-x^2 / 2), whose
-     * integral is sqrt(2 pi).
+     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30). For exp(-x^2 / 2), whose integral is
+     * sqrt(2 pi), that is at most 105.
      */
     public double panelDeviations() {
         return Math.min(LARGEST_PANEL, Math.pow(wavelengths() / PANEL_ERROR, 1.0 / 9));

@@ -20,7 +20,7 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Interpolates windowed spectra that were resampled onto grids. A direction's wavelengths are those at which its ray f = (u, v) / lambda
- * crosses a column (or row) of a grid, so that only the position along the column is interpolated (shaders/method/full_grid.glsl).
+ * crosses a column (or row) of a grid: only the position along the column is interpolated (shaders/method/full_grid.glsl).
  *
  * @param nodeStep distance of columns and of rows, cycles per meter
  * @param longestStep longest step along a ray, cycles per meter; rays that cross many columns skip some

@@ -22,7 +22,7 @@ record SamplingPlanner(
     private static final int NODES_AT_STANDARD = 60;
     private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
     // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to 1.1 %
-    // per nanometer at multiples of 5 nm, where the trapezoid rule errs by up to h^2 / 12 times this change: at most
+    // per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change: at most
     // three tolerances.
     private static final double CORNER_LENGTH = 4e-6;
     // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has

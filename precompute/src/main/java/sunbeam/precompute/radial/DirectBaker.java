@@ -24,7 +24,7 @@ final class DirectBaker implements ColorBaker {
     private final WindowedSpectrum powers;
     private final CieTable cie;
     private final double orderStep;
-    // By the number of halvings of WIDEST_STEP.
+    // The key is the number of halvings of WIDEST_STEP.
     private final ConcurrentHashMap<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
     DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {

@@ -98,8 +98,8 @@ final class RayBatch {
     }
 
     /**
-     * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1 from line to line, so that lines are never farther
-     * apart than byLogarithm in ln f or byFrequency in f.
+     * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1 from line to line. So lines are never farther apart
+     * than byLogarithm in ln f or byFrequency in f.
      */
     private static double[] lines(double byLogarithm, double byFrequency, double lowest, double highest) {
         double first = Math.log(lowest) / byLogarithm + lowest / byFrequency;

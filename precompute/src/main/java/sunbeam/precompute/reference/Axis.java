@@ -4,9 +4,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Sample positions along one axis, relative to the sample at the origin, which lies under the window's maximum.
+ * Sample positions along one axis, relative to the sample under the window's maximum.
  *
- * @param count number of samples
  * @param step signed distance of neighboring samples in meters; negative along y, because rows run downwards
  * @param origin index of the sample at position 0
  */

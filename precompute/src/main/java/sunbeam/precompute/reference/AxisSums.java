@@ -2,7 +2,7 @@ package sunbeam.precompute.reference;
 
 import org.apache.commons.math3.complex.Complex;
 
-/** Running complex sums over rows: one sum per column and per weighting, which is a set of row weights. */
+/** Running complex sums over rows: one sum per column and per set of row weights. */
 final class AxisSums {
     private final double[][] real;
     private final double[][] imaginary;
@@ -12,7 +12,6 @@ final class AxisSums {
         imaginary = new double[weightings][columns];
     }
 
-    /** Adds one row of values times the row's weight. */
     void add(int weighting, double[] valueReal, double[] valueImaginary, double weightReal, double weightImaginary) {
         double[] targetReal = real[weighting];
         double[] targetImaginary = imaginary[weighting];
@@ -28,7 +27,6 @@ final class AxisSums {
         return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
     }
 
-    /** Returns the sum over columns with the columns' weights. */
     Complex sum(int weighting, AxisWeights alongX) {
         double sumReal = 0;
         double sumImaginary = 0;

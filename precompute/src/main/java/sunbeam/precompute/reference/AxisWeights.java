@@ -1,6 +1,6 @@
 package sunbeam.precompute.reference;
 
-/** Complex weights of the samples along one axis. In the methods, N is the number of samples and f a frequency in cycles per meter. */
+/** Complex weights of the samples along one axis. N is the number of samples and f a frequency in cycles per meter. */
 record AxisWeights(double[] real, double[] imaginary) {
 
     /** Returns exp(+2 pi i f_j x) / N, where f_j is the frequency of a DFT bin. */
@@ -18,7 +18,7 @@ record AxisWeights(double[] real, double[] imaginary) {
 
     /**
      * Returns g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch under the window. The phase factor is that of the sample
-     * times that of the replica: one sine for each sample and each replica, instead of one for each pair.
+     * times that of the replica: one sine for each, instead of one for each pair.
      */
     static AxisWeights ofWindow(double frequency, Axis axis, WindowSamples window) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
@@ -44,11 +44,7 @@ record AxisWeights(double[] real, double[] imaginary) {
         return weights;
     }
 
-    /**
-     * Returns exp(+2 pi i f x) / (N Q), summed over Q adjacent replicas of the patch.
-     *
-     * @param replicas Q, at least 1
-     */
+    /** Returns exp(+2 pi i f x) / (N Q), summed over Q adjacent replicas of the patch. */
     static AxisWeights ofReplicas(double frequency, Axis axis, int replicas) {
         AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
         double amount = 1.0 / axis.count() / replicas;
@@ -75,7 +71,7 @@ record AxisWeights(double[] real, double[] imaginary) {
         imaginary[index] = a * sine + b * cosine;
     }
 
-    /** Converts turns to radians; whole turns are removed first, since they cost digits. */
+    /** Whole turns are removed first, since they cost digits. */
     private static double angle(double turns) {
         return 2 * Math.PI * (turns - Math.rint(turns));
     }

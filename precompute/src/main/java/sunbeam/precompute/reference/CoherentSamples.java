@@ -7,9 +7,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
 /**
- * Evaluates coherent power like {@link ReferenceEvaluator}, but by a sum over samples instead of distinct heights. This saves sorting the
- * heights, for a few directions of a scan whose heights are nearly all different. Rounding error about 2e-15 / sqrt(power), relative.
- * Immutable and safe for use by several threads.
+ * Evaluates coherent power like {@link ReferenceEvaluator}, but by a sum over samples instead of distinct heights, for a few directions of
+ * a scan whose heights are nearly all different. Immutable and thread-safe.
  */
 public final class CoherentSamples {
     private final HeightMap map;
@@ -18,7 +17,6 @@ public final class CoherentSamples {
     private final WindowSamples windowX;
     private final WindowSamples windowY;
 
-    /** @param map heights without missing samples */
     public CoherentSamples(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
         this.map = map;
         this.axisX = Axis.x(map, origin);
@@ -30,7 +28,6 @@ public final class CoherentSamples {
     /**
      * Powers in one direction.
      *
-     * @param coherent power under the window
      * @param specular squared magnitude of the mean of exp(i k w h) over all samples: in the mirror direction, the share of light in the
      *     specular order
      */
@@ -42,8 +39,8 @@ public final class CoherentSamples {
         AxisWeights alongX = AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX);
         AxisWeights alongY = AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY);
         AxisSums windowed = new AxisSums(columns, 1);
-        double phasePerMetre = 2 * Math.PI / wavelength * pair.w();
-        // Any height can be the zero; heights with an offset of millimeters would lose digits of the phase.
+        double phasePerMeter = 2 * Math.PI / wavelength * pair.w();
+        // Heights with an offset of millimeters would lose digits of the phase.
         double zero = map.at(0, 0);
         double[] real = new double[columns];
         double[] imaginary = new double[columns];
@@ -51,7 +48,7 @@ public final class CoherentSamples {
         double sumImaginary = 0;
         for (int row = 0; row < map.rows(); row++) {
             for (int column = 0; column < columns; column++) {
-                imaginary[column] = phasePerMetre * (map.at(column, row) - zero);
+                imaginary[column] = phasePerMeter * (map.at(column, row) - zero);
             }
             // Replaces the phases by their sines.
             UnitCircle.points(imaginary, real);

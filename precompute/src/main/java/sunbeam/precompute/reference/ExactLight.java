@@ -19,7 +19,7 @@ public interface ExactLight {
     /** Returns X, Y, Z of the power, without a factor of {@code Gain}. */
     double[] xyz(DirectionPair pair, Quadrature quadrature);
 
-    /** Estimates the number of complex products that {@link #xyz} computes with {@link Quadrature#INTEGRATED}, as a measure of its time. */
+    /** Estimates the number of complex products of {@link #xyz} with {@link Quadrature#INTEGRATED}, as a measure of its time. */
     double products(DirectionPair pair);
 
     /** Returns the Gaussian window with the coherence area's effective area. */

@@ -18,8 +18,8 @@ import sunbeam.precompute.patch.HeightLevels;
  * sum over samples. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
  */
 public final class ReferenceEvaluator {
-    // Reach of the window in standard deviations sigma, and of its spectrum in sigma_f: beyond, the amplitude is below
-    // exp(-9^2 / 2) = 3e-18 and the power below exp(-6.8^2) = 8e-21.
+    // Standard deviations sigma and sigma_f: beyond, the amplitude is below exp(-9^2 / 2) = 3e-18 and the power below
+    // exp(-6.8^2) = 8e-21.
     static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
@@ -30,10 +30,7 @@ public final class ReferenceEvaluator {
     private final WindowSamples windowX;
     private final WindowSamples windowY;
 
-    /**
-     * @param map heights without missing samples
-     * @throws IllegalArgumentException when samples are missing
-     */
+    /** @throws IllegalArgumentException when samples are missing */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
         this.surface = new SurfaceSums(map);
         this.window = window;
@@ -46,7 +43,6 @@ public final class ReferenceEvaluator {
     /** Power of one coherence area, and its mean over all positions of the window. */
     public record Power(double coherent, double ensemble) {}
 
-    /** Returns the distinct heights of the patch. */
     public HeightLevels heights() {
         return surface.heights();
     }
@@ -59,12 +55,8 @@ public final class ReferenceEvaluator {
     }
 
     /**
-     * Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of the height.
-     *
-     * @param real real part of a for each of {@link #heights()}'s levels
-     * @param imaginary its imaginary part
-     * @param fx cycles per meter
-     * @param fy cycles per meter
+     * Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of each of {@link #heights()}'s levels; fx and fy in
+     * cycles per meter.
      */
     public Complex windowed(double[] real, double[] imaginary, double fx, double fy) {
         AxisWeights alongY = AxisWeights.ofWindow(fy, axisY, windowY);
@@ -72,19 +64,15 @@ public final class ReferenceEvaluator {
         return sums.sum(0, AxisWeights.ofWindow(fx, axisX, windowX));
     }
 
-    /** Returns the power of one coherence area and its mean over all positions of the window, at a wavelength in meters. */
+    /** Returns the powers at a wavelength in meters. */
     public Power powers(DirectionPair pair, double wavelength) {
         double[][] phases = surface.phases(pair.w(), wavelength);
         return powers(phases[0], phases[1], pair.u() / wavelength, pair.v() / wavelength);
     }
 
     /**
-     * Returns the powers with a complex function a of the height in place of p = exp(i k w h).
-     *
-     * @param real real part of a for each of {@link #heights()}'s levels
-     * @param imaginary its imaginary part
-     * @param fx cycles per meter
-     * @param fy cycles per meter
+     * Returns the powers with a complex function a of each of {@link #heights()}'s levels in place of p = exp(i k w h); fx and fy in cycles
+     * per meter.
      */
     public Power powers(double[] real, double[] imaginary, double fx, double fy) {
         int[] binsX = binsNear(fx, axisX);
@@ -117,7 +105,7 @@ public final class ReferenceEvaluator {
         return Math.exp(-ratio * ratio);
     }
 
-    /** Returns the number of complex products per wavelength: one for each sample and each weighting of its row. */
+    /** Complex products per wavelength: one for each sample and each weighting of its row. */
     double productCount(boolean ensemble) {
         int weightings = ensemble ? binsNear(0, axisY).length + 1 : 1;
         return (double) axisX.count() * axisY.count() * weightings;

@@ -19,10 +19,7 @@ public final class ReplicaEvaluator {
     private final Axis y;
     private final Replicas replicas;
 
-    /**
-     * @param map heights without missing samples
-     * @throws IllegalArgumentException when samples are missing
-     */
+    /** @throws IllegalArgumentException when samples are missing */
     public ReplicaEvaluator(HeightMap map, Replicas replicas) {
         this.surface = new SurfaceSums(map);
         this.x = Axis.x(map, WindowOrigin.CORNER);
@@ -37,7 +34,6 @@ public final class ReplicaEvaluator {
         return surface.overRows(pair.w(), wavelength, alongY).power(0, alongX);
     }
 
-    /** Returns the number of samples of one replica. */
     long samples() {
         return (long) x.count() * y.count();
     }

@@ -13,10 +13,9 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
  * @param window Gaussian window with the area of all replicas
  */
 public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, CieTable cie) implements ExactLight {
-    // Nodes per cycle of the power: with all replicas a long and b wide, it has at most |u| a + |v| b cycles per unit
-    // of 1 / lambda.
+    // With all replicas a long and b wide, the power has at most |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
-    // Largest step that the color matching functions allow, in cycles per meter, as in ReferenceColor.
+    // Cycles per meter, as in ReferenceColor.
     private static final double WIDEST_STEP = 12e3;
 
     @Override
@@ -35,7 +34,7 @@ public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, C
         return evaluator.power(pair, wavelength);
     }
 
-    /** Integrates to nine digits with either quadrature, since that is fast enough. */
+    /** Nine digits with either quadrature, since that is fast enough. */
     @Override
     public double[] xyz(DirectionPair pair, Quadrature quadrature) {
         return ExactIntegral.xyz(cie, wavelength -> evaluator.power(pair, wavelength), step(pair));

@@ -6,16 +6,12 @@ import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
 final class SurfaceSums {
-    // Distinct heights per sample above which a table of p by height is slower than computing p at each sample.
+    // Above this share of distinct heights a table of p by height is slower than computing p at each sample.
     private static final double MOST_DISTINCT = 0.2;
 
     private final HeightMap map;
     private final HeightLevels heights;
 
-    /**
-     * @param map heights without missing samples
-     * @throws IllegalArgumentException when samples are missing
-     */
     SurfaceSums(HeightMap map) {
         this.map = map;
         this.heights = HeightLevels.of(map);
@@ -25,17 +21,16 @@ final class SurfaceSums {
         return heights;
     }
 
-    /** Returns sums of p over rows, for a wavelength in meters and one sum per set of row weights. */
     AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
         return heights.count() < MOST_DISTINCT * map.columns() * map.rows()
                 ? overRows(phases(w, wavelength), alongY)
                 : overSamples(w, wavelength, alongY);
     }
 
-    /** Sums without a table of p by height, for patches with few equal heights; reads memory sequentially. */
+    /** Without a table of p by height; reads memory sequentially. */
     private AxisSums overSamples(double w, double wavelength, AxisWeights... alongY) {
         int columns = map.columns();
-        double phasePerMetre = 2 * Math.PI / wavelength * w;
+        double phasePerMeter = 2 * Math.PI / wavelength * w;
         AxisSums sums = new AxisSums(columns, alongY.length);
         double[] cosines = new double[columns];
         double[] sines = new double[columns];
@@ -44,7 +39,7 @@ final class SurfaceSums {
                 continue;
             }
             for (int column = 0; column < columns; column++) {
-                sines[column] = phasePerMetre * (map.at(column, row) - phaseZero());
+                sines[column] = phasePerMeter * (map.at(column, row) - phaseZero());
             }
             // Replaces the phases in sines by their sines.
             UnitCircle.points(sines, cosines);
@@ -55,16 +50,12 @@ final class SurfaceSums {
         return sums;
     }
 
-    /** Returns the height whose phase is zero, meters. */
+    /** Meters. */
     private double phaseZero() {
         return 0.5 * (heights.minimum() + heights.maximum());
     }
 
-    /**
-     * Returns sums of any complex function of the height.
-     *
-     * @param values its real and imaginary part for each of {@link #heights()}'s levels
-     */
+    /** Sums any complex function of the height, given at each of {@link #heights()}'s levels. */
     AxisSums overRows(double[][] values, AxisWeights... alongY) {
         int columns = map.columns();
         AxisSums sums = new AxisSums(columns, alongY.length);

@@ -7,10 +7,9 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /**
- * Exact diffracted power under a Gaussian coherence window.
+ * Exact diffracted power under the evaluator's Gaussian coherence window.
  *
- * @param window the evaluator's window
- * @param ensemble true for the mean over all positions of the window
+ * @param ensemble whether powers are means over all positions of the window
  */
 public record WindowLight(ReferenceEvaluator evaluator, CoherenceWindow window, CieTable cie, boolean ensemble)
         implements ExactLight {

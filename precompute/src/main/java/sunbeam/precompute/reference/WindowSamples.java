@@ -3,11 +3,11 @@ package sunbeam.precompute.reference;
 /**
  * Coherence window along one axis, sampled at the patch's pitch; the samples add up to 1.
  *
- * @param amplitudes amplitude at each distance, in samples, on either side of the maximum
+ * @param amplitudes amplitude at each distance, in samples, from the maximum
  */
 record WindowSamples(double[] amplitudes) {
 
-    /** @param reach distance, in standard deviations, up to which the window is sampled */
+    /** @param reach standard deviations up to which the window is sampled */
     static WindowSamples of(Axis axis, double sigma, double reach) {
         int extent = (int) Math.floor(reach * sigma / Math.abs(axis.step()));
         double[] amplitudes = new double[extent + 1];

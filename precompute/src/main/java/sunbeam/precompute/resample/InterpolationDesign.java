@@ -24,7 +24,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
 
     // On finer grids the Gaussian bends less between samples, which makes its skirts exact.
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
-    // Of 1.5 to 3.2, these err least, both in the middle and on the skirts.
+    // These err least of 1.5 to 3.2, both in the middle and on the skirts.
     private static final double[] BETA_PER_TAP = {2.5, 2.65, 2.8, 2.95};
 
     /**

@@ -14,8 +14,8 @@ import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
- * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones, and each phase by the
- * mean power in the octave around it, over which one color integrates, so that grazing light counts, too.
+ * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones. Each phase is scaled by
+ * the mean power in the octave around it, over which one color integrates, so that grazing light counts, too.
  */
 public final class PowerFields {
     /** Largest angular frequency of a power over the phase: two scaled heights s, both in -1..1, differ by at most 2. */

@@ -22,7 +22,6 @@ public final class Choices {
         this.home = home;
     }
 
-    /** Returns choices without any setting. */
     public static Choices none() {
         return NONE;
     }
@@ -36,27 +35,20 @@ public final class Choices {
         return new Choices(new LinkedHashMap<>(), home);
     }
 
-    /** Returns the value of a setting; empty if it was not chosen. */
     @SuppressWarnings("unchecked") // with() stores only values of the setting's type
     public <T> Optional<T> find(Setting<T> setting) {
         return Optional.ofNullable(choices.get(setting)).map(choice -> (T) choice.value());
     }
 
-    /** Returns the value of a setting, or another if it was not chosen. */
     public <T> T get(Setting<T> setting, T otherwise) {
         return find(setting).orElse(otherwise);
     }
 
-    /**
-     * Returns the value of a setting, or its standard value if it was not chosen.
-     *
-     * @throws java.util.NoSuchElementException for a setting without a standard value
-     */
+    /** Returns the value of a setting, or its standard value, which must exist if it was not chosen. */
     public <T> T get(Setting<T> setting) {
         return find(setting).or(setting::standard).orElseThrow();
     }
 
-    /** True if a setting was chosen. */
     public boolean has(Setting<?> setting) {
         return choices.containsKey(setting);
     }
@@ -114,14 +106,12 @@ public final class Choices {
                 : with(setting, setting.standard().get(), Origin.PROGRAM);
     }
 
-    /** Returns these choices without some settings. */
     public Choices without(Collection<? extends Setting<?>> settings) {
         Map<Setting<?>, Choice> rest = new LinkedHashMap<>(choices);
         settings.forEach(rest::remove);
         return new Choices(rest, home);
     }
 
-    /** Returns these choices without a setting. */
     public Choices without(Setting<?> setting) {
         return without(List.of(setting));
     }
@@ -133,19 +123,18 @@ public final class Choices {
         return new Choices(rest, home);
     }
 
-    /** Returns these choices plus the others' choices of settings that are not chosen here. {@code home} stays this one's. */
+    /** Returns these choices plus the others' choices of settings that are not chosen here. */
     public Choices over(Choices others) {
         Map<Setting<?>, Choice> all = new LinkedHashMap<>(others.choices);
         all.putAll(choices);
         return new Choices(all, home);
     }
 
-    /** Creates a complaint about a setting, in the words of its source. */
     public SettingException complaint(Setting<?> setting, Object... problem) {
         return new SettingException(setting, Sentence.of(problem), origin(setting), written(setting), null);
     }
 
-    /** Runs an action. A {@link SettingException} without a source gets the source of its setting in these choices. */
+    /** Runs an action. A {@link SettingException} without a source gets the source of its setting. */
     public <T> T located(Supplier<T> action) {
         try {
             return action.get();
@@ -157,7 +146,7 @@ public final class Choices {
     private SettingException located(SettingException failure) {
         Setting<?> setting = failure.about();
         String value = has(setting) ? written(setting) : failure.value();
-        // A complaint about a value that the program chose names home, where the user can change it.
+        // The user can change a value that the program chose at home.
         Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
         return new SettingException(setting, failure.problem(), place, value, failure);
     }

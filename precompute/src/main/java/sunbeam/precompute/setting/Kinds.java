@@ -30,11 +30,6 @@ public final class Kinds {
         return bounded(placeholder, ValueKind.Form.NUMBER, least, largest, Kinds::number, Decimals::format);
     }
 
-    /**
-     * Number without a unit, within a range.
-     *
-     * @param tooSmall complaint about positive numbers below the range, continuing "1e-7 is "
-     */
     public static ValueKind<Double> number(String placeholder, double least, double largest, String tooSmall) {
         ValueKind<Double> plain = number(placeholder, least, largest);
         UnaryOperator<Double> check = value -> {
@@ -88,7 +83,6 @@ public final class Kinds {
      * Values with a text form of their own.
      *
      * @param parse throws IllegalArgumentException as {@link ValueKind#parse} does
-     * @param format inverse of {@code parse}
      * @param range description of valid texts
      */
     public static <T> ValueKind<T> text(

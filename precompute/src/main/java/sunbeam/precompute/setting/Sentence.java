@@ -4,11 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/**
- * Message with references to settings, whose names depend on the source where they were chosen.
- *
- * @param parts texts and {@link Setting}s
- */
+/** Message of texts and {@link Setting}s, whose names depend on the source where they were chosen. */
 public record Sentence(List<Object> parts) {
     public Sentence {
         parts = List.copyOf(parts);
@@ -19,7 +15,6 @@ public record Sentence(List<Object> parts) {
         }
     }
 
-    /** Creates a message of texts and settings. */
     public static Sentence of(Object... parts) {
         return new Sentence(Arrays.asList(parts));
     }

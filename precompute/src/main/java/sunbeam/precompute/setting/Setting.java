@@ -9,7 +9,6 @@ import java.util.regex.Pattern;
  *
  * @param key name, such as {@code coherenceLength}, from which names of options and controls derive
  * @param fileKey name in files, usually the same
- * @param kind type, unit and limits of values
  * @param help description in the manual, without the standard value
  * @param standard default value, if it does not depend on other settings
  * @param <T> type of values
@@ -30,17 +29,14 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
         this(key, key, kind, Sentence.of(help), Optional.empty());
     }
 
-    /** Returns this setting with a default value. */
     public Setting<T> withStandard(T value) {
         return new Setting<>(key, fileKey, kind, help, Optional.of(value));
     }
 
-    /** Returns this setting with another name in files. */
     public Setting<T> inFiles(String name) {
         return new Setting<>(key, name, kind, help, standard);
     }
 
-    /** Returns the standard value as text, if there is one. */
     public Optional<String> writtenStandard() {
         return standard.map(kind::format);
     }

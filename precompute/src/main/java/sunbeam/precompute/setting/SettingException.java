@@ -2,10 +2,7 @@ package sunbeam.precompute.setting;
 
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Thrown if the value of a setting is invalid, alone or together with others. {@link Choices#located} adds the source of the value to an
- * exception without one.
- */
+/** Reports an invalid value of a setting. {@link Choices#located} adds the source of the value. */
 public final class SettingException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -14,21 +11,12 @@ public final class SettingException extends RuntimeException {
     private final String value;
     private final Origin.Place place;
 
-    /**
-     * Creates an exception without a source.
-     *
-     * @param about the setting
-     * @param problem fault and remedy as texts and settings; continues "the setting and its value ..."
-     */
+    /** Creates an exception without a source; the problem, texts and settings, continues "the setting and its value ...". */
     public SettingException(Setting<?> about, Object... problem) {
         this(about, Sentence.of(problem), Origin.PROGRAM, "", null);
     }
 
-    /**
-     * Creates an exception without a source, for a value that may be a default.
-     *
-     * @param value the value
-     */
+    /** Creates an exception without a source, for a value that may be a default. */
     public static <T> SettingException of(Setting<T> about, T value, Object... problem) {
         return new SettingException(
                 about, Sentence.of(problem), Origin.PROGRAM, about.kind().format(value), null);
@@ -42,17 +30,15 @@ public final class SettingException extends RuntimeException {
         this.place = origin.place();
     }
 
-    /** Returns the setting. */
     public Setting<?> about() {
         return about;
     }
 
-    /** Returns fault and remedy. */
     public Sentence problem() {
         return problem;
     }
 
-    /** Returns the value as text; empty if unknown. */
+    /** Empty if unknown. */
     String value() {
         return value;
     }

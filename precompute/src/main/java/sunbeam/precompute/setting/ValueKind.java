@@ -38,32 +38,22 @@ public record ValueKind<T>(
     /**
      * Parses a text to a value within the limits.
      *
-     * @throws IllegalArgumentException if the text is no such value; the message quotes the text and gives a remedy, but does not name the
-     *     setting
+     * @throws IllegalArgumentException if the text is no such value; the message quotes the text and gives a remedy
      */
     public T parse(String text) {
         return checker.apply(parser.apply(text));
     }
 
-    /**
-     * Checks that a value is within the limits and returns it.
-     *
-     * @throws IllegalArgumentException as {@link #parse}
-     */
+    /** Returns a value within the limits; throws as {@link #parse}. */
     public T check(T value) {
         return checker.apply(value);
     }
 
-    /** Returns a value as a text that {@link #parse} reads again. */
     public String format(T value) {
         return formatter.apply(value);
     }
 
-    /**
-     * Returns a kind that also parses other spellings of some values.
-     *
-     * @param spellings usual text for each other spelling; keys in lower case
-     */
+    /** Returns a kind that also parses other spellings of some values; keys in lower case. */
     public ValueKind<T> alsoWritten(Map<String, String> spellings) {
         Function<String, T> parse =
                 text -> parser.apply(spellings.getOrDefault(text.strip().toLowerCase(Locale.ROOT), text));

@@ -6,9 +6,7 @@ import sunbeam.precompute.text.Text;
  * Shape of a float32 array in a texture: rows of texels, channels interleaved, layer after layer.
  *
  * @param sampler name of the shader's sampler
- * @param width texels per row, at least 1
- * @param height rows, at least 1
- * @param layers number of layers, at least 1; 1 for a flat array
+ * @param layers 1 for a flat array
  * @param channels floats per texel: 1, 2 or 4
  */
 public record ArrayLayout(String sampler, int width, int height, int layers, Kind kind, int channels, Reading reading) {

@@ -4,7 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/** Arrays of CIE weights (color matching functions times the light's spectrum) for shaders: at any wavelength, or at fixed ones. */
+/** CIE weights (color matching functions times the light's spectrum) for shaders: at any wavelength, or at fixed ones. */
 public final class ColorArrays {
     private ColorArrays() {}
 
@@ -14,7 +14,7 @@ public final class ColorArrays {
 
     /**
      * Returns the CIE weights of shaders/include/spectrum.glsl, per meter of wavelength: row 0 is smoothed, for integrals over several
-     * nanometers; row 1 has the table's own values, for orders narrower than its steps.
+     * nanometers; row 1 has the table's own values, for narrower orders.
      */
     public static TableArray cieWeights(CieTable cie) {
         int samples = SmoothCieWeights.SAMPLES;

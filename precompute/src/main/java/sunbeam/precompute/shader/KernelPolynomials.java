@@ -8,23 +8,21 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Interpolation kernel as polynomials (shaders/method/grid_tables.glsl): the weight of each tap as a function of x = 2 fraction - 1 in [-1,
- * 1], through the kernel at Chebyshev nodes. Unlike a table, polynomials need no texture reads, and float32 rounds them relative to each
- * tap's own weight. This matters on the skirt of a bright order, where the outermost tap reads a sample a thousand times brighter than the
- * result.
+ * 1], through the kernel at Chebyshev nodes. Unlike a table's, their float32 rounding is relative to each tap's own weight. This matters on
+ * the skirt of a bright order, where the outermost tap reads a sample a thousand times brighter than the result.
  */
 public record KernelPolynomials(double[][] coefficients) {
-    // Largest error of a weight, for a kernel of peak 1: a sample a thousand times brighter than the result adds an
-    // error of 2e-6, less than the finest tolerance.
+    // For a kernel of peak 1: a sample a thousand times brighter than the result adds an error of 2e-6, less than the
+    // finest tolerance.
     private static final double LARGEST_ERROR = 2e-9;
-    // Largest number of coefficients of a polynomial; smooth kernels need fewer.
+    // Smooth kernels need fewer coefficients.
     private static final int MOST_POWERS = 16;
-    // Intervals of x at whose ends the error is evaluated.
     private static final int CHECKED_INTERVALS = 64;
 
     /**
      * Returns the polynomials of the lowest degree, the same for all taps, that are close enough to the kernel.
      *
-     * @param kernel weight of a sample as a function of its distance in samples; smooth up to a distance of {@code taps / 2}
+     * @param kernel weight of a sample by its distance in samples; smooth up to a distance of {@code taps / 2}
      * @throws IllegalArgumentException for a kernel that is not smooth
      */
     public static KernelPolynomials of(int taps, DoubleUnaryOperator kernel) {
@@ -88,7 +86,7 @@ public record KernelPolynomials(double[][] coefficients) {
         return coefficients[0].length;
     }
 
-    /** Defines TAPS, and KERNEL_AT_PLACE, an array of the weights at the variable place, by Horner's rule. */
+    /** Defines TAPS, and KERNEL_AT_PLACE, an array of the weights by Horner's rule. */
     public void defineIn(ShaderTables.Builder tables) {
         StringJoiner weights = new StringJoiner(", ", "float[](", ")");
         for (double[] tap : coefficients) {

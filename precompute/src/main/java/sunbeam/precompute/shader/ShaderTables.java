@@ -12,11 +12,9 @@ import java.util.function.DoubleConsumer;
  * Tables of a method's shader: constants, uniforms and arrays.
  *
  * @param shader file in shaders/method, without its ending
- * @param defines constants of the preprocessor
- * @param arrays arrays, each bound to the sampler that its layout names
  * @param windowSigma standard deviation of the coherence window, meters
  * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light
- * @param trial result of the tables' validation in words; empty if they were not validated
+ * @param trial result of the tables' validation; empty if they were not validated
  */
 public record ShaderTables(
         String shader,
@@ -33,16 +31,11 @@ public record ShaderTables(
         arrays = List.copyOf(arrays);
     }
 
-    /** Returns the arrays' bytes on the graphics card. */
     public long bytes() {
         return arrays.stream().mapToLong(array -> array.layout().bytes()).sum();
     }
 
-    /**
-     * Returns the same tables, which call back before each layer is computed or read.
-     *
-     * @param before receives the finished share of all layers, 0..1
-     */
+    /** Returns the same tables, which report the finished share of all layers, 0..1, before each layer is computed or read. */
     public ShaderTables preceded(DoubleConsumer before) {
         double all = arrays.stream().mapToInt(array -> array.layout().layers()).sum();
         AtomicInteger done = new AtomicInteger();
@@ -72,13 +65,11 @@ public record ShaderTables(
             return this;
         }
 
-        /** Adds a float or a vector of floats. */
         public Builder reals(String name, double... components) {
             uniforms.put(name, UniformValue.reals(components));
             return this;
         }
 
-        /** Adds an int or a vector of ints. */
         public Builder integers(String name, int... components) {
             uniforms.put(name, UniformValue.integers(components));
             return this;
@@ -89,7 +80,6 @@ public record ShaderTables(
             return this;
         }
 
-        /** Sets the result of the tables' validation, in words. */
         public Builder trial(String found) {
             trial = found;
             return this;
@@ -103,14 +93,9 @@ public record ShaderTables(
             return this;
         }
 
-        /**
-         * Builds the tables.
-         *
-         * @param windowSigma standard deviation of the coherence window, meters
-         * @param specularReach |(u, v)| up to which a direction sees the specular peak
-         */
+        /** Builds the tables; parameters as in {@link ShaderTables}. */
         public ShaderTables build(double windowSigma, double specularReach) {
-            // Iterations of the loop limit check in shaders/include/loops.glsl.
+            // See shaders/include/loops.glsl.
             integers("loopProbe", 2);
             return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
         }

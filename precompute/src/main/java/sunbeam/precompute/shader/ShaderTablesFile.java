@@ -31,7 +31,7 @@ import sunbeam.precompute.table.TableLabel;
  * <p>The checksum finds accidental damage, ten times as fast as a cryptographic digest.
  */
 public final class ShaderTablesFile {
-    /** Version of the files, and part of every key. Raise it whenever the program changes the tables that it makes for a plan. */
+    /** Part of every key. Raise it whenever the program changes the tables that it makes for a plan. */
     public static final int VERSION = 18;
 
     private static final long MAGIC = 0x53554e4245414d31L;
@@ -45,7 +45,6 @@ public final class ShaderTablesFile {
      *
      * @param key text that determines the tables
      * @param label description for lists of the cache
-     * @throws UncheckedIOException if the file cannot be written
      */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
         byte[] header = TablesHeader.of(key, label, tables).encoded();
@@ -80,8 +79,7 @@ public final class ShaderTablesFile {
      * Reads tables and checks the whole file. Layers stay in the file, mapped to memory: it may be replaced or deleted meanwhile, but not
      * overwritten.
      *
-     * @param key expected key
-     * @throws TableException if the file is truncated, altered, of another version or of another key; says what is wrong, without a remedy
+     * @throws TableException if the file is truncated, altered, of another version or of another key
      */
     public static ShaderTables read(Path file, String key) {
         return opened(file, channel -> read(channel, key));
@@ -90,7 +88,7 @@ public final class ShaderTablesFile {
     /**
      * Reads the description of a file's tables, without checking the tables themselves.
      *
-     * @throws TableException if the file has no readable header; says what is wrong, without a remedy
+     * @throws TableException if the file has no readable header
      */
     public static TableLabel label(Path file) {
         return opened(file, channel -> header(channel, headerBytes(channel)).label());
@@ -110,7 +108,6 @@ public final class ShaderTablesFile {
         }
     }
 
-    /** Returns the length of the header, after checking the version. */
     private static int headerBytes(FileChannel channel) throws IOException {
         long size = channel.size();
         if (size < PREFIX + Long.BYTES) {
@@ -160,7 +157,7 @@ public final class ShaderTablesFile {
         return channel.map(FileChannel.MapMode.READ_ONLY, position, bytes);
     }
 
-    /** Checks that the file's size is what its header implies, before memory is allocated. */
+    /** Called before memory is allocated. */
     private static void requireSize(long size, TablesHeader header, int headerBytes) {
         long expected;
         try {

@@ -2,17 +2,13 @@ package sunbeam.precompute.shader;
 
 import sunbeam.precompute.expansion.CoefficientTable;
 
-/** Arrays of an expansion's coefficients c_n(zeta), for shaders. */
 public final class SpectrumArrays {
     private static final int PER_TEXEL = 4;
 
     private SpectrumArrays() {}
 
     /**
-     * Defines the source of the coefficients in shaders/include/expansion.glsl.
-     *
-     * @param sampled whether they are an array of samples, not the closed form of Taylor's series
-     * @param terms number of the expansion's terms
+     * Defines the source of the coefficients in shaders/include/expansion.glsl: an array of samples, or the closed form of Taylor's series.
      */
     public static void define(ShaderTables.Builder tables, boolean sampled, int terms) {
         tables.define("EXPANSION_TAYLOR", 0).define("EXPANSION_SAMPLED", 1);
@@ -20,12 +16,11 @@ public final class SpectrumArrays {
                 .define("TERMS", terms);
     }
 
-    /** Returns the shape of {@link #coefficients}: a row of samples for each {@value #PER_TEXEL} terms. */
     public static ArrayLayout coefficientsLayout(String sampler, int samples, int terms) {
         return ArrayLayout.flat(sampler, samples, (terms + PER_TEXEL - 1) / PER_TEXEL, PER_TEXEL);
     }
 
-    /** Returns an array whose texels have the coefficients of {@value #PER_TEXEL} terms, for shaders that sum all terms in order. */
+    /** Each texel has {@value #PER_TEXEL} terms, for shaders that sum all terms in order. */
     public static TableArray coefficients(String sampler, CoefficientTable coefficients) {
         int samples = coefficients.samples();
         ArrayLayout layout = coefficientsLayout(sampler, samples, coefficients.terms());
@@ -39,15 +34,11 @@ public final class SpectrumArrays {
         return TableArray.of(layout, texels);
     }
 
-    /** Returns the shape of {@link #singleCoefficients}: a row of samples for each term. */
     public static ArrayLayout singleLayout(String sampler, int samples, int terms) {
         return ArrayLayout.flat(sampler, samples, terms, PER_TEXEL);
     }
 
-    /**
-     * Returns an array whose texels have a term's coefficient at the previous, this and the next sample, so that a shader interpolates a
-     * single term with one texel fetch.
-     */
+    /** Each texel has a term's coefficient at the previous, this and the next sample, so that one texel fetch interpolates it. */
     public static TableArray singleCoefficients(String sampler, CoefficientTable coefficients) {
         int samples = coefficients.samples();
         ArrayLayout layout = singleLayout(sampler, samples, coefficients.terms());
@@ -66,7 +57,7 @@ public final class SpectrumArrays {
         return new double[] {-scale * coefficients.minimumPhase(), scale};
     }
 
-    /** Returns {offset, scale} of the map from a value to its texture coordinate; the first and the last sample are texel centers. */
+    /** Returns {offset, scale} of the map from a value to its texture coordinate. */
     public static double[] textureMap(double first, double last, int samples) {
         double scale = (samples - 1.0) / samples / (last - first);
         return new double[] {0.5 / samples - scale * first, scale};

@@ -6,8 +6,8 @@ import java.util.function.IntFunction;
 /**
  * Array that a shader reads, with its values.
  *
- * @param layers function from a layer's index to its {@link ArrayLayout#floatsPerLayer()} floats; may compute or read them when called, so
- *     that only one layer needs memory
+ * @param layers function from a layer's index to its {@link ArrayLayout#floatsPerLayer()} floats; may compute them when called, so that
+ *     only one layer needs memory
  */
 public record TableArray(ArrayLayout layout, IntFunction<FloatBuffer> layers) {
 

@@ -17,8 +17,6 @@ import sunbeam.precompute.table.TableLabel;
  *
  * @param key text that determines the tables
  * @param label description for lists of the cache
- * @param reals uniforms of floats
- * @param integers uniforms of ints
  */
 record TablesHeader(
         String key,
@@ -31,7 +29,7 @@ record TablesHeader(
         double specularReach,
         String trial,
         List<ArrayLayout> layouts) {
-    // Limit of the header's length, more than any method's; a file with a longer one is damaged.
+    // Longer than any method's header.
     private static final int MOST_BYTES = 1 << 20;
     private static final int ALIGNMENT = 16;
     private static final JsonMapper JSON = JsonMapper.builder()
@@ -86,7 +84,7 @@ record TablesHeader(
     byte[] encoded() {
         try {
             byte[] json = JSON.writeValueAsBytes(this);
-            // Padded with blanks, so that the floats are aligned.
+            // Blanks align the floats.
             byte[] bytes = Arrays.copyOf(json, (json.length + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
             Arrays.fill(bytes, json.length, bytes.length, (byte) ' ');
             return bytes;
@@ -95,7 +93,6 @@ record TablesHeader(
         }
     }
 
-    /** @throws TableException if the bytes are not those of a header */
     static TablesHeader decoded(byte[] bytes) {
         try {
             return JSON.readValue(bytes, TablesHeader.class);

@@ -9,13 +9,11 @@ import sunbeam.precompute.fourier.Band;
 /**
  * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies.
  *
- * @param patch identity of the patch
- * @param kind kind of the expansion
  * @param scale map from heights to the argument s of T_n(s)
  * @param bandX bins along x; frequency = bin / width
- * @param bandY bins along y, ascending with y; frequency = bin / height
- * @param real real parts {@code [term][row * bandX.count() + column]}, rows in ascending order of jy, columns in ascending order of jx;
- *     phases refer to sample (0, 0), at the top left
+ * @param bandY bins along y, ascending with y
+ * @param real real parts {@code [term][row * bandX.count() + column]}, rows and columns in ascending order of bins; phases refer to sample
+ *     (0, 0), at the top left
  * @param imaginary imaginary parts, in the order of {@code real}
  * @param coefficients sampled c_n(zeta); empty for Taylor's series, whose coefficients have a closed form
  */

@@ -1,13 +1,9 @@
 package sunbeam.precompute.table;
 
 /**
- * Identity of a surface in tables and cache keys.
+ * Identity of a surface in tables and cache keys; pitches in meters.
  *
- * @param name name of the surface in messages and file attributes, not unique
- * @param columns number of samples along x
- * @param rows number of samples along y
- * @param pitchX distance of samples along x, meters
- * @param pitchY distance of samples along y, meters
+ * @param name name in messages and file attributes, not unique
  * @param digest SHA-256 of grid and heights, in hexadecimal
  */
 public record PatchIdentity(String name, int columns, int rows, double pitchX, double pitchY, String digest) {

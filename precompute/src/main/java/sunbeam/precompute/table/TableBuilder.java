@@ -90,7 +90,7 @@ public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsume
         }
     }
 
-    /** Returns a source of rows whose real and imaginary parts are two functions of the scaled height at each sample. */
+    /** Real and imaginary parts are two functions of the scaled height at each sample. */
     private BandTransform2d.RowSource rows(
             Expansion expansion, DoubleUnaryOperator real, DoubleUnaryOperator imaginary) {
         HeightScale scale = expansion.scale();

@@ -12,7 +12,7 @@ public final class Quoted {
         return '"' + oneLine(shown) + '"';
     }
 
-    /** Returns the text with each control character (line breaks, escape sequences) replaced by {@code ?}. */
+    /** Replaces each control character (line breaks, escape sequences) by {@code ?}. */
     public static String oneLine(String text) {
         return text.replaceAll("[\\p{Cntrl}\\u2028\\u2029]", "?");
     }

@@ -8,14 +8,11 @@ import java.util.Optional;
 
 /** Suggestions for misspelled names. */
 public final class Similar {
-    /** Maximum edit distance of a suggestion. */
     private static final int LARGEST_DISTANCE = 2;
 
     private Similar() {}
 
-    /**
-     * True if the names differ by at most two insertions, deletions or substitutions, and by at most half of the shorter name's letters.
-     */
+    /** True if the names differ by at most two edits, and by at most half of the shorter name's letters. */
     public static boolean are(String one, String other) {
         return editDistance(one, other) <= Math.min(LARGEST_DISTANCE, Math.min(one.length(), other.length()) / 2);
     }
@@ -32,7 +29,6 @@ public final class Similar {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 
-    /** Returns the Levenshtein distance. */
     private static int editDistance(String one, String other) {
         int[] above = new int[other.length() + 1];
         Arrays.setAll(above, column -> column);

@@ -7,7 +7,7 @@ import sunbeam.precompute.text.Quoted;
 
 /** Conversion of angles as text ("30 deg", "30°", "0.5rad"; degrees where no unit is written) to and from radians. */
 public final class Angles {
-    // Significant digits of formatted angles; the conversion from radians to degrees spoils a double's last ones.
+    // The conversion from radians to degrees spoils a double's last digits.
     private static final int DIGITS = 12;
     private static final int UNIT_LENGTH = 3;
 
@@ -30,7 +30,7 @@ public final class Angles {
         return radians ? number : Math.toRadians(number);
     }
 
-    /** Formats radians in degrees, {@code "30 deg"}; {@link #parse} gives the same number back to twelve digits. */
+    /** Formats radians in degrees, {@code "30 deg"}. */
     public static String format(double radians) {
         if (!Double.isFinite(radians)) {
             return radians + " deg";

@@ -9,11 +9,11 @@ import sunbeam.precompute.text.Quoted;
 
 /** Parsing and formatting of decimal numbers. */
 public final class Decimals {
-    /** Decimal number; Double.parseDouble would also accept 1d, 0x1p3 and NaN. */
+    /** Double.parseDouble would also accept 1d, 0x1p3 and NaN. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private static final int LONGEST = 100;
-    // Largest number of digits after the decimal point, and that of an exact value.
+    // Digits after the decimal point, and those of an exact value.
     private static final int MOST_PLACES = 9;
     private static final int EXACT_PLACES = 2;
 
@@ -21,7 +21,6 @@ public final class Decimals {
 
     private Decimals() {}
 
-    /** Returns a remedy for a decimal comma, starting with a semicolon; empty if the text has none. */
     public static String commaRemedy(String text) {
         if (text.contains(".")) {
             return "";
@@ -64,9 +63,8 @@ public final class Decimals {
     }
 
     /**
-     * Formats a finite value to two digits of its uncertainty, at most nine after the point.
-     *
-     * @param uncertainty half the width of an interval, in the value's unit; 0 for an exact value, which gets two digits after the point
+     * Formats a finite value to two digits of its uncertainty, half the width of an interval; an exact value, with uncertainty 0, has two
+     * digits after the point.
      */
     public static String within(double value, double uncertainty) {
         int places = uncertainty > 0 && Double.isFinite(uncertainty)
@@ -75,7 +73,7 @@ public final class Decimals {
         return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).toPlainString();
     }
 
-    /** Parses a finite number, with blanks around it allowed; empty if the text is none. */
+    /** Parses a finite number, with blanks around it allowed. */
     public static OptionalDouble parse(String text) {
         String digits = text.strip();
         if (digits.length() > LONGEST || !DECIMAL.matcher(digits).matches()) {

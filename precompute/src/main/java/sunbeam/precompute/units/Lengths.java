@@ -16,23 +16,22 @@ public final class Lengths {
     private static final Map<String, Integer> POWER_OF_TEN =
             Map.of("pm", -12, "nm", -9, "um", -6, "mm", -3, "cm", -2, "m", 0);
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
-    /** Significant digits of lengths in messages; more would not help a reader. */
+    /** More digits in messages would not help a reader. */
     private static final int SHOWN_DIGITS = 6;
 
     /** Smallest length that is no rounding error, meters. */
     private static final double SMALLEST = 1e-15;
-    /** Significant digits that distinguish every double from its neighbors. */
+    /** These digits distinguish every double from its neighbors. */
     private static final int MOST_DIGITS = 17;
 
-    /** Number and unit. Three digits of exponent are more than any length needs; more would make the decimal arithmetic slow. */
+    /** More than three digits of exponent would make the decimal arithmetic slow. */
     private static final Pattern LENGTH =
             Pattern.compile("([+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*(\\S*)");
 
     private Lengths() {}
 
     /**
-     * Parses a length to meters, correctly rounded: {@code parse("65um") == 65e-6}. Negative lengths are accepted; the caller decides
-     * whether they make sense.
+     * Parses a length to meters, correctly rounded: {@code parse("65um") == 65e-6}. Negative lengths are accepted.
      *
      * @throws IllegalArgumentException when the text has no number, no unit or an unknown unit
      */
@@ -61,22 +60,19 @@ public final class Lengths {
     }
 
     /**
-     * Formats a length with at most six digits, in the unit that makes its number lie between 1 and 1000 if there is one: {@code "65 um"},
-     * {@code "818.69 nm"}. {@link #parse} reads it again, except NaN and infinities.
+     * Formats a length with at most six digits, in the unit that makes its number lie between 1 and 1000: {@code "65 um"}, {@code "818.69
+     * nm"}.
      */
     public static String format(double meters) {
         return format(meters, SHOWN_DIGITS);
     }
 
-    /**
-     * Formats as {@link #format(double)} does, with the given digits; a length below a femtometer, which can only be a rounding error, as
-     * 0.
-     */
+    /** Formats with the given digits; a length below a femtometer, which can only be a rounding error, as 0. */
     public static String rounded(double meters, int digits) {
         return format(Math.abs(meters) < SMALLEST ? 0 : meters, digits);
     }
 
-    /** Formats as {@link #format(double)} does, with enough digits for {@link #parse} to return the same number. */
+    /** Formats with enough digits for {@link #parse} to return the same number. */
     public static String exact(double meters) {
         for (int digits = SHOWN_DIGITS; digits < MOST_DIGITS; digits++) {
             String text = format(meters, digits);
@@ -92,8 +88,7 @@ public final class Lengths {
             return (meters == 0 ? "0" : Double.toString(meters)) + " m";
         }
         BigDecimal rounded = new BigDecimal(meters).round(new MathContext(digits, RoundingMode.HALF_EVEN));
-        // Number of digits before the decimal point of the value in meters: -4 for 6.5e-5. The same length in um, 65,
-        // has 2.
+        // Digits before the decimal point of the value in meters: -4 for 6.5e-5.
         int magnitude = rounded.precision() - rounded.scale();
         int index = Math.max(0, Math.min(ENGINEERING_UNITS.length - 1, Math.floorDiv(magnitude - 1, 3) + 4));
         String unit = ENGINEERING_UNITS[index];

@@ -5,9 +5,9 @@ import java.util.List;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y, on which pits and lands alternate, each 3 to 11 channel
- * bits long, with random lengths n of probabilities proportional to 0.7^n in place of coded data. The surface is regular across the tracks
- * and random along them.
+ * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y with pits and lands in turn, each 3 to 11 channel bits
+ * long. Their lengths n are random, with probabilities proportional to 0.7^n, in place of coded data. The surface is regular across the
+ * tracks and random along them.
  */
 final class CompactDisc {
     private static final int TRACKS = 32;

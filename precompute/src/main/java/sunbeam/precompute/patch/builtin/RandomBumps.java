@@ -6,8 +6,8 @@ import sunbeam.precompute.optics.HeightMap;
  * Flat bumps of the size that Stam chose (Diffraction Shaders, SIGGRAPH 1999), 0.15 um high, 0.5 um along x, 1 um along y, at independent,
  * uniformly random positions (shot noise). Heights of overlapping bumps add up. Bumps align with samples and wrap around the patch's edge.
  *
- * <p>Let p(s) = exp(i k w h(s)) be the phase factor, N the number of bumps of area a on a patch of area A, t = k w HEIGHT, c = 1 - cos t.
- * Let g(r) be the area of the intersection of a bump with itself shifted by r. The expected autocorrelation of p is
+ * <p>Let p(s) = exp(i k w h(s)) be the phase factor, t = k w HEIGHT, c = 1 - cos t. Let N be the number of bumps of area a on a patch of
+ * area A, and g(r) the area of the intersection of a bump with itself shifted by r. The expected autocorrelation of p is
  *
  * <pre> mean of p(s) p*(s + r) = (1 - 2 c (a - g(r)) / A)^N
  * </pre>

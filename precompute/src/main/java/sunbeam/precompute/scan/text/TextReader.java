@@ -25,7 +25,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
 
     /** This many evenly spaced numbers count as coordinates; fewer may be heights. */
     private static final int FEWEST_EVENLY_SPACED = 8;
-    // As a share of the step: files round numbers.
+    // Share of the step; files round numbers.
     private static final double ROUNDING = 0.2;
 
     private static final Pattern AXES = Pattern.compile(
