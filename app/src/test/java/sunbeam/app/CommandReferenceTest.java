@@ -24,6 +24,7 @@ class CommandReferenceTest {
             "inspect",
             "color",
             "evaluate",
+            "orders",
             "reflectance",
             "precompute",
             "export",

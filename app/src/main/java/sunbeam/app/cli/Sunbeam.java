@@ -23,6 +23,7 @@ import sunbeam.app.cli.export.ExportCommand;
 import sunbeam.app.cli.figures.FiguresCommand;
 import sunbeam.app.cli.inspect.InspectCommand;
 import sunbeam.app.cli.mesh.MeshCommand;
+import sunbeam.app.cli.orders.OrdersCommand;
 import sunbeam.app.cli.precompute.PrecomputeCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
 import sunbeam.app.cli.render.RenderCommand;
@@ -119,6 +120,7 @@ public final class Sunbeam {
         commands.put("reflectance", ReflectanceCommand::new);
         commands.put("inspect", InspectCommand::new);
         commands.put("evaluate", EvaluateCommand::new);
+        commands.put("orders", OrdersCommand::new);
         commands.put(
                 "figures",
                 () -> new FiguresCommand(

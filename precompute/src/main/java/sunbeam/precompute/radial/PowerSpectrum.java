@@ -1,6 +1,7 @@
 package sunbeam.precompute.radial;
 
 import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.expansion.PhaseSamples;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.ErrorBudget;

@@ -20,7 +20,7 @@ class EnergyBalanceTest {
     void aMirrorSendsOutWhatArrives() {
         HeightMap mirror = Surfaces.of(40, 30, 50e-9, (x, y) -> 3e-6);
         assertThat(EnergyBalance.at(mirror, Direction.ofDegrees(50, 20), 550e-9).ratio())
-                .isCloseTo(1, within(1e-12));
+                .isCloseTo(1, within(1e-6)); // amplitudes are float32
     }
 
     @Test
@@ -36,7 +36,7 @@ class EnergyBalanceTest {
 
         EnergyBalance balance = EnergyBalance.at(tracks(period), ABOVE, wavelength);
 
-        assertThat(balance.ratio()).isCloseTo(zero + 2 * inOne / cosine, within(1e-12));
+        assertThat(balance.ratio()).isCloseTo(zero + 2 * inOne / cosine, within(1e-6)); // the error of the expansion
         assertThat(balance.warning())
                 .hasValueSatisfying(words -> assertThat(words).contains("720 nm"));
     }

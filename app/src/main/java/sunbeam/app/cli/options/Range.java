@@ -70,4 +70,15 @@ public record Range(double minimum, double maximum, double step) {
                     + "' is not a number; give min:max:step as in 380:780:5"));
         }
     }
+
+    /** Parses one number, or a range. */
+    public static final class OrNumberConverter implements ITypeConverter<Range> {
+        @Override
+        public Range convert(String text) {
+            OptionalDouble number = Decimals.parse(text);
+            return number.isPresent()
+                    ? new Range(number.getAsDouble(), number.getAsDouble(), 1)
+                    : new Converter().convert(text);
+        }
+    }
 }

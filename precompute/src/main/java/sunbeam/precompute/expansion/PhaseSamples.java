@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.expansion;
 
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
@@ -11,15 +11,15 @@ import sunbeam.precompute.numerics.Lagrange;
  * @param minimum phase of the first sample, radians
  * @param values {@code [sample][function]}
  */
-record PhaseSamples(double minimum, double step, double[][] values) {
+public record PhaseSamples(double minimum, double step, double[][] values) {
     private static final double WIDEST_STEP = 0.03;
     // Light that all grazes the surface has one phase only.
     private static final double SMALLEST_RANGE = 1e-3;
     private static final int POINTS = 6;
     private static final int BEFORE = POINTS / 2 - 1;
 
-    /** Beyond the range, interpolation returns the values at its ends. */
-    static PhaseSamples of(DoubleFunction<double[]> functions, double minimum, double maximum) {
+    /** Samples functions over a range of phases; interpolation beyond it returns the values at its ends. */
+    public static PhaseSamples of(DoubleFunction<double[]> functions, double minimum, double maximum) {
         double range = Math.max(SMALLEST_RANGE, maximum - minimum);
         int steps = Math.max(POINTS, (int) Math.ceil(range / WIDEST_STEP));
         double step = range / steps;
@@ -30,7 +30,8 @@ record PhaseSamples(double minimum, double step, double[][] values) {
         return new PhaseSamples(minimum, step, values);
     }
 
-    double[] at(double phase) {
+    /** Returns all functions at a phase in radians. */
+    public double[] at(double phase) {
         double place = Math.max(0, Math.min(values.length - 1.0, (phase - minimum) / step));
         int first = Math.max(0, Math.min((int) place - BEFORE, values.length - POINTS));
         double[] sums = new double[values[0].length];

@@ -1,0 +1,196 @@
+package sunbeam.app.cli.orders;
+
+import static sunbeam.app.cli.options.LightOptions.PHI_I;
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+import static sunbeam.precompute.plan.LightSettings.OBSERVER;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.cli.options.Range;
+import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.OrderLattice;
+import sunbeam.precompute.analysis.OrderLight;
+import sunbeam.precompute.analysis.OrderSpectrum;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
+
+/** Command {@code sunbeam orders}: how much light a surface sends into each diffraction order. */
+@Command(
+        name = "orders",
+        header = "Tell how much light goes into each diffraction order.",
+        description =
+                "Tell how much light a grating, a lattice or a scan with a period sends into each diffraction order:"
+                        + " numbers, direction and efficiency, the share of the incident light, over wavelength and angle of"
+                        + " incidence. Writes them as .csv and .json, and a plot (.png) with their sum beside the reflectance of a"
+                        + " flat mirror. The efficiency of a scan is the light around the order, with its 95 % interval. A patch"
+                        + " without a period: exit code 4. See docs/evaluation.md.",
+        footer = {"  sunbeam orders blaze --theta-i 0:60:10", "  sunbeam orders scan.gwy --theta-i 30 --index 0.97+6.5i"
+        })
+public final class OrdersCommand extends ReportingCommand {
+    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
+    private static final double LARGEST_THETA = 89.9;
+    // Largest numbers of orders of a patch (its amplitudes take up to 500 MB) and of evaluated orders (minutes).
+    private static final long MOST_ORDERS = 1_500_000;
+    private static final long MOST_EVALUATIONS = 4_000_000_000L;
+
+    @Mixin
+    private PatchOptions patchOptions;
+
+    @Mixin
+    private final SettingOptions azimuth =
+            SettingOptions.overriding(List.of(PHI_I), Map.of(PHI_I, "across the lines of the grating"));
+
+    @Mixin
+    private final SettingOptions light = new SettingOptions(List.of(ILLUMINANT, OBSERVER));
+
+    @Mixin
+    private IndexOption index;
+
+    @Mixin
+    private ForceOption force;
+
+    @Option(
+            names = "--theta-i",
+            paramLabel = "ANGLES",
+            converter = Range.OrNumberConverter.class,
+            defaultValue = "0",
+            description =
+                    "Angle of the light to the normal in degrees, or angles MIN:MAX:STEP, within 0 to 89.9. Default:"
+                            + " ${DEFAULT-VALUE}.")
+    private Range thetas;
+
+    @Option(
+            names = "--wavelengths",
+            paramLabel = "MIN:MAX:STEP",
+            converter = Range.OrNumberConverter.class,
+            defaultValue = "380:780:5",
+            description = "Wavelengths in nm, or one, within 380..780. Default: ${DEFAULT-VALUE}.")
+    private Range wavelengths;
+
+    @Option(
+            names = "--output",
+            paramLabel = "NAME",
+            description = "Name of the files, without ending. Default: PATCH-orders.")
+    private Path output;
+
+    @Override
+    public Integer call() {
+        Choices choices = light.choices().over(azimuth.choices());
+        return choices.located(() -> tell(choices));
+    }
+
+    private int tell(Choices choices) {
+        requireWithin("--theta-i", thetas, 0, LARGEST_THETA);
+        requireWithin("--wavelengths", wavelengths, 380, 780);
+        RefractiveIndex material = index.parse();
+        CieTable cie = LightTable.of(choices);
+        if (output != null) {
+            new FileGroup(output, ENDINGS, force.overwrite(output)).checkWritable();
+        }
+        Patch patch = patchOptions.load(Choices.none());
+        ScanWarnings.line(patch.name(), patch.warnings(), "inspect").ifPresent(err()::println);
+        Path stem = output != null ? output : Path.of(patch.name() + "-orders");
+        FileGroup files = new FileGroup(stem, ENDINGS, force.overwrite(output));
+        files.checkWritable();
+        GratingPeriod period = GratingPeriod.of(patch);
+        if (!period.isSeen()) {
+            throw new PatchException(patch.name() + ": no orders without a period: "
+                    + Verdict.of(patch, period).sentence());
+        }
+        OrderTable table = table(patch, period, choices, material, cie);
+        PrintWriter out = out();
+        out.println(table.verdict().sentence());
+        table.lines().forEach(out::println);
+        Map<String, Object> tree = table.tree();
+        tree.put("index", index.describe(material));
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        contents.put(".csv", table.csv());
+        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
+        Map<String, String> text = Map.of("Title", patch.name() + ", diffraction orders", "Patch", patch.source());
+        contents.put(".png", stream -> PngWriter.write(stream, OrderPlot.draw(table), text));
+        files.write(contents).forEach(file -> out.println(StandardOutput.name(file)));
+        return DoubtfulPicture.ofPatches(List.of(patch)).code();
+    }
+
+    private static void requireWithin(String option, Range range, double least, double most) {
+        // The tolerance of 1e-6 is for the rounding of the range's values.
+        if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
+            throw new UsageException(option + ": " + Decimals.format(range.minimum()) + " to "
+                    + Decimals.format(range.maximum()) + " leaves the range " + Decimals.format(least) + " to "
+                    + Decimals.format(most) + "; give values within");
+        }
+    }
+
+    private OrderTable table(
+            Patch patch, GratingPeriod period, Choices choices, RefractiveIndex material, CieTable cie) {
+        long orders = OrderSpectrum.size(patch.heights());
+        if (orders > MOST_ORDERS) {
+            throw new PatchException(Text.format(
+                    "%s: a patch of %s has too many orders; --crop a part of at most about 100um x 100um",
+                    patch.name(), patch.heights().describe()));
+        }
+        int lights = thetas.count() * wavelengths.count();
+        if (orders * lights > MOST_EVALUATIONS) {
+            throw new UsageException(Text.format(
+                    "%d angles of --theta-i and %d --wavelengths are too many for this patch; take larger steps",
+                    thetas.count(), wavelengths.count()));
+        }
+        OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
+        OrderLattice lattice = OrderLattice.of(patch, period);
+        double phi = choices.find(PHI_I)
+                .map(Math::toDegrees)
+                .orElseGet(() -> Math.toDegrees(lattice.first().azimuth()));
+        double[] nanometers = wavelengths.values();
+        List<Direction> directions = IntStream.range(0, thetas.count())
+                .mapToObj(i -> Direction.ofDegrees(thetas.values()[i], phi))
+                .toList();
+        List<OrderLight> all = environment()
+                .progress()
+                .map(
+                        "Orders of " + patch.name(),
+                        IntStream.range(0, lights).boxed().toList(),
+                        i -> OrderLight.of(
+                                spectrum,
+                                lattice,
+                                material,
+                                directions.get(i / nanometers.length),
+                                nanometers[i % nanometers.length] * 1e-9,
+                                patch.repetition() != Patch.Repetition.PERIODIC));
+        List<OrderTable.Incidence> incidences = IntStream.range(0, thetas.count())
+                .mapToObj(i -> new OrderTable.Incidence(
+                        thetas.values()[i],
+                        directions.get(i),
+                        all.subList(i * nanometers.length, (i + 1) * nanometers.length)))
+                .collect(Collectors.toList());
+        return new OrderTable(patch, period, lattice, phi, nanometers, incidences, cie);
+    }
+}

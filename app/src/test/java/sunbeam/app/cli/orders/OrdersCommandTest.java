@@ -1,0 +1,153 @@
+package sunbeam.app.cli.orders;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.apache.commons.math3.special.BesselJ;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+
+class OrdersCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... more) {
+        String[] all = Stream.concat(
+                        Stream.of("orders", "--output", file("o").toString(), "--force"), Arrays.stream(more))
+                .toArray(String[]::new);
+        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err)).run(all);
+    }
+
+    private Path file(String name) {
+        return folder.resolve(name);
+    }
+
+    private JsonNode json() throws IOException {
+        return new ObjectMapper().readTree(file("o.json").toFile());
+    }
+
+    private static JsonNode order(JsonNode incidence, int m) {
+        for (JsonNode order : incidence.get("orders")) {
+            if (order.get("m").asInt() == m) {
+                return order;
+            }
+        }
+        throw new AssertionError("no order " + m);
+    }
+
+    @Test
+    void writesDirectionAndEfficiencyOfEachOrder() throws IOException {
+        assertThat(run("sinusoid", "--theta-i", "0:40:20", "--wavelengths", "400:700:10"))
+                .as(err.toString())
+                .isZero();
+
+        JsonNode incidence = json().get("incidences").get(1);
+        assertThat(incidence.get("theta_i_degrees").asDouble()).isEqualTo(20);
+        JsonNode first = order(incidence, -1);
+        // 550 nm; sin theta_r = -sin theta_i - lambda / d, towards azimuth 180.
+        double sine = Math.sin(Math.toRadians(20)) + 550.0 / 2500;
+        assertThat(first.get("theta_r_degrees").get(15).asDouble())
+                .isCloseTo(Math.toDegrees(Math.asin(sine)), within(1e-9));
+        assertThat(first.get("phi_r_degrees").get(15).asDouble()).isCloseTo(180, within(1e-9));
+        double cosR = Math.sqrt(1 - sine * sine);
+        double cosI = Math.cos(Math.toRadians(20));
+        double dot = cosR * cosI - Math.sin(Math.toRadians(20)) * sine;
+        double reflectance = 0.04 + 0.96 * Math.pow(1 - Math.sqrt((1 + dot) / 2), 5);
+        double expected = reflectance
+                * Math.pow((1 + dot) / (cosR + cosI), 2)
+                / (cosR * cosI)
+                * Math.pow(BesselJ.value(1, 2 * Math.PI / 550e-9 * (cosR + cosI) * 100e-9), 2);
+        // The expansion's 1e-6; 128 samples a period are exact for a sinusoid.
+        assertThat(first.get("efficiency").get(15).asDouble()).isCloseTo(expected, within(1e-6));
+        // Order -3 leaves the hemisphere at 2500 nm (1 - sin 20) / 3 = 548.3 nm.
+        assertThat(order(incidence, -3).get("beyond_horizon_from_nm").asDouble())
+                .isEqualTo(550);
+        assertThat(order(incidence, -3).get("efficiency")).hasSize(15);
+        assertThat(ImageIO.read(file("o.png").toFile()).getHeight()).isGreaterThan(1500);
+    }
+
+    @Test
+    void theTableIsAListOfDirectionsAndAddsUp() throws IOException {
+        assertThat(run("lamellar", "--theta-i", "30", "--phi-i", "90", "--wavelengths", "500", "--index", "0.97+6.5i"))
+                .as(err.toString())
+                .isZero();
+
+        List<String> lines = Files.readAllLines(file("o.csv"));
+        assertThat(lines.get(0)).isEqualTo("theta_i,phi_i,theta_r,phi_r,wavelength,m,n,efficiency,low,high,sum,mirror");
+        double[] sum = new double[1];
+        double told = Double.parseDouble(lines.get(1).split(",")[10]);
+        lines.stream().skip(1).map(line -> line.split(",")).forEach(row -> {
+            sum[0] += Double.parseDouble(row[7]);
+            // Conical incidence: the component of the light along the lines is kept.
+            double theta = Math.toRadians(Double.parseDouble(row[2]));
+            double phi = Math.toRadians(Double.parseDouble(row[3]));
+            assertThat(Math.sin(theta) * Math.sin(phi)).isCloseTo(-0.5, within(1e-9));
+            assertThat(Math.sin(theta) * Math.cos(phi))
+                    .isCloseTo(Double.parseDouble(row[5]) * 500 / 2500, within(1e-9));
+        });
+        assertThat(told).isCloseTo(sum[0], within(1e-12));
+        // |n - 1|^2 / |n + 1|^2 of chromium-like n = 0.97 + 6.5i, seen at 30 degrees.
+        assertThat(Double.parseDouble(lines.get(1).split(",")[11])).isBetween(0.91, 0.92);
+    }
+
+    @Test
+    void anOrdersColorIsThatOfItsLight() throws IOException {
+        assertThat(run("sinusoid", "--wavelengths", "620:640:5"))
+                .as(err.toString())
+                .isZero();
+        String color = order(json().get("incidences").get(0), 1).get("srgb").asText();
+        int rgb = Integer.parseInt(color.substring(1), 16);
+        assertThat(rgb >> 16).as(color).isGreaterThan(3 * (rgb & 0xFF)).isGreaterThan(3 * (rgb >> 8 & 0xFF));
+    }
+
+    @Test
+    void aScanHasTheLightAroundEachOrderWithItsInterval() throws IOException {
+        assertThat(run("elaphe-like", "--no-periodic", "--wavelengths", "550", "--crop", "0um:20um,0um:20um"))
+                .as(err.toString())
+                .isIn(0, ExitCode.TOLERANCE_MISSED.code());
+        JsonNode incidence = json().get("incidences").get(0);
+        for (JsonNode order : incidence.get("orders")) {
+            double value = order.get("efficiency").get(0).asDouble();
+            assertThat(order.get("efficiency_low").get(0).asDouble()).isLessThan(value);
+            assertThat(order.get("efficiency_high").get(0).asDouble()).isGreaterThan(value);
+        }
+        assertThat(incidence.get("between_orders").get(0).asDouble()).isPositive();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "bumps | 4 | bumps: no orders without a period",
+                "blaze --theta-i 90 | 2 | --theta-i: 90 to 90 leaves the range 0 to 89.9",
+                "blaze --wavelengths 300:500:10 | 2 | --wavelengths: 300 to 500 leaves the range 380 to 780",
+                "blaze --wavelengths green | 2 | is not a range",
+                "blaze --index 0 | 2 | --index 0",
+            })
+    void mistakesAreOneLine(String arguments, int code, String start) {
+        assertThat(run(arguments.split(" "))).as(err.toString()).isEqualTo(code);
+        assertThat(err.toString().lines().filter(line -> !line.startsWith("warning")))
+                .anyMatch(line -> line.contains(start));
+        assertThat(file("o.csv")).doesNotExist();
+    }
+}

@@ -1,0 +1,133 @@
+package sunbeam.precompute.analysis;
+
+import java.math.BigInteger;
+import java.util.Optional;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
+
+/**
+ * Reciprocal lattice of a surface's diffraction orders. In the plane of the surface, order (m, n) leaves along wr = -wi + lambda (m first +
+ * n second), so that orders of positive m lie towards the first frequency.
+ *
+ * @param first frequency of order (1, 0)
+ * @param second frequency of order (0, 1); empty for a grating, whose orders have n = 0
+ */
+public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> second) {
+    // Least share of the heights' variance in a frequency of a repeated patch that its lattice must contain: float
+    // files round heights to 1e-7 of the relief.
+    private static final double WEAKEST = 1e-9;
+    // Least length of a vector of a repeated patch's lattice, relative to the strongest wave. A patch with a shorter
+    // one
+    // holds many different lines; its orders are those of the wave.
+    private static final double SHORTEST = 0.24;
+    // Least sine of the angle between the waves of a lattice.
+    private static final double CROSSING = 0.3;
+
+    /** Numbers of an order. */
+    public record Order(int m, int n) {
+        /** Returns "-1", or "(1, -2)" in a lattice of two frequencies. */
+        public String in(OrderLattice lattice) {
+            return lattice.second.isPresent() ? "(" + m + ", " + n + ")" : String.valueOf(m);
+        }
+    }
+
+    /**
+     * Returns the lattice of a surface with a period: that of all frequencies of a patch that repeats, or that of the strongest waves of a
+     * scan.
+     */
+    public static OrderLattice of(Patch patch, GratingPeriod period) {
+        SpatialFrequency wave = period.wave();
+        OrderLattice waves = new OrderLattice(
+                positive(wave),
+                period.others().stream()
+                        .filter(other -> other.sineTo(wave) > CROSSING)
+                        .findFirst()
+                        .map(OrderLattice::positive));
+        if (!period.isExact() || patch.repetition() != Patch.Repetition.PERIODIC) {
+            return waves;
+        }
+        OrderLattice exact = generated(HeightSpectrum.of(patch.scan(), HeightSpectrum.Edges.PERIODIC));
+        if (exact.first.length() < SHORTEST * wave.length()) {
+            return waves;
+        }
+        return exact.second.filter(other -> other.sineTo(wave) < WEAKEST).isPresent()
+                ? new OrderLattice(exact.second.get(), Optional.of(exact.first))
+                : exact;
+    }
+
+    /** Returns the coarsest lattice that contains all frequencies of a surface, the shortest vector first. */
+    private static OrderLattice generated(HeightSpectrum spectrum) {
+        // The vectors (a, b) and (0, d), in bins, generate the lattice (Hermite normal form).
+        int a = 0;
+        int b = 0;
+        int d = 0;
+        double[] power = spectrum.power();
+        for (int place = power.length / 2 + 1; place < power.length; place++) {
+            if (power[place] > WEAKEST * spectrum.total()) {
+                int x = spectrum.bandX().first() + place % spectrum.bandX().count();
+                int y = spectrum.bandY().first() + place / spectrum.bandX().count();
+                while (x != 0) {
+                    int times = a / x;
+                    int nextX = a - times * x;
+                    int nextY = b - times * y;
+                    a = x;
+                    b = y;
+                    x = nextX;
+                    y = nextY;
+                }
+                d = BigInteger.valueOf(d).gcd(BigInteger.valueOf(y)).intValueExact();
+                b = d > 0 ? Math.floorMod(b, d) : b;
+            }
+        }
+        SpatialFrequency slanted = new SpatialFrequency(a / spectrum.width(), b / spectrum.height());
+        SpatialFrequency upright = new SpatialFrequency(0, d / spectrum.height());
+        if (a == 0 || d == 0) {
+            return new OrderLattice(positive(a == 0 ? upright : slanted), Optional.empty());
+        }
+        return reduced(slanted, upright);
+    }
+
+    /** Returns the shortest vectors of a lattice (Gauss's reduction). */
+    private static OrderLattice reduced(SpatialFrequency one, SpatialFrequency other) {
+        SpatialFrequency shorter = one.length() <= other.length() ? one : other;
+        SpatialFrequency longer = one.length() <= other.length() ? other : one;
+        double times = Math.rint((shorter.x() * longer.x() + shorter.y() * longer.y()) / Math.pow(shorter.length(), 2));
+        return times == 0
+                ? new OrderLattice(positive(shorter), Optional.of(positive(longer)))
+                : reduced(
+                        shorter,
+                        new SpatialFrequency(longer.x() - times * shorter.x(), longer.y() - times * shorter.y()));
+    }
+
+    private static SpatialFrequency positive(SpatialFrequency wave) {
+        return wave.x() > 0 || (wave.x() == 0 && wave.y() > 0) ? wave : wave.times(-1);
+    }
+
+    /** Returns the order whose frequency is the nearest; empty for light between the orders of a grating. */
+    Optional<Order> nearest(SpatialFrequency frequency) {
+        SpatialFrequency crossing = second.orElseGet(() -> new SpatialFrequency(-first.y(), first.x()));
+        double area = first.x() * crossing.y() - first.y() * crossing.x();
+        // Heights h(f) send light to (u, v) = lambda f = -(wi + wr).
+        int m = (int) Math.rint(-(frequency.x() * crossing.y() - frequency.y() * crossing.x()) / area);
+        int n = (int) Math.rint(-(first.x() * frequency.y() - first.y() * frequency.x()) / area);
+        return n != 0 && second.isEmpty() ? Optional.empty() : Optional.of(new Order(m, n));
+    }
+
+    /** Returns the frequency of an order, cycles per meter, at which light leaves along wr = -wi + lambda times this. */
+    SpatialFrequency frequency(Order order) {
+        double x =
+                order.m * first.x() + second.map(other -> order.n * other.x()).orElse(0.0);
+        double y =
+                order.m * first.y() + second.map(other -> order.n * other.y()).orElse(0.0);
+        return new SpatialFrequency(x, y);
+    }
+
+    /** Returns the direction of an order, in the patch's frame; empty if it lies beyond the horizon. */
+    public Optional<Direction> direction(Order order, Direction wi, double wavelength) {
+        SpatialFrequency frequency = frequency(order);
+        double x = -wi.x() + wavelength * frequency.x();
+        double y = -wi.y() + wavelength * frequency.y();
+        double square = 1 - x * x - y * y;
+        return square > 0 ? Optional.of(new Direction(x, y, Math.sqrt(square))) : Optional.empty();
+    }
+}

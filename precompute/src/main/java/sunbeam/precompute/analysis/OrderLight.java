@@ -1,0 +1,136 @@
+package sunbeam.precompute.analysis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.apache.commons.math3.distribution.TDistribution;
+import org.apache.commons.math3.stat.StatUtils;
+import sunbeam.precompute.analysis.OrderLattice.Order;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.BandTransform2d;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
+
+/**
+ * Efficiencies, shares of the incident light, of a surface's orders under one light: of a piece of a surface the integral around each
+ * order, over half the distance to the next.
+ *
+ * @param efficiencies efficiencies of the orders above the horizon
+ * @param between share of the light that leaves between the orders of a grating
+ * @param mirror share that a flat mirror of the material reflects
+ */
+public record OrderLight(Map<Order, Efficiency> efficiencies, double between, double mirror) {
+    // Largest number of parts of a scan along each axis, whose differences give the interval.
+    private static final int PARTS = 4;
+
+    /**
+     * Efficiency of an order, with the 95 % interval of its mean over the surface that a scan is a sample of, or itself twice for a surface
+     * that repeats; NaN for an interval of less than two parts.
+     */
+    public record Efficiency(double value, double low, double high) {}
+
+    /** Field of an order: its amplitudes by bin. */
+    private static final class Field {
+        private final List<int[]> bins = new ArrayList<>();
+        private final List<double[]> amplitudes = new ArrayList<>();
+        private double power;
+
+        void add(int x, int y, double real, double imaginary, boolean kept) {
+            power += real * real + imaginary * imaginary;
+            if (kept) {
+                bins.add(new int[] {x, y});
+                amplitudes.add(new double[] {real, imaginary});
+            }
+        }
+
+        /** Returns the mean powers of up to 4 x 4 equal parts of the scan; their mean is the power (Parseval). */
+        double[] parts() {
+            int left = bins.stream().mapToInt(bin -> bin[0]).min().orElse(0);
+            int bottom = bins.stream().mapToInt(bin -> bin[1]).min().orElse(0);
+            int columns = bins.stream().mapToInt(bin -> bin[0]).max().orElse(0) - left + 1;
+            int rows = bins.stream().mapToInt(bin -> bin[1]).max().orElse(0) - bottom + 1;
+            double[][] real = new double[rows][columns];
+            double[][] imaginary = new double[rows][columns];
+            for (int i = 0; i < bins.size(); i++) {
+                real[bins.get(i)[1] - bottom][bins.get(i)[0] - left] =
+                        amplitudes.get(i)[0];
+                imaginary[bins.get(i)[1] - bottom][bins.get(i)[0] - left] =
+                        amplitudes.get(i)[1];
+            }
+            ComplexVector field = new BandTransform2d(columns, rows, Band.of(0, columns - 1), Band.of(0, rows - 1))
+                    .transform((row, re, im) -> {
+                        System.arraycopy(real[row], 0, re, 0, columns);
+                        System.arraycopy(imaginary[row], 0, im, 0, columns);
+                    });
+            int partsX = Math.min(PARTS, columns);
+            int partsY = Math.min(PARTS, rows);
+            double[] sums = new double[partsX * partsY];
+            double[] counts = new double[sums.length];
+            for (int i = 0; i < field.length(); i++) {
+                int part = i / columns * partsY / rows * partsX + i % columns * partsX / columns;
+                sums[part] += Math.pow(field.real()[i], 2) + Math.pow(field.imaginary()[i], 2);
+                counts[part] += 1.0 / (columns * rows) / (columns * rows);
+            }
+            Arrays.setAll(sums, part -> sums[part] / counts[part]);
+            return sums;
+        }
+
+        Efficiency efficiency(boolean sampled) {
+            if (!sampled) {
+                return new Efficiency(power, power, power);
+            }
+            double[] parts = parts();
+            if (parts.length < 2) {
+                return new Efficiency(power, Double.NaN, Double.NaN);
+            }
+            double error = Math.sqrt(StatUtils.variance(parts) / parts.length);
+            double half = error
+                    * new TDistribution(parts.length - 1.0)
+                            .inverseCumulativeProbability(0.5 * (1 + GratingPeriod.PROBABILITY));
+            return new Efficiency(power, Math.max(0, power - half), power + half);
+        }
+    }
+
+    /**
+     * Computes the efficiencies.
+     *
+     * @param wi direction to the light, in the patch's frame
+     * @param wavelength wavelength in meters, within 380..780 nm
+     * @param sampled true for a scan, whose efficiencies have an interval
+     */
+    public static OrderLight of(
+            OrderSpectrum spectrum,
+            OrderLattice lattice,
+            RefractiveIndex index,
+            Direction wi,
+            double wavelength,
+            boolean sampled) {
+        Map<Order, Field> fields = new HashMap<>();
+        Field rest = new Field();
+        spectrum.forEach(wi, wavelength, (x, y, pair, real, imaginary) -> {
+            double fresnel = Math.sqrt(index.reflectance(wavelength, pair.cosThetaD()));
+            lattice.nearest(spectrum.frequency(x, y))
+                    .map(order -> fields.computeIfAbsent(order, none -> new Field()))
+                    .orElse(rest)
+                    .add(x, y, fresnel * real, fresnel * imaginary, sampled);
+        });
+        Map<Order, Efficiency> efficiencies = new HashMap<>();
+        fields.forEach((order, field) -> {
+            if (lattice.direction(order, wi, wavelength).isPresent()) {
+                efficiencies.put(order, field.efficiency(sampled));
+            } else {
+                rest.power += field.power;
+            }
+        });
+        return new OrderLight(efficiencies, rest.power, index.reflectance(wavelength, wi.z()));
+    }
+
+    /** Returns the share of the light that leaves the surface. */
+    public double sum() {
+        return between
+                + efficiencies.values().stream().mapToDouble(Efficiency::value).sum();
+    }
+}

@@ -1,0 +1,242 @@
+package sunbeam.precompute.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import org.apache.commons.math3.special.BesselJ;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.analysis.OrderLattice.Order;
+import sunbeam.precompute.analysis.OrderLight.Efficiency;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.patch.Patch;
+
+class OrderLightTest {
+    private static final double PERIOD = 2.5e-6;
+    private static final int COLUMNS = 2048;
+    // The expansion's error of amplitudes, which are at most about 1, twice in their squares, times R of at most 0.1.
+    private static final double EXPANSION = 1e-6;
+
+    private static OrderLight light(HeightMap map, Direction wi, double wavelength) {
+        Patch patch = new Patch("p", map, "p", List.of());
+        OrderLattice lattice = OrderLattice.of(patch, GratingPeriod.of(patch));
+        return OrderLight.of(new OrderSpectrum(map), lattice, RefractiveIndex.KERATIN, wi, wavelength, false);
+    }
+
+    private static HeightMap grating(DoubleBinaryOperator height) {
+        return Surfaces.of(COLUMNS, 1, PERIOD / COLUMNS, height);
+    }
+
+    /** Factor of |F|^2 in the efficiency of the order that leaves along wr = -wi + lambda (x, y) / PERIOD; NaN beyond the horizon. */
+    private static double factor(Direction wi, double wavelength, int x, int y) {
+        return Optional.of(pair(wi, wavelength, x, y))
+                .filter(pair -> pair.cosThetaR() > 0)
+                .map(pair -> Gain.reflectance(pair.cosThetaD())
+                        * Math.pow((1 + pair.wi().dot(pair.wr())) / pair.w(), 2)
+                        / (pair.cosThetaI() * pair.cosThetaR()))
+                .orElse(Double.NaN);
+    }
+
+    private static DirectionPair pair(Direction wi, double wavelength, int x, int y) {
+        return new DirectionPair(
+                wi, Direction.ofDisc(-wi.x() + wavelength * x / PERIOD, -wi.y() + wavelength * y / PERIOD));
+    }
+
+    private static double bessel(int order, double argument) {
+        return Math.pow(BesselJ.value(Math.abs(order), Math.abs(argument)), 2);
+    }
+
+    private static double sincSquared(double x) {
+        return x == 0 ? 1 : Math.pow(Math.sin(Math.PI * x) / (Math.PI * x), 2);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0, 450", "40, 0, 600", "40, 90, 600", "65, 30, 500", "80, 137, 400"})
+    void ordersOfASinusoidAreBesselFunctionsAlsoUnderConicalIncidence(double theta, double phi, double nanometers) {
+        double amplitude = 150e-9;
+        double wavelength = nanometers * 1e-9;
+        Direction wi = Direction.ofDegrees(theta, phi);
+        OrderLight light = light(grating((x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD)), wi, wavelength);
+
+        assertThat(light.efficiencies()).hasSizeGreaterThan(5);
+        light.efficiencies().forEach((order, efficiency) -> {
+            double w = pair(wi, wavelength, order.m(), 0).w();
+            double expected =
+                    factor(wi, wavelength, order.m(), 0) * bessel(order.m(), 2 * Math.PI / wavelength * w * amplitude);
+            assertThat(order.n()).isZero();
+            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(EXPANSION));
+        });
+        assertThat(light.between()).isZero();
+        assertThat(light.mirror()).isCloseTo(Gain.reflectance(wi.z()), within(1e-15));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 500", "0, 700", "30, 450", "70, 650"})
+    void blazeAndLamellarOrdersAreSincSquared(double theta, double nanometers) {
+        double wavelength = nanometers * 1e-9;
+        double height = 250e-9;
+        Direction wi = Direction.ofDegrees(theta, 0);
+        OrderLight blaze = light(grating((x, y) -> height * x / PERIOD), wi, wavelength);
+        OrderLight lamellar = light(grating((x, y) -> x < PERIOD / 2 ? height : 0), wi, wavelength);
+
+        blaze.efficiencies().forEach((order, efficiency) -> {
+            double w = pair(wi, wavelength, order.m(), 0).w();
+            // The ramp's phase k w H in periods; order m is the bin -m.
+            double expected = factor(wi, wavelength, order.m(), 0) * sincSquared(w * height / wavelength - order.m());
+            // Steps of a 2048th of the height: (pi x / 2048)^2 / 3 of the sinc at x of at most 7.
+            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(4e-5 * expected + EXPANSION));
+        });
+        lamellar.efficiencies().forEach((order, efficiency) -> {
+            double half =
+                    Math.PI / wavelength * pair(wi, wavelength, order.m(), 0).w() * height;
+            double share = order.m() == 0
+                    ? Math.pow(Math.cos(half), 2)
+                    : order.m() % 2 == 0 ? 0 : Math.pow(2 * Math.sin(half) / (Math.PI * order.m()), 2);
+            double expected = factor(wi, wavelength, order.m(), 0) * share;
+            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(4e-5 * expected + EXPANSION));
+        });
+        assertThat(blaze.efficiencies().keySet())
+                .isEqualTo(lamellar.efficiencies().keySet());
+    }
+
+    @Test
+    void anUnequalLatticeHasTwoNumbersForEachOrder() {
+        double high = 120e-9;
+        double low = 30e-9;
+        HeightMap map = Surfaces.of(
+                64,
+                64,
+                PERIOD / 64,
+                (x, y) -> high * Math.sin(2 * Math.PI * x / PERIOD) + low * Math.sin(2 * Math.PI * y / PERIOD));
+        Direction wi = Direction.ofDegrees(35, 20);
+        double wavelength = 520e-9;
+
+        OrderLight light = light(map, wi, wavelength);
+
+        assertThat(light.efficiencies()).containsKeys(new Order(1, 2), new Order(-1, -1));
+        light.efficiencies().forEach((order, efficiency) -> {
+            double k = 2
+                    * Math.PI
+                    / wavelength
+                    * pair(wi, wavelength, order.m(), order.n()).w();
+            double expected = factor(wi, wavelength, order.m(), order.n())
+                    * bessel(order.m(), k * high)
+                    * bessel(order.n(), k * low);
+            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(EXPANSION));
+        });
+    }
+
+    @Test
+    void grooveTwoOfAPatchMayDifferAndDoublesThePeriod() {
+        HeightMap equal = Surfaces.sampled(64, 2, PERIOD / 32, (column, row) -> column % 32 < 16 ? 0 : 100e-9);
+        HeightMap unequal = Surfaces.sampled(
+                64, 2, PERIOD / 32, (column, row) -> column % 32 < 16 ? 0 : column < 32 ? 100e-9 : 90e-9);
+        Direction wi = Direction.ofDegrees(0, 0);
+        // One period diffracts into the orders up to 2500 / 500; two different grooves have twice as many.
+        assertThat(light(equal, wi, 501e-9).efficiencies()).hasSize(9);
+        assertThat(light(unequal, wi, 501e-9).efficiencies()).hasSize(19);
+    }
+
+    @Test
+    void theEfficiencyIsTheIntegralOfTheBrdfOverTheOrder() {
+        double amplitude = 100e-9;
+        double wavelength = 550e-9;
+        Direction wi = Direction.ofDegrees(30, 50);
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(200e-6);
+        double sigma = window.sigmaFrequency() * wavelength;
+        Direction middle = pair(wi, wavelength, -2, 0).wr();
+        int steps = 20;
+        double sum = 0;
+        for (int i = -steps; i <= steps; i++) {
+            for (int j = -steps; j <= steps; j++) {
+                double dx = 4.0 * i / steps;
+                double dy = 4.0 * j / steps;
+                DirectionPair pair =
+                        new DirectionPair(wi, Direction.ofDisc(middle.x() + dx * sigma, middle.y() + dy * sigma));
+                double power =
+                        bessel(2, 2 * Math.PI / wavelength * pair.w() * amplitude) * Math.exp(-dx * dx - dy * dy);
+                // brdf cos theta_r d omega, with d omega = dx dy / cos theta_r.
+                sum += Gain.brdf(pair, window, wavelength) * power * Math.pow(4.0 / steps * sigma, 2);
+            }
+        }
+        double efficiency = light(grating((x, y) -> amplitude * Math.sin(2 * Math.PI * x / PERIOD)), wi, wavelength)
+                .efficiencies()
+                .get(new Order(-2, 0))
+                .value();
+        // The factors' curvature over the order, which is 1/300 wide.
+        assertThat(sum).isCloseTo(efficiency, within(1e-4 * efficiency));
+    }
+
+    @Test
+    void aScansIntervalHoldsTheSurfacesEfficiency() {
+        // Lines whose depth changes over 4 um: the mean of J_1^2 over the whole is what each piece estimates.
+        int samples = 1024;
+        double pitch = 100e-9;
+        double period = 1.6e-6;
+        SplittableRandom random = new SplittableRandom(5);
+        double[] depth = smooth(random, samples, 40);
+        HeightMap surface = Surfaces.sampled(
+                samples,
+                samples,
+                pitch,
+                (column, row) -> (60e-9 + 30e-9 * depth[row * samples + column])
+                        * Math.sin(2 * Math.PI * column * pitch / period));
+        OrderLattice lattice = new OrderLattice(new SpatialFrequency(1 / period, 0), Optional.empty());
+        Direction wi = Direction.ofDegrees(20, 0);
+        Order order = new Order(1, 0);
+        double truth = efficiency(surface, lattice, wi, order).value();
+        int held = 0;
+        int pieces = 0;
+        double widest = 0;
+        for (int top = 0; top < samples; top += 256) {
+            for (int left = 0; left < samples; left += 256) {
+                int x = left;
+                int y = top;
+                HeightMap piece = Surfaces.sampled(256, 256, pitch, (column, row) -> surface.at(x + column, y + row));
+                Efficiency efficiency = efficiency(piece, lattice, wi, order);
+                held += efficiency.low() <= truth && truth <= efficiency.high() ? 1 : 0;
+                widest = Math.max(widest, efficiency.high() / efficiency.low() - 1);
+                pieces++;
+            }
+        }
+        // 95 % of 16 are 15.2; neighboring parts share a correlation length, and 12 or fewer have a probability of 1 %.
+        assertThat(held).isGreaterThanOrEqualTo(13);
+        assertThat(pieces).isEqualTo(16);
+        assertThat(widest).isLessThan(1);
+    }
+
+    private static Efficiency efficiency(HeightMap map, OrderLattice lattice, Direction wi, Order order) {
+        return OrderLight.of(new OrderSpectrum(map), lattice, RefractiveIndex.KERATIN, wi, 550e-9, true)
+                .efficiencies()
+                .get(order);
+    }
+
+    /** Returns noise, -1 to 1, bilinear between values at every {@code step} samples. */
+    private static double[] smooth(SplittableRandom random, int samples, int step) {
+        int knots = samples / step + 2;
+        double[] values = random.doubles((long) knots * knots, -1, 1).toArray();
+        double[] result = new double[samples * samples];
+        for (int i = 0; i < result.length; i++) {
+            double x = (double) (i % samples) / step;
+            int row = i / samples;
+            int column = (int) x;
+            int at = row / step * knots + column;
+            double fx = x - column;
+            double fy = (double) (row % step) / step;
+            result[i] = (1 - fy) * ((1 - fx) * values[at] + fx * values[at + 1])
+                    + fy * ((1 - fx) * values[at + knots] + fx * values[at + knots + 1]);
+        }
+        return result;
+    }
+}
