@@ -83,10 +83,9 @@ class ScanTest {
         // Files hold seven digits.
         return read.get("columns").equals(expected.get("columns"))
                 && read.get("rows").equals(expected.get("rows"))
-                && isNear(read.get("widthMetres"), side * expected.get("width").asDouble(), 1e-6)
-                && isNear(
-                        read.get("heightMetres"), side * expected.get("height").asDouble(), 1e-6)
-                && isNear(read.get("reliefMetres"), relief, 1e-5);
+                && isNear(read.get("width_m"), side * expected.get("width").asDouble(), 1e-6)
+                && isNear(read.get("height_m"), side * expected.get("height").asDouble(), 1e-6)
+                && isNear(read.get("relief_m"), relief, 1e-5);
     }
 
     private static boolean isNear(JsonNode value, double expected, double relative) {
@@ -104,7 +103,7 @@ class ScanTest {
         assertThat(result.exitCode()).as("%s", result).isIn(0, 3);
         JsonNode read = new ObjectMapper().readTree(result.stdout());
         assertThat(read.get("columns").intValue()).isEqualTo(columns);
-        assertThat(read.get("widthMetres").doubleValue()).isCloseTo(20e-6, within(1e-12));
+        assertThat(read.get("width_m").doubleValue()).isCloseTo(20e-6, within(1e-12));
     }
 
     @ParameterizedTest

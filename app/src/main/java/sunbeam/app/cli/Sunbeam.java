@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import picocli.CommandLine;
+import picocli.CommandLine.ExecutionException;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
@@ -15,6 +16,7 @@ import picocli.CommandLine.RunLast;
 import sunbeam.app.cli.benchmark.BenchmarkCommand;
 import sunbeam.app.cli.brdfmap.BrdfMapCommand;
 import sunbeam.app.cli.cache.CacheCommand;
+import sunbeam.app.cli.collection.Collection;
 import sunbeam.app.cli.color.ColorCommand;
 import sunbeam.app.cli.compare.CompareCommand;
 import sunbeam.app.cli.doctor.DoctorCommand;
@@ -85,7 +87,20 @@ public final class Sunbeam {
         if (quiet) {
             environment.progress().silence();
         }
-        return new RunLast().execute(parsed);
+        Optional<Collection> collection = Optional.ofNullable(parsed.subcommand())
+                .flatMap(command -> Collection.of(
+                        command, (stdout, stderr, words) -> new Sunbeam(environment, stdout, stderr).run(words)));
+        return collection.isPresent() ? run(collection.get(), parsed.subcommand()) : new RunLast().execute(parsed);
+    }
+
+    private int run(Collection collection, ParseResult command) {
+        CommandLine commandLine = command.commandSpec().commandLine();
+        try {
+            return collection.run(commandLine.getOut(), commandLine.getErr(), environment.progress());
+        } catch (RuntimeException failure) {
+            // The type of exceptions for which picocli calls the handler.
+            throw new ExecutionException(commandLine, failure.getMessage(), failure);
+        }
     }
 
     /**

@@ -14,8 +14,18 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param code kind of surface, for programs
  * @param sentence description for people, without a full stop
+ * @param firstOrders angles of the first orders, one band for each order above the horizon; empty without a period
  */
-public record Verdict(Code code, String sentence) {
+public record Verdict(Code code, String sentence, List<Band> firstOrders) {
+    /**
+     * Angles at which an order is seen from 400 to 700 nm, for all periods in the interval; degrees to the normal, positive on the light's
+     * side.
+     *
+     * @param blue angle of 400 nm
+     * @param red angle of 700 nm, 90 or -90 where it is beyond the horizon
+     */
+    public record Band(double blue, double red) {}
+
     /** Kinds of surfaces by their colors, explained in docs/evaluation.md. The kinds up to ALL_DIRECTIONS have colors. */
     public enum Code {
         SURE_GRATING,
@@ -42,6 +52,7 @@ public record Verdict(Code code, String sentence) {
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETERS_PER_METER = 1e6;
     private static final int DIGITS = 3;
+    private static final double HORIZON = 90;
     // Bands of color narrower than this, in degrees, have angles with a decimal.
     private static final double NARROW = 2;
     // A scanner's axes differ in scale and are not quite at right angles: relative difference of two frequencies, and
@@ -66,12 +77,13 @@ public record Verdict(Code code, String sentence) {
      */
     public static Verdict of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {
-            return new Verdict(Code.MIRROR, "A mirror: the relief is far below a wavelength, so that it has no color");
+            return new Verdict(
+                    Code.MIRROR, "A mirror: the relief is far below a wavelength, so that it has no color", List.of());
         }
         if (!period.isSeen()) {
             String why = period.reason();
             Code code = Code.valueOf(period.certainty().name());
-            return new Verdict(code, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1));
+            return new Verdict(code, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1), List.of());
         }
         boolean lattice =
                 !period.others().isEmpty() && period.others().stream().allMatch(other -> isAlike(other, period.wave()));
@@ -82,7 +94,8 @@ public record Verdict(Code code, String sentence) {
         boolean finer = VIOLET / (period.isSure() ? period.high() : period.period()) - mirror >= 1;
         return new Verdict(
                 finer ? Code.FINER_THAN_LIGHT : seen,
-                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta));
+                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta),
+                firstOrders(period, theta));
     }
 
     /** True if the surface sends different colors into different directions. */
@@ -151,28 +164,41 @@ public record Verdict(Code code, String sentence) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
         // Under light from above, the orders +1 and -1 lie at equal angles.
-        String angles = DoubleStream.of(1, -1)
+        String angles = firstOrders(period, theta).stream()
                 .limit(theta == 0 ? 1 : 2)
-                .filter(side -> Math.abs(mirror + side * blue) < 1)
-                .mapToObj(side -> angles(mirror + side * blue, mirror + side * red))
+                .map(Verdict::words)
                 .collect(Collectors.joining(" and "));
         return "first-order colors " + angles + " under " + light;
     }
 
-    /** Omits the end if red lies beyond the horizon. */
-    private static String angles(double blue, double red) {
-        if (Math.abs(red) >= 1) {
-            return Text.format("from %.0f degrees on", degrees(blue, 1));
+    private static List<Band> firstOrders(GratingPeriod period, double theta) {
+        double mirror = -Math.sin(Math.toRadians(theta));
+        double blue = VIOLET / (period.isSure() ? period.high() : period.period());
+        double red = RED / (period.isSure() ? period.low() : period.period());
+        return DoubleStream.of(1, -1)
+                .filter(side -> Math.abs(mirror + side * blue) < 1)
+                .mapToObj(side -> new Band(degrees(mirror + side * blue), degrees(mirror + side * red)))
+                .toList();
+    }
+
+    private static String words(Band band) {
+        if (Math.abs(band.red()) == HORIZON) {
+            return Text.format("from %.0f degrees on", rounded(band.blue(), 1));
         }
-        int parts = Math.abs(degrees(red, 10) - degrees(blue, 10)) < NARROW ? 10 : 1;
+        int parts = Math.abs(rounded(band.red(), 10) - rounded(band.blue(), 10)) < NARROW ? 10 : 1;
         return Text.format(
                 parts > 1 ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees",
-                degrees(Math.min(blue, red), parts),
-                degrees(Math.max(blue, red), parts));
+                rounded(Math.min(band.blue(), band.red()), parts),
+                rounded(Math.max(band.blue(), band.red()), parts));
+    }
+
+    /** Returns the angle of a sine in degrees, at most {@link #HORIZON}. */
+    private static double degrees(double sine) {
+        return Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, sine))));
     }
 
     /** Rounds to 1 / parts of a degree; never -0. */
-    private static double degrees(double sine, int parts) {
-        return Math.rint(parts * Math.toDegrees(Math.asin(sine))) / parts + 0.0;
+    private static double rounded(double degrees, int parts) {
+        return Math.rint(parts * degrees) / parts + 0.0;
     }
 }

@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,10 +21,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
+import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.ComparedPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
@@ -31,13 +34,13 @@ import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
+import sunbeam.app.cli.report.SurfaceReport;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -46,6 +49,8 @@ import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
@@ -72,7 +77,7 @@ public final class BrdfMapCommand extends ReportingCommand {
     private static final int LARGEST = 8192;
 
     @Mixin
-    private PatchOptions patchOptions;
+    private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
     private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
@@ -86,6 +91,12 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     @Mixin
     private CertifyOption certify;
+
+    @Mixin
+    private JsonOption json;
+
+    @Mixin
+    private CollectionOptions collection;
 
     @Mixin
     private ForceOption force;
@@ -123,7 +134,9 @@ public final class BrdfMapCommand extends ReportingCommand {
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description = "The picture, sRGB; it carries its parameters as text. Default: a name made of the patch.")
+            description =
+                    "The picture, sRGB; it carries its parameters as text. Of several patches: the folder. Default: a"
+                            + " name made of the patch.")
     private Path output;
 
     @Mixin
@@ -179,6 +192,10 @@ public final class BrdfMapCommand extends ReportingCommand {
         AtomicFile.checkNamed(linear, force.overwrite());
         List<MaterialMap> materials = planned(setups, choices, material, towards);
         MaterialMap firstMap = materials.get(0);
+        Map<String, Object> report = new LinkedHashMap<>();
+        if (json.isAsked()) {
+            report.put("surfaces", surfaces(setups, choices));
+        }
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
@@ -221,24 +238,29 @@ public final class BrdfMapCommand extends ReportingCommand {
                             asked)
                     : sheet.plain();
             written = write(picture, image, text, first);
+            report.put("exposure", factor);
+            report.put("renderer", context.info().renderer());
+            certificate.ifPresent(stated -> report.put("certificate", stated.summary()));
             if (viewer != null) {
                 maps.forEach(map -> show(map, viewer));
             }
         }
-        out.println(StandardOutput.name(written));
-        linearFile.ifPresent(file -> out.println(StandardOutput.name(file)));
+        json.print(
+                out,
+                report,
+                Stream.concat(Stream.of(written), linearFile.stream()).toList());
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }
-        ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices.get(0), out, err);
+        ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices.get(0), json.text(out), err);
         return (certified == ExitCode.OK ? doubt : certified).code();
     }
 
     private void check() {
         UsageException.requireWithin("--size", size, 1, LARGEST);
-        if (resume.isAsked() && certify.count().isPresent()) {
-            throw new UsageException(
-                    "--resume leaves a map that exists as it is, --certify draws it; leave out one of them");
+        if (resume.isAsked() && (json.isAsked() || certify.count().isPresent())) {
+            throw new UsageException("--resume leaves a map that exists as it is, "
+                    + (json.isAsked() ? "--json reports on it" : "--certify draws it") + "; leave out one of them");
         }
         Ending.PNG.require("--output", output);
         Ending.LINEAR.require("--linear", linear);
@@ -279,6 +301,22 @@ public final class BrdfMapCommand extends ReportingCommand {
             methodOptions.print(name, map.plan(), err());
         }
         return materials;
+    }
+
+    private List<Map<String, Object>> surfaces(List<DiffractionSetup> setups, List<Choices> choices) {
+        double theta = Double.parseDouble(light.written(LightOptions.THETA_I));
+        List<Map<String, Object>> surfaces = new ArrayList<>();
+        for (int i = 0; i < setups.size(); i++) {
+            Patch patch = setups.get(i).patch();
+            GratingPeriod period = GratingPeriod.of(patch).turned(choices.get(i).get(ROTATE_PATCH));
+            Map<String, Object> surface = SurfaceReport.fields(patch, period, Verdict.of(patch, period, theta));
+            surface.put("theta_i_deg", theta);
+            surface.put("phi_i_deg", Double.parseDouble(light.written(LightOptions.PHI_I)));
+            surface.put("method", choices.get(i).get(METHOD).label());
+            surface.put("options", Methods.describe(choices.get(i)));
+            surfaces.add(surface);
+        }
+        return surfaces;
     }
 
     private static void show(MaterialMap.Drawn map, TevClient viewer) {

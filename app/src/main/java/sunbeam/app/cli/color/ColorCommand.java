@@ -15,20 +15,22 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.ComparedPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.ExitCode;
@@ -66,7 +68,7 @@ public final class ColorCommand extends ReportingCommand {
     private static final double HORIZON = 90;
 
     @Mixin
-    private PatchOptions patchOptions;
+    private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
     private ComparedPatches compared;
@@ -88,13 +90,23 @@ public final class ColorCommand extends ReportingCommand {
     private final MethodOptions methodOptions = MethodOptions.choosingAverage("ensemble");
 
     @Mixin
+    private JsonOption json;
+
+    @Mixin
+    private CollectionOptions collection;
+
+    @Mixin
+    private ResumeOption resume;
+
+    @Mixin
     private ForceOption force;
 
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
             description =
-                    "The picture; FILE.csv and FILE.json are written beside it. Default: a name made of the patch.")
+                    "The picture; FILE.csv and FILE.json are written beside it. Of several patches: the folder. Default: a"
+                            + " name made of the patch.")
     private Path output;
 
     @Option(
@@ -115,6 +127,7 @@ public final class ColorCommand extends ReportingCommand {
     }
 
     private int tell(Choices choices) {
+        resume.requireMany();
         Ending.PNG.require("--output", output);
         double theta = theta();
         if (angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON) {
@@ -154,13 +167,15 @@ public final class ColorCommand extends ReportingCommand {
                     .toList();
         }
         ExitCode judged = judge(reports, err);
-        PrintWriter out = out();
-        List<Path> written = files.write(reports, settings, warnings, new ColorSheet(reports, settings, cie));
+        PrintWriter out = json.text(out());
+        ColorSheet sheet = new ColorSheet(reports, settings, cie);
+        Map<String, Object> tree = ColorFiles.tree(reports, settings, warnings, sheet);
+        List<Path> written = files.write(reports, settings, JsonOption.text(tree), sheet);
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
             out.println(name + String.join(System.lineSeparator() + "  ", report.lines()));
         }
-        written.forEach(file -> out.println(StandardOutput.name(file)));
+        json.print(out(), tree, written);
         return judged.code();
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
@@ -13,8 +14,7 @@ import sunbeam.precompute.units.Decimals;
  * Result of the command for one surface.
  *
  * @param period period of the surface's lines
- * @param verdict sentence about the colors that the heights allow
- * @param code label of the verdict, for programs
+ * @param verdict verdict on the colors that the heights allow; its sentence says why there are none
  * @param colored whether the surface has a color of its own, outside its gloss
  * @param azimuthDegrees azimuth of the plane along, degrees
  * @param coherenceLength coherence length of the light, meters, as far as the scan's size allows it
@@ -26,8 +26,7 @@ import sunbeam.precompute.units.Decimals;
 record ColorReport(
         Patch patch,
         GratingPeriod period,
-        String verdict,
-        String code,
+        Verdict verdict,
         boolean colored,
         double azimuthDegrees,
         double coherenceLength,
@@ -37,7 +36,7 @@ record ColorReport(
         Optional<SeenColor> purest) {
     /** Returns the lines for standard output: the verdict, and the purest color with its direction if the surface has one. */
     List<String> lines() {
-        List<String> lines = new ArrayList<>(List.of(verdict));
+        List<String> lines = new ArrayList<>(List.of(verdict.sentence()));
         purest.ifPresent(color -> lines.add(Text.format(
                 "purest color at %s degrees in the plane of azimuth %.0f degrees (%s): %s, %s",
                 Decimals.format(Math.rint(1000 * color.view().thetaRDegrees()) / 1000 + 0.0),

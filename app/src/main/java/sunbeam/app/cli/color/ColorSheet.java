@@ -71,12 +71,23 @@ final class ColorSheet {
         this.last = angleOf(reports.get(0).colors().size() / 2 - 1);
     }
 
+    private Sheet texts(Sheet sheet, int number) {
+        ColorReport report = reports.get(number);
+        return sheet.heading(names.get(number) + ": " + report.verdict().sentence())
+                .text(title(report), Sheet.FONT);
+    }
+
+    /** Returns x, y, width and height of the first surface's strips in the picture, pixels. */
+    List<Integer> thumbnail() {
+        return List.of(LEFT, texts(new Sheet(WIDTH), 0).height() + GAP, WIDTH - LEFT - RIGHT, 2 * STRIP + GAP + LABELS);
+    }
+
     BufferedImage draw() {
         Sheet sheet = new Sheet(WIDTH);
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
             Color mark = Plot.color(i);
-            sheet.heading(names.get(i) + ": " + report.verdict()).text(title(report), Sheet.FONT);
+            texts(sheet, i);
             for (boolean along : new boolean[] {true, false}) {
                 sheet.part(GAP + STRIP + LABELS, graphics -> strip(graphics, report, along, mark));
             }

@@ -229,8 +229,10 @@ final class SurfaceColors {
         return new ColorReport(
                 patch(),
                 period,
-                without.orElseGet(() -> verdict().sentence()),
-                verdict().code().label(),
+                new Verdict(
+                        verdict().code(),
+                        without.orElseGet(() -> verdict().sentence()),
+                        verdict().firstOrders()),
                 without.isEmpty(),
                 azimuthDegrees,
                 window.coherenceLength(),

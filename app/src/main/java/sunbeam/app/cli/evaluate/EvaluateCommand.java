@@ -21,7 +21,6 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -101,6 +100,9 @@ public final class EvaluateCommand extends ReportingCommand {
             Arrays.stream(Evaluator.values()).map(evaluator -> evaluator.type).toArray(MethodType[]::new));
 
     @Mixin
+    private JsonOption json;
+
+    @Mixin
     private ForceOption force;
 
     @Option(
@@ -130,7 +132,7 @@ public final class EvaluateCommand extends ReportingCommand {
         if (output != null) {
             files(stem(output)).checkWritable();
         }
-        PrintWriter out = out();
+        PrintWriter out = json.text(out());
         Patch patch = patchOptions.load(asked);
         ScanLimit limit = ScanLimit.of(asked, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
@@ -156,7 +158,8 @@ public final class EvaluateCommand extends ReportingCommand {
         String averaged =
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
-        files.write(contents(evaluation, choices, plan)).forEach(file -> out.println(StandardOutput.name(file)));
+        Map<String, Object> report = report(evaluation, choices, plan);
+        json.print(out(), report, files.write(contents(evaluation, report)));
         return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
@@ -223,26 +226,28 @@ public final class EvaluateCommand extends ReportingCommand {
         return Optional.of(plan);
     }
 
-    private Map<String, AtomicFile.StreamContent> contents(
-            Evaluation evaluation, Choices choices, Optional<MethodPlan> plan) {
-        Map<String, Object> tree = new LinkedHashMap<>();
+    private Map<String, Object> report(Evaluation evaluation, Choices choices, Optional<MethodPlan> plan) {
+        Map<String, Object> tree = evaluation.tree();
         GaussianArea area = GaussianArea.of(choices);
         tree.put("program", "Sunbeam " + Version.number());
-        tree.put("patch", evaluation.patch().name());
-        tree.put("source", evaluation.patch().source());
         tree.put("method", method.type.label());
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
         tree.put("average", Kinds.name(area.average()));
         tree.put("window_origin", Kinds.name(area.origin()));
         tree.put("coherence_length_m", area.window().coherenceLength());
-        tree.putAll(evaluation.tree());
+        return tree;
+    }
+
+    private static Map<String, AtomicFile.StreamContent> contents(Evaluation evaluation, Map<String, Object> tree) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", evaluation.patch().name() + ", " + evaluation.light());
         text.put("Patch", evaluation.patch().source());
-        text.put("Method", method.type.label());
-        text.put("Options", Methods.describe(choices));
-        plan.ifPresent(made -> text.put("Plan", made.summary()));
+        text.put("Method", tree.get("method").toString());
+        text.put("Options", tree.get("options").toString());
+        if (tree.containsKey("plan")) {
+            text.put("Plan", tree.get("plan").toString());
+        }
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", evaluation.csv());
         contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));

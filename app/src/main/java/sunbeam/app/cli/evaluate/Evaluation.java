@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
+import sunbeam.app.cli.report.SurfaceReport;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.terminal.OptionOrigin;
@@ -138,18 +139,12 @@ record Evaluation(
     /** Returns the results by name, for JSON. */
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
-        Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("verdict", verdict().sentence());
-        tree.put("verdict_code", verdict().code().label());
-        tree.put("period", period.isSure() ? tree(period) : null);
-        tree.put("period_not_told", period.isSure() ? null : period.reason());
-        tree.put("about_nm", period.isSeen() ? period.period() * NANOMETERS : null);
-        tree.put("directions_degrees", period.isSeen() ? period.directions() : List.of());
-        tree.put("theta_i_degrees", Math.toDegrees(grid.plane().thetaI()));
-        tree.put("phi_i_degrees", Math.toDegrees(grid.plane().phiI()));
-        tree.put("azimuth_degrees", Math.toDegrees(grid.plane().azimuth()));
-        tree.put("angles_degrees", range(grid.angles(), Math.toDegrees(1)));
-        tree.put("wavelengths_nm", range(grid.wavelengths(), NANOMETERS));
+        Map<String, Object> tree = SurfaceReport.fields(patch, period, verdict());
+        tree.put("theta_i_deg", Math.toDegrees(grid.plane().thetaI()));
+        tree.put("phi_i_deg", Math.toDegrees(grid.plane().phiI()));
+        tree.put("azimuth_deg", Math.toDegrees(grid.plane().azimuth()));
+        tree.put("angles_deg", range(grid.angles(), Math.toDegrees(1)));
+        tree.put("wavelengths_m", range(grid.wavelengths(), 1));
         tree.put("ridge_left_out", noRidge.orElse(null));
         ridge.ifPresent(found -> {
             tree.put("order", found.order());
@@ -160,9 +155,9 @@ record Evaluation(
 
     private static Map<String, Object> tree(StatisticalSummary periods) {
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("mean_nm", periods.getMean() * NANOMETERS);
-        tree.put("variance_nm2", periods.getVariance() * NANOMETERS * NANOMETERS);
-        tree.put("standard_error_nm", standardError(periods) * NANOMETERS);
+        tree.put("mean_m", periods.getMean());
+        tree.put("variance_m2", periods.getVariance());
+        tree.put("standard_error_m", standardError(periods));
         tree.put("wavelengths", periods.getN());
         return tree;
     }
@@ -172,19 +167,6 @@ record Evaluation(
         tree.put("first", values[0] * unit);
         tree.put("last", values[values.length - 1] * unit);
         tree.put("count", values.length);
-        return tree;
-    }
-
-    private static Map<String, Object> tree(GratingPeriod period) {
-        Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("nm", period.period() * NANOMETERS);
-        tree.put("low_nm", period.low() * NANOMETERS);
-        tree.put("high_nm", period.high() * NANOMETERS);
-        tree.put("probability", GratingPeriod.PROBABILITY);
-        tree.put("direction_degrees", Math.toDegrees(period.azimuth()));
-        tree.put("direction_half_width_degrees", Math.toDegrees(period.azimuthHalfWidth()));
-        tree.put("periods_in_the_scan", period.isExact() ? null : period.periods());
-        tree.put("share_of_variance", period.share());
         return tree;
     }
 

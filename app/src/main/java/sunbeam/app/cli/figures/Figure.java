@@ -42,7 +42,8 @@ record Figure(
      * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
      *     {stem} for its name without the ending; a command without any of them draws a map
      * @param picture file that the command writes, with {stem}; null for {stem}.png
-     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json; null for none
+     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters
+     *     (_m); null for none
      */
     record Picture(String name, String label, String command, String picture, Map<String, Double> numbers) {}
 
@@ -110,8 +111,10 @@ record Figure(
                 JsonNode tree = new ObjectMapper().readTree(ours.toFile());
                 List<List<String>> rows = new ArrayList<>();
                 picture.numbers().forEach((pointer, thesis) -> {
-                    if (tree.at(pointer).isNumber()) {
-                        double number = tree.at(pointer).asDouble();
+                    JsonNode value = tree.at(pointer.replaceFirst("_nm(2?)$", "_m$1"));
+                    if (value.isNumber()) {
+                        double unit = pointer.endsWith("_nm2") ? 1e18 : pointer.endsWith("_nm") ? 1e9 : 1;
+                        double number = unit * value.asDouble();
                         rows.add(List.of(
                                 picture.label(),
                                 pointer.replaceFirst(".*/", "").replace('_', ' '),

@@ -9,10 +9,14 @@ import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.ResumeOption;
+import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
@@ -30,10 +34,23 @@ import sunbeam.precompute.setting.Choices;
         description =
                 "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
                         + " slopes and its period; as text and as one picture with histogram and power spectrum.",
-        footer = {"  sunbeam inspect scan.gwy", "  sunbeam inspect scan.png --width 65um --max-height 375nm"})
+        footer = {
+            "  sunbeam inspect scan.gwy",
+            "  sunbeam inspect folder --output report",
+            "  sunbeam inspect scan.png --width 65um --max-height 375nm"
+        })
 public final class InspectCommand extends ReportingCommand {
     @Mixin
-    private PatchOptions patchOptions;
+    private final PatchOptions patchOptions = PatchOptions.ofMany();
+
+    @Mixin
+    private final SettingOptions light = new SettingOptions(List.of(LightOptions.THETA_I));
+
+    @Mixin
+    private CollectionOptions collection;
+
+    @Mixin
+    private ResumeOption resume;
 
     @Mixin
     private ForceOption force;
@@ -41,7 +58,7 @@ public final class InspectCommand extends ReportingCommand {
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description = "The picture. Default: a name made of the patch.")
+            description = "The picture, or the folder of several. Default: a name made of the patch.")
     private Path output;
 
     @Mixin
@@ -55,6 +72,7 @@ public final class InspectCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
+        resume.requireMany();
         Ending.PNG.require("--output", output);
         if (json.isAsked() && StandardOutput.isMeant(output)) {
             throw new UsageException("--json and --output - both want standard output; name a file for the picture");
@@ -66,14 +84,13 @@ public final class InspectCommand extends ReportingCommand {
         ScanWarnings.print(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
-        Inspection inspection = Inspection.of(loaded, explain || json.isAsked());
+        double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
+        Inspection inspection = Inspection.of(loaded, theta, explain || json.isAsked());
         List<String> lines = new ArrayList<>(inspection.lines());
         if (explain) {
             lines.addAll(inspection.explanation());
         }
-        if (!json.isAsked()) {
-            lines.forEach(out::println);
-        }
+        lines.forEach(json.text(out)::println);
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "Inspection of " + loaded.name());
         text.put("Patch", loaded.source());
@@ -81,11 +98,9 @@ public final class InspectCommand extends ReportingCommand {
         inspection.plan().ifPresent(summary -> text.put("Plan", summary));
         InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines.subList(1, lines.size()));
         Path place = PngWriter.write(picture, force.overwrite(output), sheet.draw(), text);
-        if (json.isAsked()) {
-            JsonOption.print(out, inspection.fields(place));
-        } else {
-            out.println(StandardOutput.name(place));
-        }
+        Map<String, Object> fields = inspection.fields();
+        fields.put("thumbnail_px", sheet.thumbnail());
+        json.print(out, fields, List.of(place));
         return DoubtfulPicture.ofPatches(List.of(loaded)).code();
     }
 }

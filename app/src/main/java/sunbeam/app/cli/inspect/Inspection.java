@@ -2,19 +2,17 @@ package sunbeam.app.cli.inspect;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
+import sunbeam.app.cli.report.SurfaceReport;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.analysis.Verdict;
-import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
@@ -35,6 +33,7 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Properties of a patch's heights, as lines for people and as fields for programs.
  *
+ * @param thetaI angle of the light to the normal that the verdict is for, degrees
  * @param energy energy of all orders under light along the normal, at the wavelength where it is largest
  * @param spectrum power spectrum of the heights, periodic if the period is exact, else tapered at the edges
  * @param limit coherence length that the scan's size allows
@@ -43,6 +42,7 @@ import sunbeam.precompute.units.Lengths;
  */
 record Inspection(
         Patch patch,
+        double thetaI,
         ModelError slopes,
         EnergyBalance energy,
         GratingPeriod period,
@@ -52,8 +52,11 @@ record Inspection(
         String refusal) {
     private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
-    /** @param planned whether to make the plan of method full, which takes long */
-    static Inspection of(Patch patch, boolean planned) {
+    /**
+     * @param thetaI angle of the light to the normal, degrees
+     * @param planned whether to make the plan of method full, which takes long
+     */
+    static Inspection of(Patch patch, double thetaI, boolean planned) {
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);
         HeightSpectrum.Edges edges = period.isExact() ? HeightSpectrum.Edges.PERIODIC : HeightSpectrum.Edges.TAPERED;
@@ -70,6 +73,7 @@ record Inspection(
         }
         return new Inspection(
                 patch,
+                thetaI,
                 ModelError.of(patch.scan()),
                 EnergyBalance.largest(patch.scan(), FROM_ABOVE),
                 period,
@@ -86,7 +90,7 @@ record Inspection(
     }
 
     Verdict verdict() {
-        return Verdict.of(patch, period);
+        return Verdict.of(patch, period, thetaI);
     }
 
     /** Returns the verdict, then lines of a name and its values, aligned. */
@@ -150,53 +154,28 @@ record Inspection(
         return Lengths.format(new BigDecimal(meters).round(new MathContext(4)).doubleValue());
     }
 
-    /** Returns all properties by name, for JSON; names end in the unit where there is one. */
-    Map<String, Object> fields(Path picture) {
+    /** Returns all properties by name, for JSON. */
+    Map<String, Object> fields() {
         HeightMap map = patch.scan();
-        Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("name", patch.name());
-        fields.put("source", patch.source());
+        Map<String, Object> fields = SurfaceReport.fields(patch, period, verdict());
+        fields.put("theta_i_deg", thetaI);
         fields.put("channels", patch.channels());
         fields.put("columns", map.columns());
         fields.put("rows", map.rows());
-        fields.put("widthMetres", map.width());
-        fields.put("heightMetres", map.height());
-        fields.put("samplingIsFineEnough", SamplingCheck.pitch(map).isEmpty());
-        fields.put("reliefMetres", map.relief());
-        fields.put("roughnessMetres", roughness());
-        fields.put("rmsSlope", slopes.rmsSlope());
-        fields.put("largestSlope", slopes.largestSlope());
-        fields.put("shareSteeperThan" + Math.round(ModelError.STEEPEST) + "Degrees", slopes.steepShare());
+        fields.put("width_m", map.width());
+        fields.put("height_m", map.height());
+        fields.put("sampling_is_fine_enough", SamplingCheck.pitch(map).isEmpty());
+        fields.put("relief_m", map.relief());
+        fields.put("roughness_m", roughness());
+        fields.put("rms_slope", slopes.rmsSlope());
+        fields.put("largest_slope", slopes.largestSlope());
+        fields.put("share_steeper_than_" + Math.round(ModelError.STEEPEST) + "_deg", slopes.steepShare());
         fields.put("model", slopes.describe());
-        fields.put("lightSentOutByMirrors", energy.ratio());
-        fields.put("lightSentOutAtMetres", energy.wavelength());
-        fields.put("verdict", verdict().sentence());
-        fields.put("verdictCode", verdict().code().label());
-        fields.put("periods", period.isSure() ? List.of(fields(period)) : List.of());
-        fields.put("periodNotTold", period.isSure() ? null : period.reason());
-        fields.put("aboutMetres", period.isSeen() ? period.period() : null);
-        fields.put("directionsDegrees", period.isSeen() ? period.directions() : List.of());
+        fields.put("light_sent_out_from_above_by_mirrors", energy.ratio());
+        fields.put("light_sent_out_at_m", energy.wavelength());
         fields.put("plan", drawing.map(SpectrumPlan::summary).orElse(null));
         fields.put("cost", drawing.map(made -> made.cost(map.rows())).orElse(null));
-        fields.put("planRefused", refusal);
-        fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());
-        fields.put("notes", patch.notes());
-        fields.put("warnings", patch.warnings());
-        fields.put("picture", picture.toString());
-        return fields;
-    }
-
-    private static Map<String, Object> fields(GratingPeriod period) {
-        Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("periodMetres", period.period());
-        fields.put("lowMetres", period.low());
-        fields.put("highMetres", period.high());
-        fields.put("probability", GratingPeriod.PROBABILITY);
-        fields.put("directionDegrees", Math.toDegrees(period.azimuth()));
-        fields.put("directionHalfWidthDegrees", Math.toDegrees(period.azimuthHalfWidth()));
-        // JSON knows no infinity.
-        fields.put("periodsInTheScan", period.isExact() ? null : period.periods());
-        fields.put("shareOfVariance", period.share());
+        fields.put("plan_refused", refusal);
         return fields;
     }
 }

@@ -39,11 +39,20 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     /** Least range of frequencies that is drawn, relative to that of the period. */
     private static final double SHOWN_PER_PERIOD = 1.5;
 
-    BufferedImage draw() {
+    private Sheet text() {
         Sheet sheet = new Sheet(2 * PANEL_WIDTH)
                 .heading(inspection.patch().name() + ": " + inspection.verdict().sentence());
         lines.forEach(line -> sheet.text(line, Sheet.TABLE_FONT));
-        return sheet.row(heights(), spectrum()).row(histogram(), profile()).draw();
+        return sheet;
+    }
+
+    /** Returns x, y, width and height of the heights and their spectrum in the picture, pixels. */
+    List<Integer> thumbnail() {
+        return List.of(0, text().height(), 2 * PANEL_WIDTH, PICTURE_HEIGHT);
+    }
+
+    BufferedImage draw() {
+        return text().row(heights(), spectrum()).row(histogram(), profile()).draw();
     }
 
     private BufferedImage heights() {

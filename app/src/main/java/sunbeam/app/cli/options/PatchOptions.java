@@ -24,32 +24,45 @@ import sunbeam.precompute.setting.Setting;
 
 /** Options of the surface; a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
+    private final boolean isOfMany;
     private String argument;
 
     public PatchOptions() {
-        this(PatchSettings.ALL);
+        this(PatchSettings.ALL, false);
     }
 
-    private PatchOptions(List<Setting<?>> settings) {
+    private PatchOptions(List<Setting<?>> settings, boolean isOfMany) {
         super(settings);
+        this.isOfMany = isOfMany;
+    }
+
+    /** Returns the options of a command with {@link CollectionOptions}: it takes any number of surfaces and folders as arguments. */
+    public static PatchOptions ofMany() {
+        return new PatchOptions(PatchSettings.ALL, true);
     }
 
     /** Returns options without {@code --patch}: the command declares its own argument for it. */
     public static PatchOptions ofSeveral() {
-        return new PatchOptions(PatchSettings.ALL.stream()
-                .filter(setting -> !setting.equals(PATCH))
-                .toList());
+        return new PatchOptions(
+                PatchSettings.ALL.stream()
+                        .filter(setting -> !setting.equals(PATCH))
+                        .toList(),
+                false);
     }
 
     @Override
     protected void declareArguments(CommandSpec own) {
         if (own.optionsMap().containsKey(OptionOrigin.INSTANCE.name(PATCH))) {
             own.addPositional(PositionalParamSpec.builder()
-                    .index("0")
-                    .arity("0..1")
+                    .index(isOfMany ? "0..*" : "0")
+                    .arity(isOfMany ? "0..*" : "0..1")
                     .paramLabel("PATCH")
-                    .type(String.class)
-                    .description("The surface; may be given here instead of by --patch.")
+                    .type(isOfMany ? String[].class : String.class)
+                    .description(
+                            isOfMany
+                                    ? "The surface, instead of by --patch. Of several, and of the files of a folder, each"
+                                            + " has its own output in a folder with a table and a sheet of thumbnails."
+                                    : "The surface; may be given here instead of by --patch.")
                     .setter(setter(text -> argument = text))
                     .build());
         }

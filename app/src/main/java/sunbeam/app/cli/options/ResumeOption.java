@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.patch.Patch;
@@ -34,6 +36,7 @@ public final class ResumeOption {
     /** Options that do not change the picture's pixels and so do not enter the hash. */
     private static final Set<String> IGNORED = Set.of(
             "--resume",
+            "--json",
             "--force",
             "--explain",
             "--output",
@@ -55,6 +58,13 @@ public final class ResumeOption {
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
+
+    /** Refuses the option for a command that keeps the files of several surfaces only, if it has one. */
+    public void requireMany() {
+        if (resume) {
+            throw new UsageException("--resume is for several patches or a folder; leave it out for one");
+        }
+    }
 
     /** True if the option is given. */
     public boolean isAsked() {
@@ -79,30 +89,36 @@ public final class ResumeOption {
 
     /** Returns a SHA-256 hash, in hexadecimal, of everything that determines the output. */
     public String identity(List<Patch> patches) {
-        Sha256 hash = new Sha256().add(Version.number()).add(command.qualifiedName());
-        patches.forEach(patch -> hash.add("|" + patch.digest()));
+        List<String> words = new ArrayList<>(List.of(command.qualifiedName()));
+        patches.forEach(patch -> words.add("|" + patch.digest()));
         for (OptionSpec option : command.options()) {
-            if (!IGNORED.contains(option.longestName())) {
-                addOption(hash, option);
+            List<String> values = option.originalStringValues();
+            if (values.isEmpty() && option.defaultValue() != null) {
+                values = List.of(option.defaultValue());
+            }
+            values.forEach(value -> words.add(option.longestName() + "=" + value));
+        }
+        return hash(words);
+    }
+
+    /**
+     * Returns a SHA-256 hash, in hexadecimal, of the version, of options in the form {@code --name=value}, and of the files that they name.
+     * Options that do not change the output do not count.
+     */
+    public static String hash(List<String> words) {
+        Sha256 hash = new Sha256().add(Version.number());
+        for (String word : words) {
+            String[] option = word.split("=", 2);
+            if (!IGNORED.contains(option[0])) {
+                hash.add("|" + word);
+                try {
+                    addFile(hash, Path.of(option[option.length - 1]));
+                } catch (InvalidPathException noFile) {
+                    // The value is no path.
+                }
             }
         }
         return hash.hex();
-    }
-
-    private void addOption(Sha256 hash, OptionSpec option) {
-        List<String> values = option.originalStringValues();
-        if (values.isEmpty() && option.defaultValue() != null) {
-            values = List.of(option.defaultValue());
-        }
-        hash.add("|" + option.longestName());
-        for (String value : values) {
-            hash.add("=" + value);
-            try {
-                addFile(hash, Path.of(value));
-            } catch (InvalidPathException noFile) {
-                // The value is no path.
-            }
-        }
     }
 
     private static Sha256 addFile(Sha256 hash, Path file) {

@@ -1,5 +1,6 @@
 package sunbeam.app.cli.options;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -72,12 +73,15 @@ public class SettingOptions {
                         .build();
     }
 
-    /** Returns a setter of picocli that passes the text of an option or an argument to a consumer. */
+    /** Returns a setter of picocli that passes the text of an option or of the first argument to a consumer. */
     protected static ISetter setter(Consumer<String> receiver) {
         return new ISetter() {
             @Override
             public <T> T set(T value) {
-                receiver.accept(value == null ? null : value.toString());
+                Object first = value instanceof String[] many
+                        ? Arrays.stream(many).findFirst().orElse(null)
+                        : value;
+                receiver.accept(first == null ? null : first.toString());
                 return value;
             }
         };

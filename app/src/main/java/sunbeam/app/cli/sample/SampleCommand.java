@@ -9,8 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -20,6 +18,7 @@ import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.TableOptions;
+import sunbeam.app.cli.options.TaskPart;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
@@ -120,32 +119,6 @@ public final class SampleCommand extends ReportingCommand {
         }
     }
 
-    /** One of several consecutive parts of all rows. */
-    record RowPart(int number, int parts) {
-        private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
-
-        static RowPart parse(String text) {
-            Matcher matcher = TEXT.matcher(text);
-            if (matcher.matches()) {
-                RowPart part = new RowPart(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
-                if (part.number >= 1 && part.number <= part.parts) {
-                    return part;
-                }
-            }
-            throw new UsageException(
-                    "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
-        }
-
-        long first(long count) {
-            return count * (number - 1) / parts;
-        }
-
-        /** Returns the row number after the part's last row. */
-        long end(long count) {
-            return count * number / parts;
-        }
-    }
-
     @Override
     public Integer call() {
         Choices choices = table.choices();
@@ -158,7 +131,7 @@ public final class SampleCommand extends ReportingCommand {
         if (channels == RowKind.SPECTRAL) {
             LightTable.requireNone(asked, LightSettings.ALL);
         }
-        RowPart part = RowPart.parse(task);
+        TaskPart part = TaskPart.parse(task);
         boolean hdf5 = isHdf5();
         int rows = rows(part);
         AtomicFile.checkWritable(output, force.overwrite());
@@ -208,7 +181,7 @@ public final class SampleCommand extends ReportingCommand {
         return hdf5;
     }
 
-    private int rows(RowPart part) {
+    private int rows(TaskPart part) {
         long rows = part.end(count) - part.first(count);
         if (rows < 1) {
             throw new UsageException("--task " + task + " has no row of --count " + count + "; give fewer parts");
@@ -233,7 +206,7 @@ public final class SampleCommand extends ReportingCommand {
     }
 
     private Map<String, Object> metadata(
-            DiffractionSetup setup, TableMethod method, ColorTablePlan plan, RowPart part) {
+            DiffractionSetup setup, TableMethod method, ColorTablePlan plan, TaskPart part) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Version.number());
         fields.put("patch", setup.patch().name());

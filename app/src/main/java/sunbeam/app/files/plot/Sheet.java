@@ -71,10 +71,14 @@ public final class Sheet {
         return this;
     }
 
+    /** Returns the height of the parts so far, pixels. */
+    public int height() {
+        return parts.stream().mapToInt(Part::height).sum();
+    }
+
     /** Draws the page, as high as its parts. */
     public BufferedImage draw() {
-        BufferedImage page =
-                new BufferedImage(width, parts.stream().mapToInt(Part::height).sum() + GAP, BufferedImage.TYPE_INT_RGB);
+        BufferedImage page = new BufferedImage(width, height() + GAP, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = smooth(page);
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, width, page.getHeight());

@@ -56,7 +56,7 @@ class ColorCommandTest {
     private static JsonNode at(JsonNode surface, String strip, double theta) {
         for (JsonNode color : surface.get("colors")) {
             if (color.get("strip").asText().equals(strip)
-                    && Math.abs(color.get("theta_r").asDouble() - theta) < 1e-9) {
+                    && Math.abs(color.get("theta_r_deg").asDouble() - theta) < 1e-9) {
                 return color;
             }
         }
@@ -70,20 +70,21 @@ class ColorCommandTest {
         JsonNode surface = told.get("surfaces").get(0);
         assertThat(surface.get("plane_azimuth_deg").asDouble()).isCloseTo(0, within(0.01));
         JsonNode spectrum = surface.get("spectrum");
-        double theta = spectrum.get("theta_r").asDouble();
+        double theta = spectrum.get("theta_r_deg").asDouble();
         // lambda = d sin(theta) for a period of 2.5 um.
         double expected = 2500 * Math.sin(Math.toRadians(Math.abs(theta)));
-        double width = spectrum.get("width_nm").asDouble();
+        double width = 1e9 * spectrum.get("width_m").asDouble();
         JsonNode green = at(surface, "along", 12);
         // The order's band, in which the eye sees more of its longer half: a width beside it at most.
-        assertThat(green.get("dominant_nm").asDouble()).isCloseTo(2500 * Math.sin(Math.toRadians(12)), within(width));
+        assertThat(1e9 * green.get("dominant_m").asDouble())
+                .isCloseTo(2500 * Math.sin(Math.toRadians(12)), within(width));
         int brightest = 0;
-        for (int i = 0; i < spectrum.get("wavelength_nm").size(); i++) {
+        for (int i = 0; i < spectrum.get("wavelength_m").size(); i++) {
             double value = spectrum.get("relative_radiance").get(i).asDouble();
             brightest = value > spectrum.get("relative_radiance").get(brightest).asDouble() ? i : brightest;
         }
         // The order's height falls with its wavelength, which shifts the maximum by part of its width.
-        assertThat(spectrum.get("wavelength_nm").get(brightest).asDouble()).isCloseTo(expected, within(width / 2));
+        assertThat(1e9 * spectrum.get("wavelength_m").get(brightest).asDouble()).isCloseTo(expected, within(width / 2));
         assertThat(green.get("delta_e").asDouble()).as("tolerance 1e-3").isBetween(1e-3, 1.0);
     }
 
@@ -108,19 +109,19 @@ class ColorCommandTest {
         JsonNode told = tell(light);
         assertThat(told.get("light").asText()).isEqualTo("theta 30 degrees, phi that of each strip's plane");
         JsonNode surface = told.get("surfaces").get(0);
-        assertThat(surface.get("coherence_length_um").asDouble()).isEqualTo(10);
+        assertThat(1e6 * surface.get("coherence_length_m").asDouble()).isCloseTo(10, within(1e-9));
         JsonNode purest = surface.get("purest");
         // Five deviations of the spectrum of a window of 10 um, at 780 nm.
         double reach = 5 * 2 / (Math.PI * 10e-6) * 780e-9;
         double u = Math.sin(Math.toRadians(30))
-                + Math.sin(Math.toRadians(purest.get("theta_r").asDouble()));
+                + Math.sin(Math.toRadians(purest.get("theta_r_deg").asDouble()));
         assertThat(Math.abs(u)).isGreaterThan(reach);
         double brighter = 1000 * told.get("exposure").asDouble();
         JsonNode same = tell(with(light, "--exposure", Double.toString(brighter)))
                 .get("surfaces")
                 .get(0)
                 .get("purest");
-        assertThat(same.get("theta_r")).isEqualTo(purest.get("theta_r"));
+        assertThat(same.get("theta_r_deg")).isEqualTo(purest.get("theta_r_deg"));
         assertThat(same.get("purity")).isEqualTo(purest.get("purity"));
     }
 
@@ -144,11 +145,11 @@ class ColorCommandTest {
             // lambda = d (sin(30) + sin(theta_r)) for the first order at 550 nm.
             double theta = Math.rint(Math.toDegrees(Math.asin(0.55 / (strip == 0 ? 4 : 1.3) - 0.5)));
             JsonNode green = at(surface, strip == 0 ? "along" : "across", theta);
-            assertThat(green.get("phi").asDouble()).isCloseTo(90 * strip, within(0.5));
-            assertThat(green.get("phi_i")).isEqualTo(green.get("phi"));
+            assertThat(green.get("phi_deg").asDouble()).isCloseTo(90 * strip, within(0.5));
+            assertThat(green.get("phi_i_deg")).isEqualTo(green.get("phi_deg"));
             // A window of 10 um makes an order at least 70 nm wide, which the eye's and the angle's steps shift by part
             // of it.
-            assertThat(green.get("dominant_nm").asDouble()).isCloseTo(550, within(50.0));
+            assertThat(1e9 * green.get("dominant_m").asDouble()).isCloseTo(550, within(50.0));
             assertThat(green.get("lightness").asDouble())
                     .as("as bright as a color")
                     .isGreaterThan(20);
@@ -210,7 +211,7 @@ class ColorCommandTest {
     @Test
     void theGlossLeavesALongPeriodsFirstOrderItsColors() throws IOException {
         JsonNode purest = tell(wideLines(20)).get("surfaces").get(0).get("purest");
-        assertThat(Math.abs(purest.get("theta_r").asDouble())).isBetween(2.5, 5.0);
+        assertThat(Math.abs(purest.get("theta_r_deg").asDouble())).isBetween(2.5, 5.0);
     }
 
     @Test
@@ -310,7 +311,7 @@ class ColorCommandTest {
         assertThat(PngText.read(folder.resolve("c.png")))
                 .containsEntry("Index", "gold.csv, tabulated from 300 to 800 nm");
         JsonNode mirror = at(golden, "along", -20);
-        assertThat(mirror.get("dominant_nm").asDouble()).as("gold").isBetween(570.0, 610.0);
+        assertThat(1e9 * mirror.get("dominant_m").asDouble()).as("gold").isBetween(570.0, 610.0);
     }
 
     private static String[] with(String[] first, String... more) {

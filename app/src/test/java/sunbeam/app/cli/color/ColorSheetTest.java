@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
@@ -46,8 +47,7 @@ class ColorSheetTest {
         return new ColorReport(
                 patch,
                 GratingPeriod.of(patch),
-                "orange",
-                "sure_grating",
+                new Verdict(Verdict.Code.SURE_GRATING, "orange", List.of()),
                 true,
                 0,
                 65e-6,

@@ -89,11 +89,12 @@ final class EvaluateCommandTest {
                 .isZero();
         JsonNode report = report();
         // Of the relative radiance, whose slope draws the peaks aside by 1.4e-4.
-        assertThat(report.at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(0.3));
-        assertThat(report.at("/peaks_interpolated/variance_nm2").doubleValue()).isLessThan(0.05);
+        assertThat(1e9 * report.at("/peaks_interpolated/mean_m").doubleValue()).isCloseTo(2500.3, within(0.3));
+        assertThat(1e18 * report.at("/peaks_interpolated/variance_m2").doubleValue())
+                .isLessThan(0.05);
         assertThat(report.at("/peaks_interpolated/wavelengths").intValue()).isEqualTo(21);
-        assertThat(report.at("/azimuth_degrees").doubleValue()).isZero();
-        assertThat(report.at("/period/nm").doubleValue()).isCloseTo(2500, within(1e-6));
+        assertThat(report.at("/azimuth_deg").doubleValue()).isZero();
+        assertThat(1e9 * report.at("/period_m").doubleValue()).isCloseTo(2500, within(1e-6));
         String verdict =
                 "A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16 degrees";
         assertThat(out.toString())
@@ -116,7 +117,8 @@ final class EvaluateCommandTest {
                 .as(err.toString())
                 .isZero();
         double tolerance = method.equals("full") || method.equals("reference") ? 0.5 : 10;
-        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(2500.3, within(tolerance));
+        assertThat(1e9 * report().at("/peaks_interpolated/mean_m").doubleValue())
+                .isCloseTo(2500.3, within(tolerance));
         assertThat(report().has("plan")).isEqualTo(!method.equals("reference"));
         assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Method", method);
     }
@@ -144,7 +146,7 @@ final class EvaluateCommandTest {
         assertThat(lines.get(1))
                 .startsWith("3.800000000000e+02,")
                 .satisfies(line -> assertThat(line.split(",")).hasSize(122));
-        assertThat(report().at("/angles_degrees/count").intValue()).isEqualTo(121);
+        assertThat(report().at("/angles_deg/count").intValue()).isEqualTo(121);
         assertThat(ImageIO.read(folder.resolve("result.png").toFile()).getWidth())
                 .isGreaterThan(800);
     }
@@ -155,7 +157,8 @@ final class EvaluateCommandTest {
         assertThat(run("--patch", "blaze", "--azimuth", "0", "--period", "1250nm"))
                 .as(err.toString())
                 .isEqualTo(4);
-        assertThat(report().at("/peaks_interpolated/mean_nm").doubleValue()).isCloseTo(1250, within(0.5));
+        assertThat(1e9 * report().at("/peaks_interpolated/mean_m").doubleValue())
+                .isCloseTo(1250, within(0.5));
     }
 
     @ParameterizedTest
@@ -214,7 +217,7 @@ final class EvaluateCommandTest {
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString()).contains("period      probably about 3.");
-        assertThat(report().get("period").isNull()).isTrue();
+        assertThat(report().get("period_m").isNull()).isTrue();
         assertThat(report().get("period_not_told").textValue()).contains("too few for an interval");
         assertThat(report().get("verdict_code").textValue()).isEqualTo("probable_grating");
     }
@@ -231,7 +234,7 @@ final class EvaluateCommandTest {
                         "period      50",
                         "left out: light with a coherence length of 65 um sees a period of about 50 um 1.3 times",
                         "--coherence-length 96 um or more does");
-        assertThat(report().at("/period/nm").doubleValue()).isCloseTo(50e3, within(50.0));
+        assertThat(1e9 * report().at("/period_m").doubleValue()).isCloseTo(50e3, within(50.0));
         assertThat(report().get("ridge_left_out").textValue()).contains("too few to tell its orders apart");
         assertThat(report().has("peaks_interpolated")).isFalse();
         assertThat(files()).contains("result.csv", "result.png");
@@ -264,8 +267,8 @@ final class EvaluateCommandTest {
                 .as(err.toString())
                 .isZero();
         assertThat(report().at("/peaks_interpolated/wavelengths").intValue()).isBetween(8, 13);
-        assertThat(report().at("/period/low_nm").doubleValue()).isLessThan(291.1);
-        assertThat(report().at("/period/high_nm").doubleValue()).isGreaterThan(290.9);
+        assertThat(1e9 * report().at("/period_low_m").doubleValue()).isLessThan(291.1);
+        assertThat(1e9 * report().at("/period_high_m").doubleValue()).isGreaterThan(290.9);
     }
 
     /** The last two fifths are one row: a warning says which, and the period is that of the others. */
@@ -280,8 +283,8 @@ final class EvaluateCommandTest {
         };
         assertThat(runScan(stopped, 10)).as(err.toString()).isZero();
         assertThat(err.toString()).contains("rows 81 to 128 of 128");
-        assertThat(report().at("/period/low_nm").doubleValue()).isBetween(980.0, 1000.0);
-        assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1020.0);
+        assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(980.0, 1000.0);
+        assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1020.0);
     }
 
     /** Half of the slip's phase over half of the scan draws the wave aside by up to 3 %: the interval holds what the rows tell. */
@@ -293,7 +296,7 @@ final class EvaluateCommandTest {
                         10))
                 .as(err.toString())
                 .isZero();
-        assertThat(report().at("/period/low_nm").doubleValue()).isBetween(940.0, 1000.0);
-        assertThat(report().at("/period/high_nm").doubleValue()).isBetween(1000.0, 1060.0);
+        assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(940.0, 1000.0);
+        assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1060.0);
     }
 }

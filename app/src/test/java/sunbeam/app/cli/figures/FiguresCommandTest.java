@@ -132,7 +132,7 @@ class FiguresCommandTest {
     void aTableHasTheThesissNumbersOursAndTheDifference() throws IOException {
         Files.writeString(
                 folder.resolve("table-4.1-elaphe.json"),
-                "{\"peaks_interpolated\": {\"mean_nm\": 1144.11, \"variance_nm2\": 0.08}}");
+                "{\"peaks_interpolated\": {\"mean_m\": 1144.11e-9, \"variance_m2\": 0.08e-18}}");
 
         assertThat(figures("--only", "table-4.1")).isZero();
 

@@ -88,14 +88,14 @@ final class InspectCommandTest {
                 .isZero();
 
         JsonNode report = new ObjectMapper().readTree(out.toString());
-        assertThat(report.get("name").textValue()).isEqualTo("sinusoid");
-        assertThat(report.get("picture").textValue()).isEqualTo(picture());
-        assertThat(report.get("samplingIsFineEnough").booleanValue()).isTrue();
+        assertThat(report.get("patch").textValue()).isEqualTo("sinusoid");
+        assertThat(report.at("/files/0").textValue()).isEqualTo(picture());
+        assertThat(report.get("sampling_is_fine_enough").booleanValue()).isTrue();
         // The grating's own, to the rounding of a double; degrees likewise.
-        assertThat(report.at("/periods/0/periodMetres").doubleValue()).isCloseTo(2.5e-6, within(1e-12));
-        assertThat(report.at("/periods/0/directionDegrees").doubleValue()).isCloseTo(0, within(1e-6));
+        assertThat(report.at("/period_m").doubleValue()).isCloseTo(2.5e-6, within(1e-12));
+        assertThat(report.at("/direction_deg").doubleValue()).isCloseTo(0, within(1e-6));
         double pitch =
-                report.get("widthMetres").doubleValue() / report.get("columns").intValue();
+                report.get("width_m").doubleValue() / report.get("columns").intValue();
         assertThat(pitch).isLessThan(95e-9);
     }
 
@@ -210,7 +210,7 @@ final class InspectCommandTest {
         inspectScan(0, "--width", "2mm", "--json");
         JsonNode report = new ObjectMapper().readTree(out.toString());
         assertThat(report.get("plan").isNull()).isTrue();
-        assertThat(report.get("planRefused").textValue()).contains("--coherence-length");
+        assertThat(report.get("plan_refused").textValue()).contains("--coherence-length");
     }
 
     private void text(int columns, int rows, DoubleBinaryOperator nanometers) throws IOException {

@@ -1,0 +1,292 @@
+package sunbeam.app.cli.collection;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.cli.options.CollectionOptions;
+import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.Range;
+import sunbeam.app.cli.options.ResumeOption;
+import sunbeam.app.cli.options.TaskPart;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.StandardOutput;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.units.Decimals;
+
+/**
+ * A command over several surfaces, or angles of the light. The command runs once for each of them, as if it were called for that one with
+ * {@code --json} and its file as {@code --output}. The reports become a {@link CollectionFolder}. A surface that cannot be used does not stop
+ * the others.
+ */
+public final class Collection {
+    private static final String THETA_I = "--theta-i";
+    private static final String OUTPUT = "--output";
+
+    /** Options that the collection gives to each run itself. */
+    private static final Set<String> OWN =
+            Set.of(CollectionOptions.TASK, THETA_I, OUTPUT, "--patch", "--json", "--resume", "--force");
+
+    /** Options that have a meaning for one surface only. */
+    private static final List<String> OF_ONE = List.of("--with", "--linear");
+
+    /** Failures that all further runs would have, too. */
+    private static final Set<ExitCode> FINAL =
+            Set.of(ExitCode.NO_GRAPHICS, ExitCode.CANNOT_WRITE, ExitCode.OUTPUT_EXISTS, ExitCode.INTERRUPTED);
+
+    private static final int MOST = 100_000;
+    private static final int NAMES_OF_FOLDER = 3;
+
+    private final ParseResult parsed;
+    private final Runner runner;
+
+    /** Runs a command line of this program with its own standard output and standard error, and returns the exit code. */
+    @FunctionalInterface
+    public interface Runner {
+        int run(PrintWriter out, PrintWriter err, String... arguments);
+    }
+
+    /**
+     * One run.
+     *
+     * @param patch name of the surface
+     * @param options options of the run, in the form {@code --name=value}
+     * @param stem name of its files, which no other run has
+     */
+    private record Item(String patch, List<String> options, String stem) {}
+
+    private Collection(ParseResult parsed, Runner runner) {
+        this.parsed = parsed;
+        this.runner = runner;
+    }
+
+    /** Returns the collection that a command line means; empty if it means one surface under one light. */
+    public static Optional<Collection> of(ParseResult command, Runner runner) {
+        boolean possible = command.commandSpec().mixins().values().stream()
+                .anyMatch(mixin -> mixin.userObject() instanceof CollectionOptions);
+        Collection collection = new Collection(command, runner);
+        List<String> names = collection.names();
+        boolean several = names.size() > 1
+                || names.stream().anyMatch(Surfaces::isFolder)
+                || command.hasMatchedOption(CollectionOptions.TASK)
+                || collection.value(THETA_I).filter(text -> text.contains(":")).isPresent();
+        return possible && several ? Optional.of(collection) : Optional.empty();
+    }
+
+    /** Returns the surfaces and folders that the command line names; the default patch of the command if it names none. */
+    private List<String> names() {
+        Stream<String> arguments =
+                parsed.matchedPositionals().stream().flatMap(argument -> argument.originalStringValues().stream());
+        return Stream.concat(arguments, value("--patch").stream()).toList();
+    }
+
+    private Optional<String> value(String option) {
+        return Optional.ofNullable(parsed.matchedOption(option))
+                .map(spec -> spec.originalStringValues().get(0));
+    }
+
+    /**
+     * Runs the command for all surfaces, and returns the exit code: that of the first surface that failed, else 3 if a surface has it.
+     *
+     * @param out receives the summary
+     * @param err receives a line for each surface that failed
+     */
+    public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
+        check();
+        List<Item> all = items();
+        TaskPart task = TaskPart.parse(value(CollectionOptions.TASK).orElse("1/1"));
+        List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
+        if (items.isEmpty()) {
+            throw new UsageException(
+                    CollectionOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
+        }
+        boolean resumes = parsed.hasMatchedOption("--resume");
+        Overwrite overwrite = resumes || parsed.hasMatchedOption("--force") ? Overwrite.REPLACE : Overwrite.REFUSE;
+        CollectionFolder folder = CollectionFolder.open(folder(overwrite), task, overwrite, resumes);
+        List<ObjectNode> rows = new ArrayList<>();
+        try (Progress progress = display.start("Surfaces", items.size())) {
+            for (Item item : items) {
+                String hash = ResumeOption.hash(hashed(item));
+                Optional<ObjectNode> earlier = folder.find(item.patch(), item.stem(), hash);
+                ObjectNode row = earlier.orElseGet(() -> run(item, folder, hash));
+                int code = row.get("exit_code").intValue();
+                if (failed(row)) {
+                    String message = row.get("message").textValue();
+                    err.println(
+                            Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
+                }
+                if (FINAL.stream().anyMatch(last -> last.code() == code)) {
+                    return code;
+                }
+                if (earlier.isEmpty()) {
+                    folder.append(row);
+                }
+                rows.add(row);
+                progress.step(1);
+            }
+        }
+        List<Path> written = folder.write(parsed.commandSpec().name(), rows);
+        print(out, rows, written);
+        return rows.stream()
+                .filter(Collection::failed)
+                .findFirst()
+                .or(() -> rows.stream()
+                        .filter(row -> row.get("exit_code").intValue() != ExitCode.OK.code())
+                        .findFirst())
+                .map(row -> row.get("exit_code").intValue())
+                .orElse(ExitCode.OK.code());
+    }
+
+    private void check() {
+        OF_ONE.stream().filter(parsed::hasMatchedOption).findFirst().ifPresent(option -> {
+            throw new UsageException(option + " is for one patch; leave it out, or give one patch and one --theta-i");
+        });
+        if (parsed.hasMatchedOption("--patch") && !parsed.matchedPositionals().isEmpty()) {
+            throw new UsageException(
+                    "'" + names().get(0) + "' and --patch both name a patch; give one of them, or all without --patch");
+        }
+    }
+
+    private List<Item> items() {
+        List<String> names = names().isEmpty() ? List.of("blaze") : Surfaces.of(names());
+        List<String> angles = angles();
+        if ((long) names.size() * angles.size() > MOST) {
+            throw new UsageException(names.size() + " surfaces under " + angles.size() + " angles are more than " + MOST
+                    + "; give fewer");
+        }
+        List<Item> items = new ArrayList<>();
+        Set<String> taken = new HashSet<>();
+        for (String name : names) {
+            String stem = FileNames.stem(Path.of(name));
+            String free = stem;
+            for (int number = 2; !taken.add(free); number++) {
+                free = stem + "-" + number;
+            }
+            for (String angle : angles) {
+                List<String> options = new ArrayList<>(given());
+                options.add("--patch=" + name);
+                if (!angle.isEmpty()) {
+                    options.add(THETA_I + "=" + angle);
+                }
+                items.add(new Item(name, options, angles.size() > 1 ? free + "-theta-" + angle : free));
+            }
+        }
+        return items;
+    }
+
+    /** Returns the light's angles as written; an empty text alone if none is given. */
+    private List<String> angles() {
+        String text = value(THETA_I).orElse("");
+        if (!text.contains(":")) {
+            return List.of(text);
+        }
+        try {
+            return Arrays.stream(new Range.Converter().convert(text).values())
+                    .mapToObj(Decimals::format)
+                    .toList();
+        } catch (TypeConversionException wrong) {
+            throw new UsageException(THETA_I + ": " + wrong.getMessage());
+        }
+    }
+
+    /** Returns the options of the command line that every run has. */
+    private List<String> given() {
+        return parsed.matchedOptions().stream()
+                .filter(option -> !OWN.contains(option.longestName()))
+                .flatMap(Collection::words)
+                .toList();
+    }
+
+    private static Stream<String> words(OptionSpec option) {
+        return option.originalStringValues().stream().map(value -> option.longestName() + "=" + value);
+    }
+
+    /** Returns what determines the report of a run: its options, and the file of the heights if the surface is a descriptor. */
+    private List<String> hashed(Item item) {
+        List<String> words = new ArrayList<>(item.options());
+        words.add(parsed.commandSpec().name());
+        if (Files.isRegularFile(Path.of(item.patch()))) {
+            Surfaces.heights(Path.of(item.patch())).ifPresent(file -> words.add("--heights=" + file));
+        }
+        return words;
+    }
+
+    private Path folder(Overwrite overwrite) {
+        Optional<Path> named = value(OUTPUT).map(Path::of);
+        String names = names().stream()
+                .map(name -> FileNames.stem(Path.of(name).toAbsolutePath().normalize()))
+                .limit(NAMES_OF_FOLDER)
+                .collect(Collectors.joining("-"));
+        boolean shared = overwrite == Overwrite.REPLACE || parsed.hasMatchedOption(CollectionOptions.TASK);
+        return OutputFolder.claim(
+                named.orElseGet(() -> Path.of(parsed.commandSpec().name() + "-" + names)), named.isPresent() || shared);
+    }
+
+    private ObjectNode run(Item item, CollectionFolder folder, String hash) {
+        List<String> words = new ArrayList<>(List.of(parsed.commandSpec().name(), "--json"));
+        words.addAll(item.options());
+        words.add(OUTPUT + "=" + folder.picture(item.stem()));
+        if (folder.replaces()) {
+            words.add("--force");
+        }
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        int code = runner.run(new PrintWriter(out), new PrintWriter(err), words.toArray(String[]::new));
+        boolean done = code == ExitCode.OK.code() || code == ExitCode.TOLERANCE_MISSED.code();
+        return folder.row(item.patch(), item.stem(), hash, code, done ? out.toString() : "", last(err.toString()));
+    }
+
+    /** Returns the last line of a run's standard error without the program's name. */
+    private static String last(String err) {
+        return err.lines()
+                .reduce((first, second) -> second)
+                .orElse("no message")
+                .replaceFirst("^sunbeam: ", "");
+    }
+
+    private static boolean failed(JsonNode row) {
+        return !row.has("report");
+    }
+
+    private void print(PrintWriter out, List<ObjectNode> rows, List<Path> written) {
+        Map<String, Long> verdicts = rows.stream()
+                .collect(Collectors.groupingBy(
+                        row -> row.at("/report/verdict_code").asText("failed"),
+                        LinkedHashMap::new,
+                        Collectors.counting()));
+        if (parsed.hasMatchedOption("--json")) {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("surfaces", rows.size());
+            report.put("verdict_codes", verdicts);
+            report.put("files", written.stream().map(Path::toString).toList());
+            JsonOption.print(out, report);
+            return;
+        }
+        out.println(rows.size() + " surfaces: "
+                + verdicts.entrySet().stream()
+                        .map(entry -> entry.getValue() + " " + entry.getKey())
+                        .collect(Collectors.joining(", ")));
+        written.forEach(file -> out.println(StandardOutput.name(file)));
+    }
+}

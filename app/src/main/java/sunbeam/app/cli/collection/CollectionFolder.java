@@ -1,0 +1,239 @@
+package sunbeam.app.cli.collection;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.StreamSupport;
+import javax.imageio.ImageIO;
+import sunbeam.app.cli.options.TaskPart;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.plot.ThumbnailSheet;
+import sunbeam.app.files.plot.ThumbnailSheet.Thumbnail;
+
+/**
+ * Output of a collection: {@code table.csv}, {@code sheet.png} with its further pages, {@code reports.jsonl} with a line for each surface,
+ * and the files of each surface in {@code surfaces}. The files of a part have its number in their names.
+ */
+final class CollectionFolder {
+    /** Fields of a report that are columns of the table, by the names of the columns. */
+    private static final Map<String, String> COLUMNS = columns();
+
+    private static final String REPORTS = "reports";
+    private final ObjectMapper json = new ObjectMapper();
+    private final Path folder;
+    private final String part;
+    private final Overwrite overwrite;
+    private final Map<String, ObjectNode> earlier = new HashMap<>();
+
+    private CollectionFolder(Path folder, String part, Overwrite overwrite) {
+        this.folder = folder;
+        this.part = part;
+        this.overwrite = overwrite;
+    }
+
+    private static Map<String, String> columns() {
+        Map<String, String> columns = new LinkedHashMap<>();
+        for (String name : List.of(
+                "theta_i_deg",
+                "verdict_code",
+                "verdict",
+                "period_m",
+                "period_low_m",
+                "period_high_m",
+                "about_m",
+                "direction_deg",
+                "first_orders_deg",
+                "faults",
+                "notes")) {
+            columns.put(name, "/" + name);
+        }
+        columns.put("purest_srgb", "/purest/srgb");
+        columns.put("purest_theta_r_deg", "/purest/theta_r_deg");
+        columns.put("purest_dominant_m", "/purest/dominant_m");
+        columns.put("purest_purity", "/purest/purity");
+        return columns;
+    }
+
+    /**
+     * Creates the folder if it is missing, and checks that its table can be written.
+     *
+     * @param resumes whether the reports of earlier runs are read
+     */
+    static CollectionFolder open(Path folder, TaskPart task, Overwrite overwrite, boolean resumes) {
+        String part = task.parts() == 1 ? "" : "-" + task.number() + "-of-" + task.parts();
+        CollectionFolder opened = new CollectionFolder(folder, part, overwrite);
+        OutputFolder.create(folder);
+        OutputFolder.create(folder.resolve("surfaces"));
+        AtomicFile.checkWritable(opened.file("table", ".csv"), overwrite);
+        AtomicFile.checkWritable(opened.file(REPORTS, ".jsonl"), overwrite);
+        if (resumes) {
+            opened.readEarlier();
+        }
+        return opened;
+    }
+
+    private Path file(String stem, String ending) {
+        return folder.resolve(stem + part + ending);
+    }
+
+    Path picture(String stem) {
+        return folder.resolve("surfaces").resolve(stem + ".png");
+    }
+
+    boolean replaces() {
+        return overwrite == Overwrite.REPLACE;
+    }
+
+    /** Reads the reports of all parts. A line that a stopped run has not finished is left out. */
+    private void readEarlier() {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, REPORTS + "*.jsonl")) {
+            for (Path file : files) {
+                for (String line : Files.readString(file).split("\n", -1)) {
+                    try {
+                        if (json.readTree(line) instanceof ObjectNode row && row.has("report")) {
+                            earlier.put(row.path("parameters").asText(), row);
+                        }
+                    } catch (JsonProcessingException unfinished) {
+                        continue;
+                    }
+                }
+            }
+        } catch (IOException failure) {
+            throw InputException.of(folder, failure);
+        }
+    }
+
+    /** Returns the row of an earlier run of the same surface with the same options, if its picture is still there. */
+    Optional<ObjectNode> find(String patch, String stem, String hash) {
+        return Optional.ofNullable(earlier.get(hash))
+                .filter(row -> row.path("file").asText().equals(patch)
+                        && row.path("picture").asText().equals(picture(stem).toString())
+                        && Files.isRegularFile(picture(stem)));
+    }
+
+    /**
+     * Returns the row of a run.
+     *
+     * @param report the JSON that the command printed; empty if it failed
+     * @param message why the run failed
+     */
+    ObjectNode row(String patch, String stem, String hash, int code, String report, String message) {
+        ObjectNode row = json.createObjectNode()
+                .put("file", patch)
+                .put("exit_code", code)
+                .put("message", report.isEmpty() ? message : "")
+                .put("picture", report.isEmpty() ? "" : picture(stem).toString())
+                .put("parameters", hash);
+        if (!report.isEmpty()) {
+            try {
+                JsonNode tree = json.readTree(report);
+                JsonNode surface = tree.at("/surfaces/0");
+                row.set("report", surface.isMissingNode() ? tree : surface);
+            } catch (JsonProcessingException impossible) {
+                throw new IllegalStateException(impossible);
+            }
+        }
+        return row;
+    }
+
+    /** Adds a row to the reports, so that it is kept if the run is stopped. */
+    void append(ObjectNode row) {
+        Path file = file(REPORTS, ".jsonl");
+        try {
+            Files.writeString(file, row + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        } catch (IOException failure) {
+            throw OutputException.of(file, failure);
+        }
+    }
+
+    /** Writes reports, table and sheets, and returns their paths. */
+    List<Path> write(String command, List<ObjectNode> rows) {
+        List<Path> written = new ArrayList<>();
+        String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
+        AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
+        String table = CsvWriter.text(rows.stream().map(CollectionFolder::cells).toList());
+        written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, AtomicFile.StreamContent.of(table)));
+        written.add(file(REPORTS, ".jsonl"));
+        for (int first = 0; first < rows.size(); first += ThumbnailSheet.MOST) {
+            List<Thumbnail> page = rows.subList(first, Math.min(rows.size(), first + ThumbnailSheet.MOST)).stream()
+                    .map(CollectionFolder::thumbnail)
+                    .toList();
+            String title =
+                    command + ": surfaces " + (first + 1) + " to " + (first + page.size()) + " of " + rows.size();
+            int number = 1 + first / ThumbnailSheet.MOST;
+            Path sheet = file("sheet", (number == 1 ? "" : "-" + number) + ".png");
+            written.add(PngWriter.write(
+                    sheet, Overwrite.REPLACE, ThumbnailSheet.draw(title, page), Map.of("Title", title)));
+        }
+        return written;
+    }
+
+    private static Map<String, String> cells(ObjectNode row) {
+        Map<String, String> cells = new LinkedHashMap<>();
+        for (String own : List.of("file", "exit_code", "message", "picture")) {
+            cells.put(own, row.get(own).asText());
+        }
+        COLUMNS.forEach(
+                (name, pointer) -> cells.put(name, cell(row.path("report").at(pointer))));
+        return cells;
+    }
+
+    /** Returns a value as text: the parts of a list after each other, nothing for null. */
+    private static String cell(JsonNode value) {
+        if (value.isArray()) {
+            String between = value.path(0).isNumber() ? " to " : "; ";
+            return StreamSupport.stream(value.spliterator(), false)
+                    .map(CollectionFolder::cell)
+                    .collect(Collectors.joining(between));
+        }
+        return value.asText("");
+    }
+
+    private static Thumbnail thumbnail(ObjectNode row) {
+        String name = Path.of(row.get("file").asText()).getFileName().toString();
+        JsonNode report = row.path("report");
+        if (report.isMissingNode()) {
+            return new Thumbnail(Optional.empty(), name, row.get("message").asText());
+        }
+        Path picture = Path.of(row.get("picture").asText());
+        JsonNode theta = report.path("theta_i_deg");
+        String sentence = report.path("verdict").asText().split(": ", 2)[0];
+        try {
+            BufferedImage whole = ImageIO.read(picture.toFile());
+            JsonNode area = report.path("thumbnail_px");
+            Rectangle part = new Rectangle(
+                            area.path(0).asInt(),
+                            area.path(1).asInt(),
+                            area.path(2).asInt(whole.getWidth()),
+                            area.path(3).asInt(whole.getHeight()))
+                    .intersection(new Rectangle(whole.getWidth(), whole.getHeight()));
+            return new Thumbnail(
+                    Optional.of(Thumbnail.reduced(whole.getSubimage(part.x, part.y, part.width, part.height))),
+                    name,
+                    sentence);
+        } catch (IOException failure) {
+            throw InputException.of(picture, failure);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package sunbeam.app.cli.collection;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+
+/** Lists the surfaces that the arguments of a command name. A folder stands for its files, in the order of their names. */
+final class Surfaces {
+    /** Largest size of a descriptor, bytes; the reader of patches refuses larger ones. */
+    private static final long LARGEST_DESCRIPTOR = 1 << 20;
+
+    private Surfaces() {}
+
+    static boolean isFolder(String name) {
+        try {
+            return !BuiltInPatches.names().contains(name) && Files.isDirectory(Path.of(name));
+        } catch (InvalidPathException noPath) {
+            return false;
+        }
+    }
+
+    /**
+     * Returns the names of surfaces.
+     *
+     * @throws InputException if a folder cannot be read or has no file
+     */
+    static List<String> of(List<String> names) {
+        return names.stream()
+                .flatMap(name -> isFolder(name) ? files(Path.of(name)).stream() : Stream.of(name))
+                .toList();
+    }
+
+    /** Returns a folder's own files without hidden ones and those that a descriptor of the folder names. */
+    private static List<String> files(Path folder) {
+        try (Stream<Path> listed = Files.list(folder)) {
+            List<Path> files = listed.filter(file -> Files.isRegularFile(file)
+                            && !file.getFileName().toString().startsWith("."))
+                    .sorted()
+                    .toList();
+            Set<Path> described = new HashSet<>();
+            files.forEach(file -> heights(file).ifPresent(described::add));
+            if (files.isEmpty()) {
+                throw new InputException("the folder " + folder
+                        + " has no file; folders below it and hidden files do not count, name the folder of the scans");
+            }
+            return files.stream()
+                    .filter(file -> !described.contains(file.normalize()))
+                    .map(Path::toString)
+                    .toList();
+        } catch (IOException failure) {
+            throw InputException.of(folder, failure);
+        }
+    }
+
+    /** Returns the file of the heights that a descriptor names; empty if the file is no descriptor. */
+    static Optional<Path> heights(Path file) {
+        try {
+            if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || Files.size(file) > LARGEST_DESCRIPTOR) {
+                return Optional.empty();
+            }
+            return Optional.ofNullable(
+                            new ObjectMapper().readTree(file.toFile()).get("heights"))
+                    .map(name -> name.textValue())
+                    .filter(Objects::nonNull)
+                    .map(name -> file.resolveSibling(name).normalize());
+        } catch (IOException | InvalidPathException noDescriptor) {
+            // The command reads the file later and reports what is wrong.
+            return Optional.empty();
+        }
+    }
+}

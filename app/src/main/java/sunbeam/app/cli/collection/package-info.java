@@ -1,0 +1,2 @@
+/** Commands that run over folders of scans. */
+package sunbeam.app.cli.collection;

@@ -1,0 +1,44 @@
+package sunbeam.app.cli.report;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.fault.ScanFault;
+import sunbeam.precompute.patch.Patch;
+
+/** Verdict, period and faults of a surface as the JSON of every command has them; docs/reference/report.schema.json describes the fields. */
+public final class SurfaceReport {
+    private SurfaceReport() {}
+
+    /** Returns the fields by name: lengths in meters, angles in degrees; null for values that are unknown. */
+    public static Map<String, Object> fields(Patch patch, GratingPeriod period, Verdict verdict) {
+        boolean sure = period.isSure();
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("patch", patch.name());
+        fields.put("source", patch.source());
+        fields.put("verdict_code", verdict.code().label());
+        fields.put("verdict", verdict.sentence());
+        fields.put("period_m", sure ? period.period() : null);
+        fields.put("period_low_m", sure ? period.low() : null);
+        fields.put("period_high_m", sure ? period.high() : null);
+        fields.put("period_probability", sure ? GratingPeriod.PROBABILITY : null);
+        fields.put("direction_deg", sure ? Math.toDegrees(period.azimuth()) : null);
+        fields.put("direction_half_width_deg", sure ? Math.toDegrees(period.azimuthHalfWidth()) : null);
+        fields.put("periods_in_the_scan", sure && !period.isExact() ? period.periods() : null);
+        fields.put("share_of_variance", sure ? period.share() : null);
+        fields.put("period_not_told", sure ? null : period.reason());
+        fields.put("about_m", period.isSeen() ? period.period() : null);
+        fields.put("directions_deg", period.isSeen() ? period.directions() : List.of());
+        fields.put(
+                "first_orders_deg",
+                verdict.firstOrders().stream()
+                        .map(band -> List.of(band.blue(), band.red()))
+                        .toList());
+        fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());
+        fields.put("notes", patch.notes());
+        fields.put("warnings", patch.warnings());
+        return fields;
+    }
+}

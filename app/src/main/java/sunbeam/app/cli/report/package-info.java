@@ -1,0 +1,2 @@
+/** Parts of reports that several commands share. */
+package sunbeam.app.cli.report;

@@ -1,0 +1,275 @@
+package sunbeam.app.cli.collection;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.DoubleUnaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.terminal.Environment;
+
+final class CollectionTest {
+    private static final double PERIOD = 2e-6;
+
+    @TempDir
+    private Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+    private Path scans;
+    private Path report;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        scans = Files.createDirectory(folder.resolve("scans"));
+        report = folder.resolve("report");
+        scan(scans.resolve("grating.txt"), x -> 50 * Math.sin(2 * Math.PI * x / PERIOD));
+    }
+
+    /** 64 columns 0.25 um apart in rows alike: 8 periods of 2 um, in the text format that states its scale. */
+    private static void scan(Path file, DoubleUnaryOperator heights) throws IOException {
+        StringBuilder text =
+                new StringBuilder("# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n");
+        for (int row = 0; row < 64; row++) {
+            for (int column = 0; column < 64; column++) {
+                text.append(heights.applyAsDouble(column * 0.25e-6)).append(column == 63 ? "\n" : "\t");
+            }
+        }
+        Files.writeString(file, text);
+    }
+
+    private int run(String... arguments) {
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        Environment environment = new Environment(Map.of(), folder);
+        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    }
+
+    private int inspect(String... more) {
+        List<String> words = new ArrayList<>(List.of("inspect", "--output", report.toString()));
+        words.addAll(List.of(more));
+        return run(words.toArray(String[]::new));
+    }
+
+    private List<NamedCsvRecord> table(String name) throws IOException {
+        try (CsvReader<NamedCsvRecord> reader =
+                CsvReader.builder().ofNamedCsvRecord(Files.readString(report.resolve(name)))) {
+            return reader.stream().toList();
+        }
+    }
+
+    private FileTime time(String picture) throws IOException {
+        return Files.getLastModifiedTime(report.resolve("surfaces").resolve(picture));
+    }
+
+    @Test
+    void aFolderBecomesOneTableAndOneSheet() throws IOException {
+        scan(scans.resolve("other.txt"), x -> 40 * Math.sin(2 * Math.PI * x / (2 * PERIOD)));
+
+        assertThat(inspect(scans.toString())).as(err.toString()).isZero();
+
+        List<NamedCsvRecord> rows = table("table.csv");
+        assertThat(rows)
+                .extracting(row -> row.getField("file"))
+                .containsExactly(
+                        scans.resolve("grating.txt").toString(),
+                        scans.resolve("other.txt").toString());
+        NamedCsvRecord row = rows.get(0);
+        assertThat(row.getField("verdict_code")).isEqualTo("sure_grating");
+        assertThat(Double.parseDouble(row.getField("period_low_m"))).isLessThan(PERIOD);
+        assertThat(Double.parseDouble(row.getField("period_high_m"))).isGreaterThan(PERIOD);
+        // First orders of 2 um lie at asin(0.4 / 2) = 11.5 to asin(0.7 / 2) = 20.5 degrees, wider by the interval.
+        assertThat(row.getField("first_orders_deg"))
+                .matches("1[01]\\.\\d+ to 2[01]\\.\\d+; -1[01]\\.\\d+ to -2[01]\\.\\d+");
+        BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
+        // Two thumbnails of the heights, black and white stripes, beside each other; nothing right of them.
+        assertThat(darkest(sheet, 16, 300)).isLessThan(80);
+        assertThat(darkest(sheet, 316, 600)).isLessThan(80);
+        assertThat(darkest(sheet, 620, 900)).isGreaterThan(250);
+        assertThat(out.toString()).startsWith("2 surfaces: ").contains("table.csv", "sheet.png");
+    }
+
+    private static int darkest(BufferedImage image, int from, int to) {
+        int darkest = 255;
+        for (int y = 40; y < image.getHeight(); y++) {
+            for (int x = from; x < to; x++) {
+                darkest = Math.min(darkest, image.getRGB(x, y) & 0xff);
+            }
+        }
+        return darkest;
+    }
+
+    @Test
+    void aBadFileIsARowAndDoesNotStopTheRest() throws IOException {
+        Files.writeString(scans.resolve("a bad one.gwy"), "no scan");
+
+        assertThat(inspect(scans.toString())).isEqualTo(4);
+
+        List<NamedCsvRecord> rows = table("table.csv");
+        assertThat(rows).extracting(row -> row.getField("exit_code")).containsExactly("4", "0");
+        assertThat(rows.get(0).getField("message")).contains("a bad one.gwy is neither an image nor a scan");
+        assertThat(rows.get(1).getField("verdict_code")).isEqualTo("sure_grating");
+        assertThat(err.toString()).hasLineCount(1).contains("a bad one.gwy");
+    }
+
+    @Test
+    void namesWithBlanksAndLineBreaksAndEqualNamesHaveRowsAndPicturesOfTheirOwn() throws IOException {
+        Path other = Files.createDirectory(folder.resolve("b"));
+        Files.copy(scans.resolve("grating.txt"), other.resolve("grating.txt"));
+        Files.copy(scans.resolve("grating.txt"), other.resolve("two\nlines \"and\" blanks.txt"));
+
+        assertThat(inspect(scans.toString(), other.toString()))
+                .as(err.toString())
+                .isZero();
+
+        assertThat(table("table.csv"))
+                .extracting(row -> row.getField("file"))
+                .containsExactly(
+                        scans.resolve("grating.txt").toString(),
+                        other.resolve("grating.txt").toString(),
+                        other.resolve("two\nlines \"and\" blanks.txt").toString());
+        assertThat(report.resolve("surfaces").toFile().list())
+                .containsExactlyInAnyOrder("grating.png", "grating-2.png", "two\nlines \"and\" blanks.png");
+    }
+
+    @Test
+    void partsTogetherAreTheWhole() throws IOException {
+        for (String name : List.of("b", "c", "d", "e")) {
+            Files.copy(scans.resolve("grating.txt"), scans.resolve(name + ".txt"));
+        }
+        List<NamedCsvRecord> parts = new ArrayList<>();
+        for (String part : List.of("1", "2", "3")) {
+            assertThat(inspect(scans.toString(), "--task", part + "/3"))
+                    .as(err.toString())
+                    .isZero();
+            parts.addAll(table("table-" + part + "-of-3.csv"));
+        }
+        FileTime drawn = time("c.png");
+
+        assertThat(inspect(scans.toString(), "--resume")).as(err.toString()).isZero();
+
+        assertThat(table("table.csv"))
+                .extracting(NamedCsvRecord::getFields)
+                .containsExactlyElementsOf(
+                        parts.stream().map(NamedCsvRecord::getFields).toList());
+        assertThat(time("c.png")).as("the joining run draws nothing again").isEqualTo(drawn);
+    }
+
+    @Test
+    void aStoppedRunGoesOnWhereItWas() throws IOException {
+        Files.copy(scans.resolve("grating.txt"), scans.resolve("later.txt"));
+        assertThat(inspect(scans.toString())).isZero();
+        // The second line is cut off, as by the end of the process.
+        Path reports = report.resolve("reports.jsonl");
+        String whole = Files.readString(reports);
+        Files.writeString(reports, whole.substring(0, whole.indexOf('\n') + 100));
+        Files.delete(report.resolve("table.csv"));
+        FileTime first = time("grating.png");
+        FileTime second = time("later.png");
+
+        assertThat(inspect(scans.toString(), "--resume")).as(err.toString()).isZero();
+
+        assertThat(Files.readString(reports)).isEqualTo(whole);
+        assertThat(time("grating.png")).isEqualTo(first);
+        assertThat(time("later.png")).isGreaterThan(second);
+        // A file that has changed is looked at again.
+        scan(scans.resolve("grating.txt"), x -> 0.01);
+        assertThat(inspect(scans.toString(), "--resume")).isEqualTo(3);
+        assertThat(table("table.csv").get(0).getField("verdict_code")).isEqualTo("mirror");
+    }
+
+    @Test
+    void anAngleOfARangeIsARow() throws IOException {
+        assertThat(inspect("sinusoid", "--theta-i", "0:40:20", "--json"))
+                .as(err.toString())
+                .isZero();
+
+        assertThat(table("table.csv"))
+                .extracting(row -> row.getField("theta_i_deg"))
+                .containsExactly("0.0", "20.0", "40.0");
+        // Of 2.5 um under light at 40 degrees the first orders begin at asin(0.4 / 2.5 - sin 40) = -28.9 degrees.
+        String[] angles = table("table.csv").get(2).getField("first_orders_deg").split(" to ", -1);
+        assertThat(Double.parseDouble(angles[0])).isCloseTo(-28.9, within(0.1));
+        JsonNode summary = new ObjectMapper().readTree(out.toString());
+        assertThat(summary.at("/verdict_codes/sure_grating").intValue()).isEqualTo(3);
+    }
+
+    @Test
+    void colorsOfAFolderHaveTheirPurestColorInTheTable() throws IOException {
+        assertThat(run("color", scans.toString(), "blaze", "--angles", "-40:40:4", "--output", report.toString()))
+                .as(err.toString())
+                .isZero();
+
+        List<NamedCsvRecord> rows = table("table.csv");
+        assertThat(rows)
+                .extracting(row -> row.getField("purest_srgb"))
+                .allMatch(color -> color.matches("#[0-9a-f]{6}"));
+        assertThat(rows).extracting(row -> row.getField("theta_i_deg")).containsOnly("0.0");
+        assertThat(report.resolve("surfaces").toFile().list())
+                .contains("grating.png", "grating.csv", "grating.json", "blaze.png");
+    }
+
+    @Test
+    void mapsOfAFolderKeepTheOptionsOfTheCommandLine() throws IOException {
+        assertThat(run(
+                        "brdf-map",
+                        scans.toString(),
+                        "blaze",
+                        "--size",
+                        "40",
+                        "--no-annotate",
+                        "--output",
+                        report.toString()))
+                .as(err.toString())
+                .isZero();
+
+        assertThat(table("table.csv"))
+                .extracting(row -> row.getField("verdict_code"))
+                .containsOnly("sure_grating");
+        assertThat(ImageIO.read(new File(report.toFile(), "surfaces/blaze.png")).getWidth())
+                .isEqualTo(40);
+    }
+
+    @Test
+    void mistakesAreOneLine() throws IOException {
+        Path empty = Files.createDirectory(folder.resolve("empty"));
+        assertThat(inspect(empty.toString())).isEqualTo(4);
+        assertThat(err.toString())
+                .contains("the folder " + empty + " has no file")
+                .hasLineCount(1);
+        assertThat(inspect("blaze", "--resume")).isEqualTo(2);
+        assertThat(err.toString()).contains("--resume is for several").hasLineCount(1);
+        assertThat(inspect(scans.toString(), "--task", "2/2")).isEqualTo(0);
+        assertThat(inspect(scans.toString(), "--task", "1/2")).isEqualTo(2);
+        assertThat(err.toString()).contains("--task").hasLineCount(1);
+        assertThat(inspect("blaze", "--theta-i", "0:80")).isEqualTo(2);
+        assertThat(err.toString()).contains("--theta-i", "min:max:step").hasLineCount(1);
+        assertThat(run("color", scans.toString(), "--with", "blaze", "--output", report.toString()))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("--with is for one patch").hasLineCount(1);
+        assertThat(run("evaluate", scans.toString())).isEqualTo(4);
+        assertThat(err.toString()).contains("scans", "folder").hasLineCount(1);
+        Files.writeString(report.resolve("table.csv"), "mine");
+        assertThat(inspect(scans.toString())).isEqualTo(8);
+        assertThat(err.toString()).contains("table.csv", "--force").hasLineCount(1);
+        assertThat(report.resolve("table.csv")).hasContent("mine");
+    }
+}
