@@ -11,6 +11,8 @@ uniform float tabulatedSlopeVariance;
 uniform float pointLevels;
 // Variance, along either axis, of the slopes of relief finer than a pixel; 0 if the levels already average over it.
 uniform float slopeVariance;
+// Finest level that is read, points included; 0 for all levels.
+uniform float leastLevel;
 // Most taps along the major axis; if these are too few, a coarser level blurs the minor axis, too.
 uniform float mostTaps;
 // Number of samples of the mesh along a pixel's side; the pixel is the mean of its samples.
@@ -47,7 +49,7 @@ Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv) {
     float reach = mostTaps * SPACING;
     float fitting = floor(log2(1.0 + minorSquare / (12.0 * finestVariance)));
     float needed = ceil(log2(max(1.0, 1.0 + (majorSquare / (reach * reach + 12.0) - shown) / finestVariance)));
-    float level = clamp(max(fitting, needed), 0.0, float(levels - 1));
+    float level = clamp(max(fitting, needed), leastLevel - pointLevels, float(levels - 1));
     // Taps cover the part of the major axis that the level does not blur.
     float blur = (exp2(level) - 1.0) * finestVariance;
     float lengthSquare = max(majorSquare - 12.0 * blur, 0.0);
@@ -60,5 +62,5 @@ Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv) {
     vec3 axis = turn.x * du + turn.y * dv;
     axis = middle > 0.0 ? axis * inversesqrt(middle + root) : vec3(1.0, 0.0, 0.0);
     bool seesPoint = samplesAcross * samplesAcross * majorSquare < 12.0 * POINT * finestVariance;
-    return Footprint(uvw, seesPoint ? 0.0 : level + pointLevels, sqrt(lengthSquare) * axis, taps);
+    return Footprint(uvw, seesPoint ? leastLevel : level + pointLevels, sqrt(lengthSquare) * axis, taps);
 }

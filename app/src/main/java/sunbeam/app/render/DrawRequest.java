@@ -14,8 +14,10 @@ import sunbeam.app.scene.Scene;
  * @param tile tile to draw, in samples; inside the picture
  * @param samples number of samples along a pixel's side
  * @param stride every stride-th sample of every stride-th row is drawn; a power of two
+ * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
  */
-public record DrawRequest(Scene scene, int width, int height, Tile tile, int samples, int stride) {
+public record DrawRequest(
+        Scene scene, int width, int height, Tile tile, int samples, int stride, boolean isCoarsest) {
     /**
      * Returns a request for all samples of a tile of pixels.
      *
@@ -27,7 +29,7 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
     public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, int samples) {
         Tile inSamples =
                 new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
-        return new DrawRequest(scene, samples * width, samples * height, inSamples, samples, 1);
+        return new DrawRequest(scene, samples * width, samples * height, inSamples, samples, 1, false);
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */
@@ -38,7 +40,12 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
     }
 
     DrawRequest with(Scene other) {
-        return new DrawRequest(other, width, height, tile, samples, stride);
+        return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest);
+    }
+
+    /** Returns this request, by the coarsest level of a color table alone. */
+    DrawRequest coarsest() {
+        return new DrawRequest(scene, width, height, tile, samples, stride, true);
     }
 
     int columns() {

@@ -14,8 +14,15 @@ final class FootprintUniforms {
      * @param scene scene whose fine relief widens footprints, unless the table's levels include it
      * @param mostTaps most taps along a footprint's major axis
      * @param samplesAcross samples along a pixel's side
+     * @param isCoarsest whether all footprints read the coarsest level
      */
-    static void apply(ShaderProgram program, ColorTable table, Scene scene, int mostTaps, int samplesAcross) {
+    static void apply(
+            ShaderProgram program,
+            ColorTable table,
+            Scene scene,
+            int mostTaps,
+            int samplesAcross,
+            boolean isCoarsest) {
         boolean hasRelief = table.slopeDeviation() > 0;
         program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
@@ -23,6 +30,7 @@ final class FootprintUniforms {
         program.set("slopeVariance", hasRelief ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
         program.set("pointLevels", (float) table.pointLevelCount());
         program.set("levels", table.levels().size() - table.pointLevelCount());
+        program.set("leastLevel", isCoarsest ? table.levels().size() - 1f : 0);
         program.set("mostTaps", (float) mostTaps);
         program.set("samplesAcross", (float) samplesAcross);
     }

@@ -72,7 +72,7 @@ final class MovingSkin implements AutoCloseable {
             Tile block,
             List<Binding> method,
             double exposure) {
-        FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1);
+        FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1, false);
         ViewRays rays = geometry.viewRays(block);
         rays.applyTo(program);
         program.set("targetToWorld", geometry.blockToWorld(block));

@@ -12,7 +12,6 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.scene.Scene;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
@@ -43,21 +42,21 @@ final class PackedShading implements AutoCloseable {
     /**
      * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
+     * @param request picture of the block
      * @param buffer geometry of the block, also of pixels beside the part, since footprints are differences to neighbors
      * @param part part to shade, in pixels from the block's corner
-     * @param stride every stride-th pixel of every stride-th row is shaded
-     * @param samplesAcross samples of the mesh along a side of the final picture's pixel
      * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are
      *     missing, the body's color without diffraction and the coverage {@link #MISSING_COVERAGE}
      */
-    float[] shade(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int stride, int samplesAcross) {
+    float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part) {
+        int stride = request.stride();
         int[] covered = covered(buffer.views(part), part, stride);
         float[] lit = new float
                 [CHANNELS * SceneBlocks.ceilDiv(part.width(), stride) * SceneBlocks.ceilDiv(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
-            float[] drawn = LoopLimit.checked(shade(skin, scene, buffer, packing, stride, samplesAcross));
+            float[] drawn = LoopLimit.checked(shade(skin, request, buffer, packing));
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
@@ -66,28 +65,27 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Shades the uploaded pixels; returns linear XYZ and coverage of each. */
-    private float[] shade(
-            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, int stride, int samplesAcross) {
+    private float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
         if (skin.virtualTexture().isEmpty()) {
-            return meanOfDraws(skin, scene, buffer, packing, stride, samplesAcross);
+            return meanOfDraws(skin, request, buffer, packing);
         }
         VirtualTexture tiles = skin.virtualTexture().get();
-        ShadingPass pass = new ShadingPass(stride, samplesAcross, 0, true);
-        float[] drawn = draw(skin, scene, buffer, packing, pass);
+        ShadingPass pass = new ShadingPass(request, 0, true);
+        float[] drawn = draw(skin, buffer, packing, pass);
         if (tiles.isScheduled() || !isMissing(drawn)) {
             return drawn;
         }
         tiles.addFeedback(footprints(packing));
         tiles.bakeFeedback();
-        drawn = draw(skin, scene, buffer, packing, pass);
+        drawn = draw(skin, buffer, packing, pass);
         if (isMissing(drawn)) {
             throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
         }
         return drawn;
     }
 
-    private float[] draw(SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, ShadingPass pass) {
-        skin.shade(context, scene, buffer, sources, target, packing.used(), pass);
+    private float[] draw(SkinSurface skin, GeometryBuffer buffer, Packing packing, ShadingPass pass) {
+        skin.shade(context, buffer, sources, target, packing.used(), pass);
         return unpacked(packing, target.read(0, packing.used()));
     }
 
@@ -106,12 +104,11 @@ final class PackedShading implements AutoCloseable {
         return false;
     }
 
-    private float[] meanOfDraws(
-            SkinSurface skin, Scene scene, GeometryBuffer buffer, Packing packing, int stride, int samplesAcross) {
-        int draws = skin.draws(scene, samplesAcross);
+    private float[] meanOfDraws(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
+        int draws = skin.draws(request.scene(), request.samples());
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
-            float[] drawn = draw(skin, scene, buffer, packing, new ShadingPass(stride, samplesAcross, draw, true));
+            float[] drawn = draw(skin, buffer, packing, new ShadingPass(request, draw, true));
             if (draws == 1) {
                 return drawn;
             }
@@ -129,14 +126,14 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    /** Adds the footprints of a part of a block to the feedback. */
-    void addFeedback(SkinSurface skin, Scene scene, GeometryBuffer buffer, Tile part, int samplesAcross) {
+    /** Adds the footprints of a part of a block to the feedback. The request's stride is 1. */
+    void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part) {
         int[] covered = covered(buffer.views(part), part, 1);
-        ShadingPass pass = new ShadingPass(1, samplesAcross, 0, false);
+        ShadingPass pass = new ShadingPass(request, 0, false);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
-            skin.shade(context, scene, buffer, sources, target, packing.used(), pass);
+            skin.shade(context, buffer, sources, target, packing.used(), pass);
             skin.virtualTexture().orElseThrow().addFeedback(footprints(packing));
         }
     }

@@ -112,13 +112,13 @@ public final class PartSum {
                     y,
                     Math.min(stride * coarseTile.width(), width - x),
                     Math.min(stride * coarseTile.height(), height - y));
-            DrawRequest request = new DrawRequest(scene, width, height, tile, 1, stride);
+            DrawRequest request = new DrawRequest(scene, width, height, tile, 1, stride, false);
             light.put(light(request, SceneSession::drawResident), coarseTile.x(), coarseTile.y());
         });
         if (!isWhole) {
             return Optional.empty();
         }
-        ScenePicture body = body(new DrawRequest(scene, width, height, Tile.whole(width, height), 1, 1));
+        ScenePicture body = body(new DrawRequest(scene, width, height, Tile.whole(width, height), 1, 1, false));
         return Optional.of(over(body, light.enlarged(stride, body, white), scene));
     }
 

@@ -2,6 +2,7 @@ package sunbeam.app.render;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
@@ -26,7 +27,8 @@ public final class SceneDisplay {
 
     /**
      * Returns the scene's exposure if it is set, else the automatic exposure of a small picture with the ratio of sides of the whole. It
-     * does not depend on the whole picture's size or samples.
+     * depends neither on the whole picture's size and samples nor on finer levels of a color table than the coarsest: a picture that is
+     * refined level by level keeps its exposure.
      *
      * @param width pixels per row of the whole picture
      * @param height rows of the whole picture
@@ -43,16 +45,25 @@ public final class SceneDisplay {
         int columns = meter.width();
         int rows = meter.height();
         int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
-        parts.prepare(scene, columns, rows, samples);
+        parts.prepare(meterParts(scene, width, height));
         ScenePicture small = ScenePicture.empty(columns, rows);
         boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
-            ScenePicture part = parts.draw(DrawRequest.ofPixels(scene, columns, rows, tile, samples));
+            ScenePicture part = parts.draw(
+                    DrawRequest.ofPixels(scene, columns, rows, tile, samples).coarsest());
             small.put(part.reduced(samples), tile.x(), tile.y());
         });
         return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
     }
 
-    static Tile meter(int width, int height) {
+    /** Returns requests for the picture that is metered, of method {@code table}. */
+    static List<DrawRequest> meterParts(Scene scene, int width, int height) {
+        Tile meter = meter(width, height);
+        return SceneSession.parts(scene, meter.width(), meter.height(), TABLE_SAMPLES).stream()
+                .map(DrawRequest::coarsest)
+                .toList();
+    }
+
+    private static Tile meter(int width, int height) {
         double scale = METER_SIDE / (double) Math.max(width, height);
         return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
     }

@@ -150,8 +150,7 @@ public final class SceneSession implements AutoCloseable {
         for (SceneBlocks.Piece piece :
                 SceneBlocks.of(request.width(), request.height()).split(request.tile())) {
             Tile inBlock = piece.inBlock();
-            float[] pixels = shading.shade(
-                    uploaded.skin(), request.scene(), drawn(geometry, piece), inBlock, stride, request.samples());
+            float[] pixels = shading.shade(uploaded.skin(), request, drawn(geometry, piece), inBlock);
             ground.ifPresent(below -> below.fillUncovered(
                     pixels, request.scene(), geometry, piece.block(), inBlock, stride, request.samples()));
             part.put(
@@ -211,7 +210,7 @@ public final class SceneSession implements AutoCloseable {
         SkinGeometry geometry = uploaded.geometry(part.scene(), part.width(), part.height(), false);
         for (SceneBlocks.Piece piece :
                 SceneBlocks.of(part.width(), part.height()).split(part.tile())) {
-            shading.addFeedback(uploaded.skin(), part.scene(), drawn(geometry, piece), piece.inBlock(), part.samples());
+            shading.addFeedback(uploaded.skin(), part, drawn(geometry, piece), piece.inBlock());
         }
     }
 
@@ -259,8 +258,8 @@ public final class SceneSession implements AutoCloseable {
         // Starts before the feedback is known: the picture reads most prefetched tiles, and a whole level takes little
         // longer than some of its tiles.
         virtualTexture().get().prefetch();
-        Tile meter = SceneDisplay.meter(width, height);
-        if (!addFeedback(parts(scene(), meter.width(), meter.height(), SceneDisplay.TABLE_SAMPLES), interrupted)) {
+        if (!virtualTexture().get().hasCoarsest()
+                && !addFeedback(SceneDisplay.meterParts(scene(), width, height), interrupted)) {
             return false;
         }
         virtualTexture().get().drain();

@@ -99,18 +99,20 @@ final class SkinSurface implements AutoCloseable {
      */
     void shade(
             RenderContext context,
-            Scene scene,
             GeometryBuffer buffer,
             FloatTexture sources,
             FloatTarget target,
             Tile tile,
             ShadingPass pass) {
+        DrawRequest request = pass.request();
+        Scene scene = request.scene();
         setLight(program, scene);
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         if (texture.isPresent()) {
-            FootprintUniforms.apply(program, texture.get().table(), scene, MOST_TAPS, pass.samplesAcross());
-            program.set("stride", (float) pass.stride());
+            FootprintUniforms.apply(
+                    program, texture.get().table(), scene, MOST_TAPS, request.samples(), request.isCoarsest());
+            program.set("stride", (float) request.stride());
             program.set("lookUps", pass.hasColors() ? 1 : 0);
             textures.addAll(texture.get().bindings());
         } else {

@@ -13,6 +13,8 @@ import sunbeam.precompute.text.Quoted;
 /** Finds scenes by built-in name or file name. */
 public final class Scenes {
     private static final List<String> NAMES = List.of(
+            "close-up",
+            "disc",
             "elaphe",
             "elaphe-body",
             "elaphe-scales",

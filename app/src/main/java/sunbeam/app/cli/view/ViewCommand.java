@@ -29,7 +29,7 @@ public final class ViewCommand extends ReportingCommand {
     @Parameters(
             arity = "0..1",
             paramLabel = "SCENE",
-            defaultValue = "elaphe",
+            defaultValue = "close-up",
             description = "A built-in scene or a scene file (.json). Default: ${DEFAULT-VALUE}.")
     private String scene;
 

@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 public final class AutoExposure {
     /** Display luminance to which the brighter half's mean is mapped; white is 1. Orders several times brighter are compressed. */
-    public static final double TARGET = 0.3;
+    public static final double TARGET = 0.42;
 
     // Share of the total weight below the brighter half.
     private static final double DARKER = 0.5;

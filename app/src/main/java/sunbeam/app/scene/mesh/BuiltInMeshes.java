@@ -1,6 +1,7 @@
 package sunbeam.app.scene.mesh;
 
 import java.util.List;
+import java.util.function.DoubleFunction;
 import org.joml.Vector3d;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
@@ -11,7 +12,7 @@ public final class BuiltInMeshes {
 
     /** Returns the names, in the order in which help shows them. */
     public static List<String> names() {
-        return List.of("snake", "plane", "sphere", "cylinder");
+        return List.of("snake", "plane", "sphere", "cylinder", "disc");
     }
 
     /**
@@ -22,6 +23,7 @@ public final class BuiltInMeshes {
      * <li>{@code plane}: a square with sides of 0.2 m in z = 0 about the origin
      * <li>{@code sphere}: a sphere of radius 0.1 m about the origin
      * <li>{@code cylinder}: a cylinder without caps of radius 0.1 m about the z axis, from z = 0 to 0.2 m
+     * <li>{@code disc}: the coated ring of a compact disc, which lies on z = 0; tangents along the tracks
      * </ul>
      *
      * @throws InputException for any other name
@@ -32,6 +34,7 @@ public final class BuiltInMeshes {
             case "plane" -> plane(0.2, 8);
             case "sphere" -> sphere(0.1, 96, 48);
             case "cylinder" -> cylinder(0.1, 0.2, 96, 24);
+            case "disc" -> disc(256, 16);
             default ->
                 throw new InputException("there is no built-in mesh " + Quoted.of(name) + "; choose one of "
                         + String.join(", ", names()));
@@ -56,32 +59,52 @@ public final class BuiltInMeshes {
      * vertex, because east is ambiguous there.
      */
     static Mesh sphere(double radius, int columns, int rows) {
-        MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
-            double angle = angle(u);
+        return revolution(columns, rows, true, v -> {
             // Exact at the poles, where the sine of a rounded pi would leave a tiny ring.
-            double across = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
-            Vector3d normal = new Vector3d(across * Math.cos(angle), across * Math.sin(angle), -Math.cos(Math.PI * v));
-            return new MeshBuilder.Point(
-                    new Vector3d(normal).mul(radius), normal, new Vector3d(-Math.sin(angle), Math.cos(angle), 0));
+            double outward = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
+            double upward = -Math.cos(Math.PI * v);
+            return new Profile(radius * outward, radius * upward, outward, upward);
         });
-        return builder.build(true);
     }
 
     /** Generates an open cylinder about the z axis, from z = 0 upwards; u around, v upwards. */
     static Mesh cylinder(double radius, double height, int columns, int rows) {
-        MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
-            double angle = angle(u);
-            Vector3d normal = new Vector3d(Math.cos(angle), Math.sin(angle), 0);
-            return new MeshBuilder.Point(
-                    new Vector3d(normal).mul(radius).add(0, 0, v * height),
-                    normal,
-                    new Vector3d(-Math.sin(angle), Math.cos(angle), 0));
-        });
-        return builder.build(false);
+        return revolution(columns, rows, false, v -> new Profile(radius, v * height, 1, 0));
     }
 
-    /** Returns the angle at u, radians; 0 also at u = 1, so that both sides of the seam have bitwise equal points. */
-    private static double angle(double u) {
-        return u == 1 ? 0 : 2 * Math.PI * u;
+    /**
+     * Generates the coated ring of a compact disc (radii of 20 and 59 mm) that lies on z = 0, with round edges and without bottom; u along
+     * the tracks, v from the outer edge to the inner one.
+     */
+    private static Mesh disc(int columns, int rows) {
+        double edge = 1.2e-3;
+        return revolution(columns, rows, false, v -> {
+            // Each edge takes a quarter of v, the flat side the rest.
+            double flat = Math.min(1, Math.max(0, 2 * v - 0.5));
+            double turn = Math.PI * (0.5 - 2 * (v - flat / 2));
+            double outward = Math.sin(turn);
+            double upward = Math.cos(turn);
+            double middle = 0.059 - edge - (0.039 - 2 * edge) * flat;
+            return new Profile(middle + edge * outward, edge * upward, outward, upward);
+        });
+    }
+
+    /** A point of a profile, meters, and the components of its unit normal away from the axis and along it. */
+    private record Profile(double radius, double height, double outward, double upward) {}
+
+    /** Turns a profile, a function of v, about the z axis; u turns counter-clockwise. */
+    private static Mesh revolution(int columns, int rows, boolean closed, DoubleFunction<Profile> profile) {
+        MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
+            // Both sides of the seam have bitwise equal points.
+            double angle = u == 1 ? 0 : 2 * Math.PI * u;
+            double cos = Math.cos(angle);
+            double sin = Math.sin(angle);
+            Profile at = profile.apply(v);
+            return new MeshBuilder.Point(
+                    new Vector3d(at.radius * cos, at.radius * sin, at.height),
+                    new Vector3d(at.outward * cos, at.outward * sin, at.upward),
+                    new Vector3d(-sin, cos, 0));
+        });
+        return builder.build(closed);
     }
 }

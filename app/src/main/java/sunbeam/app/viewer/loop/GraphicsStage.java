@@ -53,6 +53,8 @@ public final class GraphicsStage implements Stage {
     private StageSessions current;
     // Sample stride of the last coarse picture, in pixels.
     private int stride;
+    // Exposure of the current state's picture; empty before it is metered.
+    private OptionalDouble metered = OptionalDouble.empty();
     private ViewState state;
     private boolean isMoving;
 
@@ -74,6 +76,9 @@ public final class GraphicsStage implements Stage {
         StageSessions sessions = next.isOther() ? other : own;
         sessions.update(next.scene().parts());
         current = sessions;
+        if (state == null || !next.showsThePictureOf(state)) {
+            metered = OptionalDouble.empty();
+        }
         state = next;
         current.colors().forEach(colors -> colors.bakeOn(baking, arrived));
     }
@@ -159,16 +164,38 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Preview> byTiles() {
-        return isByTable() && hasCoarsest() ? Optional.of(byTable(1)) : Optional.empty();
+        if (!isByTable() || !hasCoarsest()) {
+            return Optional.empty();
+        }
+        boolean isFirst = metered.isEmpty();
+        meter(() -> false);
+        Preview preview = byTable(1);
+        if (isFirst && scene().get(SceneSettings.EXPOSURE).isEmpty()) {
+            exposures.storeShown(shownExposure(preview.image(), preview.exposure()));
+        }
+        return Optional.of(preview);
     }
 
     private Preview byTable(double divisor) {
+        if (hasCoarsest() && exposures.known(state.firstPart()).isEmpty()) {
+            meter(() -> false);
+        }
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {
             exposures.follow(state.firstPart(), () -> shownExposure(image, exposure));
         }
         return new Preview(image, divisor, hasCoarsest(), exposure);
+    }
+
+    /** Meters the picture, unless it was metered; returns false if interrupted. */
+    private boolean meter(BooleanSupplier interrupted) {
+        if (metered.isEmpty()) {
+            metered = SceneDisplay.exposure(
+                    scene(), current.sum(), state.width(), state.height(), current.tiles(), interrupted);
+            metered.ifPresent(exposure -> exposures.store(state.firstPart(), exposure));
+        }
+        return metered.isPresent();
     }
 
     private double shownExposure(BufferedImage image, double exposure) {
@@ -179,8 +206,8 @@ public final class GraphicsStage implements Stage {
     }
 
     /**
-     * Returns the known exposure. A scene by tables is metered only when its tiles are resident; before the first metering, a white body
-     * that faces the light is displayed as white.
+     * Returns the known exposure. A scene by tables is metered when the coarsest level is resident; before the first metering, a white
+     * body that faces the light is displayed as white, as built-in scenes always do.
      */
     private double exposureSoFar() {
         double intensity = scene().light().intensity();
@@ -189,7 +216,7 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Preview> finer(BooleanSupplier interrupted) {
-        if (isByTable() || stride / 2 < FINEST_STRIDE) {
+        if (isByTable() || !meter(interrupted) || stride / 2 < FINEST_STRIDE) {
             return Optional.empty();
         }
         stride /= 2;
@@ -214,12 +241,10 @@ public final class GraphicsStage implements Stage {
         int width = state.width();
         int height = state.height();
         int samples = samples();
-        OptionalDouble metered =
-                SceneDisplay.exposure(scene(), current.sum(), width, height, current.tiles(), interrupted);
-        if (metered.isEmpty()) {
+        if (!meter(interrupted)) {
             return Optional.empty();
         }
-        double exposure = exposures.store(state.firstPart(), metered.getAsDouble());
+        double exposure = metered.getAsDouble();
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
@@ -230,9 +255,6 @@ public final class GraphicsStage implements Stage {
         });
         if (!isWhole) {
             return Optional.empty();
-        }
-        if (isByTable() && scene().get(SceneSettings.EXPOSURE).isEmpty()) {
-            exposures.storeShown(shownExposure(whole, exposure));
         }
         return Optional.of(new Final(whole, exposure));
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.InputException;
 
@@ -35,12 +36,32 @@ class BuiltInMeshesTest {
     }
 
     @Test
+    void aDiscLiesOnTheGroundAndItsTangentsFollowItsTracks() {
+        Mesh disc = BuiltInMeshes.create("disc");
+
+        MeshChecks.assertNoDegenerateTriangle(disc);
+        MeshChecks.assertOrthonormalFrames(disc);
+        MeshChecks.assertNormalsFaceOutwards(disc, Math.cos(Math.toRadians(30)));
+        double largest = 0;
+        for (int vertex = 0; vertex < disc.vertices(); vertex++) {
+            Vector3d position = MeshChecks.position(disc, vertex);
+            assertThat(position.z).isBetween(-1e-6, 0.0012 + 1e-6);
+            double radius = Math.hypot(position.x, position.y);
+            largest = Math.max(largest, radius);
+            // A track is a circle about the axis: no part of the tangent points away from it. Float32.
+            assertThat(MeshChecks.tangent(disc, vertex).dot(new Vector3d(position.x, position.y, 0)))
+                    .isCloseTo(0, within(1e-6 * radius));
+        }
+        assertThat(largest).isCloseTo(0.059, within(1e-6));
+    }
+
+    @Test
     void builtInMeshesHaveNames() {
         for (String name : BuiltInMeshes.names()) {
             assertThat(BuiltInMeshes.create(name).toVertexData().triangles()).isPositive();
         }
         assertThatThrownBy(() -> BuiltInMeshes.create("torus"))
                 .isInstanceOf(InputException.class)
-                .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder");
+                .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder, disc");
     }
 }
