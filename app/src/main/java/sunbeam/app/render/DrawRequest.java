@@ -16,8 +16,7 @@ import sunbeam.app.scene.Scene;
  * @param stride every stride-th sample of every stride-th row is drawn; a power of two
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
  */
-public record DrawRequest(
-        Scene scene, int width, int height, Tile tile, int samples, int stride, boolean isCoarsest) {
+public record DrawRequest(Scene scene, int width, int height, Tile tile, int samples, int stride, boolean isCoarsest) {
     /**
      * Returns a request for all samples of a tile of pixels.
      *

@@ -17,12 +17,7 @@ final class FootprintUniforms {
      * @param isCoarsest whether all footprints read the coarsest level
      */
     static void apply(
-            ShaderProgram program,
-            ColorTable table,
-            Scene scene,
-            int mostTaps,
-            int samplesAcross,
-            boolean isCoarsest) {
+            ShaderProgram program, ColorTable table, Scene scene, int mostTaps, int samplesAcross, boolean isCoarsest) {
         boolean hasRelief = table.slopeDeviation() > 0;
         program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));

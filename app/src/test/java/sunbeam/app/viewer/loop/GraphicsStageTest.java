@@ -38,7 +38,8 @@ class GraphicsStageTest {
                 .with(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(SceneSettings.ROUGHNESS, Math.toRadians(2)));
-        SceneLoader loader = new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
+        SceneLoader loader =
+                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), line -> {});
         ViewState state =
                 new ViewState(new LoadedScene(loader.parts(scene)), WIDTH, HEIGHT, Optional.empty(), 0, false);
         try (GraphicsStage stage = new GraphicsStage()) {
@@ -50,7 +51,8 @@ class GraphicsStageTest {
             assertThat(stage.request(() -> false)).isTrue();
             await(stage, () -> stage.requestedShare() == 1);
             Stage.Preview finer = stage.byTiles().orElseThrow();
-            Stage.Final last = stage.refine(() -> false, (tile, part, share) -> {}).orElseThrow();
+            Stage.Final last =
+                    stage.refine(() -> false, (tile, part, share) -> {}).orElseThrow();
 
             assertThat(finer.exposure()).isEqualTo(first.exposure());
             assertThat(last.exposure()).isEqualTo(first.exposure());
@@ -61,8 +63,7 @@ class GraphicsStageTest {
         }
     }
 
-    private static void await(GraphicsStage stage, BooleanSupplier done)
-            throws InterruptedException {
+    private static void await(GraphicsStage stage, BooleanSupplier done) throws InterruptedException {
         while (!done.getAsBoolean()) {
             stage.takeTiles();
             Thread.sleep(5);
