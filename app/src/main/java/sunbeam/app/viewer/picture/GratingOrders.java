@@ -41,19 +41,20 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
     }
 
     /** Paints the marks on the BRDF map, a disc of diameter {@code side} whose left edge is at {@code left}, in pixels. */
-    void paint(Graphics2D graphics, double left, double side) {
-        graphics.setFont(graphics.getFont().deriveFont(10f));
+    void paint(Graphics2D graphics, MapLabels labels, double left, double side) {
         double apart = 0.5 * side * GREEN * wave.length();
         int step = (int) Math.max(1, Math.ceil(CLOSEST / apart));
         int last = (int) Math.floor(2 / (WAVELENGTHS.get(0) * wave.length()));
-        for (int order = -last; order <= last; order++) {
-            if (order % step == 0) {
-                paint(graphics, order, left, side);
+        // Low orders come first, since a label that would cover another is left out.
+        for (int order = 0; order <= last; order += step) {
+            paint(graphics, labels, order, left, side);
+            if (order > 0) {
+                paint(graphics, labels, -order, left, side);
             }
         }
     }
 
-    private void paint(Graphics2D graphics, int order, double left, double side) {
+    private void paint(Graphics2D graphics, MapLabels labels, int order, double left, double side) {
         Optional<Point2D> previous = Optional.empty();
         for (int i = 0; i < WAVELENGTHS.size(); i++) {
             Optional<Point2D> at = direction(order, WAVELENGTHS.get(i))
@@ -71,7 +72,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
             paintDot(graphics, order == 0 ? Color.WHITE : COLORS.get(i), at.get());
             if (WAVELENGTHS.get(i) == GREEN) {
                 String name = order == 0 ? "0" : Text.format("%+d", order);
-                MapView.paintLabel(graphics, name, at.get().getX() + 5, at.get().getY() - 4);
+                labels.paint(name, at.get().getX(), at.get().getY());
             }
             previous = at;
         }

@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -17,6 +18,9 @@ import sunbeam.precompute.optics.Direction;
 /** BRDF map for the light's direction, with marks at the picked points' view directions. */
 public final class MapView extends JComponent {
     private static final Color AXES = new Color(255, 255, 255, 50);
+
+    // Columns beside the map for the label of the x axis, in pixels.
+    private static final int BESIDE = 14;
 
     /** Height of the caption below the map, in pixels. */
     static final int CAPTION = 18;
@@ -97,7 +101,7 @@ public final class MapView extends JComponent {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        int side = Math.max(1, Math.min(getWidth(), getHeight() - CAPTION));
+        int side = Math.max(1, Math.min(getWidth() - 2 * BESIDE, getHeight() - CAPTION));
         int left = (getWidth() - side) / 2;
         Ellipse2D disc = new Ellipse2D.Double(left, 0, side, side);
         graphics.setColor(Color.BLACK);
@@ -112,8 +116,10 @@ public final class MapView extends JComponent {
                 clipped.fill(disc);
             }
             clipped.dispose();
-            paintAxes(graphics, left, side);
-            orders.forEach(grating -> grating.paint(graphics, left, side));
+            graphics.setFont(graphics.getFont().deriveFont(10f));
+            MapLabels labels = new MapLabels(graphics, new Rectangle(getWidth(), side));
+            paintAxes(graphics, labels, left, side);
+            orders.forEach(grating -> grating.paint(graphics, labels, left, side));
             marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
         }
         graphics.setColor(getForeground());
@@ -124,29 +130,20 @@ public final class MapView extends JComponent {
         graphics.dispose();
     }
 
-    private static void paintAxes(Graphics2D graphics, int left, int side) {
-        graphics.setFont(graphics.getFont().deriveFont(10f));
+    private static void paintAxes(Graphics2D graphics, MapLabels labels, int left, int side) {
+        double middle = left + 0.5 * side;
         graphics.setStroke(new BasicStroke(1f));
         graphics.setColor(AXES);
         graphics.draw(new Line2D.Double(left, 0.5 * side, left + side, 0.5 * side));
-        graphics.draw(new Line2D.Double(left + 0.5 * side, 0, left + 0.5 * side, side));
+        graphics.draw(new Line2D.Double(middle, 0, middle, side));
+        labels.paint("x", left + side, 0.5 * side);
+        labels.paint("y", middle, 12);
         for (int theta = 30; theta < 90; theta += 30) {
             graphics.setColor(AXES);
             double radius = 0.5 * side * Math.sin(Math.toRadians(theta));
-            graphics.draw(
-                    new Ellipse2D.Double(left + 0.5 * side - radius, 0.5 * side - radius, 2 * radius, 2 * radius));
-            paintLabel(graphics, theta + "°", left + 0.5 * (side - radius) - 6, 0.5 * side + 0.87 * radius + 4);
+            graphics.draw(new Ellipse2D.Double(middle - radius, 0.5 * side - radius, 2 * radius, 2 * radius));
+            labels.paint(theta + "°", middle - 0.5 * radius, 0.5 * side + 0.87 * radius);
         }
-        paintLabel(graphics, "x", left + side + 4, 0.5 * side + 4);
-        paintLabel(graphics, "y", left + 0.5 * side + 4, 10);
-    }
-
-    /** Paints a small label that is legible on light and dark pixels. */
-    static void paintLabel(Graphics2D graphics, String text, double x, double y) {
-        graphics.setColor(Color.BLACK);
-        graphics.drawString(text, (float) x + 1, (float) y + 1);
-        graphics.setColor(Color.WHITE);
-        graphics.drawString(text, (float) x, (float) y);
     }
 
     private void paintMark(Graphics2D graphics, int left, int side) {
