@@ -1,17 +1,22 @@
 package sunbeam.app.render;
 
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
@@ -40,6 +45,20 @@ public record SceneData(
         Optional<LevelBakers> bakers,
         Body body,
         Optional<ReflectanceComponent> reflectanceComponent) {
+
+    /** Returns the notes and warnings about the patch, and about its size under the scene's method, one line each. */
+    public List<String> patchRemarks() {
+        return patchRemarks(scene, patch);
+    }
+
+    static List<String> patchRemarks(Scene scene, Patch patch) {
+        Choices choices = scene.method().choices();
+        Optional<String> limit =
+                ScanLimit.of(choices, patch).line().map(line -> line.in(choices.origin(COHERENCE_LENGTH)));
+        return Stream.of(patch.notes().stream(), patch.warning().stream(), limit.stream())
+                .flatMap(lines -> lines)
+                .toList();
+    }
 
     /**
      * True if another scene can be drawn with these data, since it differs only in light, camera, weights and other settings that need no

@@ -1,6 +1,5 @@
 package sunbeam.app.render;
 
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 
 import java.nio.file.Path;
@@ -30,12 +29,10 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
-import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
-import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -51,12 +48,22 @@ public final class SceneLoader {
 
     private final Environment environment;
     private final Consumer<String> warning;
+    private final Consumer<String> patchRemark;
     private final BlobCache cache;
 
     /** @param warning accepts warnings about files, one line each */
     public SceneLoader(Environment environment, Consumer<String> warning) {
+        this(environment, warning, warning);
+    }
+
+    /**
+     * @param warning accepts warnings about files, one line each
+     * @param patchRemark accepts {@link SceneData#patchRemarks} with the patch's name
+     */
+    public SceneLoader(Environment environment, Consumer<String> warning, Consumer<String> patchRemark) {
         this.environment = environment;
         this.warning = warning;
+        this.patchRemark = patchRemark;
         this.cache = BlobCache.of(environment, warning);
     }
 
@@ -152,7 +159,7 @@ public final class SceneLoader {
         int count = patches.size() * parts.size();
         for (int region = 0; region < patches.size(); region++) {
             Patch patch = patches.get(region);
-            warnOfScanLimit(scene, patch);
+            SceneData.patchRemarks(scene, patch).forEach(line -> patchRemark.accept(patch.name() + ": " + line));
             for (Optional<ReflectanceComponent> part : parts) {
                 int before = loaded.size();
                 DoubleConsumer progressOfAll =
@@ -213,22 +220,9 @@ public final class SceneLoader {
 
     private List<Patch> patches(Scene scene) {
         return scene.patches().regions().stream()
-                .map(region -> patch(region.patch().raw(scene.method().isThesis())))
+                .map(region -> region.patch().raw(scene.method().isThesis()))
+                .map(request -> PatchLoader.load(request, cache::heights))
                 .toList();
-    }
-
-    private Patch patch(PatchRequest request) {
-        Patch patch = PatchLoader.load(request, cache::heights);
-        patch.notes().forEach(line -> warning.accept(patch.name() + ": " + line));
-        patch.warning().ifPresent(line -> warning.accept(patch.name() + ": " + line));
-        return patch;
-    }
-
-    private void warnOfScanLimit(Scene scene, Patch patch) {
-        Choices choices = scene.method().choices();
-        ScanLimit.of(choices, patch)
-                .line()
-                .ifPresent(line -> warning.accept(patch.name() + ": " + line.in(choices.origin(COHERENCE_LENGTH))));
     }
 
     /** Plans a method and makes its tables, for every pair of directions, since light and camera may move. */

@@ -60,11 +60,15 @@ public final class ViewerStart {
         StartJournal journal = new StartJournal();
         journal.reached(StartJournal.Stage.COMMAND);
         AtomicReference<Viewer> viewer = new AtomicReference<>();
-        SceneLoader loader = new SceneLoader(environment, line -> {
-            warning.accept(Messages.warning(line));
-            // Messages before the window exists go to the terminal.
-            Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
-        });
+        SceneLoader loader = new SceneLoader(
+                environment,
+                line -> {
+                    warning.accept(Messages.warning(line));
+                    // Messages before the window exists go to the terminal.
+                    Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
+                },
+                // The panel shows them beside the patch's name.
+                line -> {});
         // Loads the scene on another thread while Swing starts, since Swing's start uses one processor only.
         BackgroundTask<LoadedScene> first =
                 BackgroundTask.start(() -> LoadedScene.load(loader, scene, null, share -> {}));

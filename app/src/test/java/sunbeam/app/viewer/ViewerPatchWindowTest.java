@@ -3,6 +3,8 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static sunbeam.app.viewer.Pictures.different;
 
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -39,6 +41,33 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(onEvents(() -> viewer.window().controls().getWidth()))
                 .as("columns of the panel, whatever the file's name")
                 .isEqualTo(panelBefore);
+    }
+
+    @Test
+    void remarksAboutAPatchStandBesideItsNameAndNotInTheMessage() throws Exception {
+        assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch");
+        PatchFiles.image(folder, "coarse.png");
+        // Of 8 bits, so that one grey level is 4 nm.
+        Path file = Files.writeString(folder.resolve("coarse.json"), descriptor("coarse.png", "2 um"));
+        load(file);
+        awaitPatch(file.toString());
+        assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch \u24d8");
+        assertThat(onEvents(() -> caption().getToolTipText())).contains("coarse: ", "heights");
+        assertThat(message()).isBlank();
+        onEvents(() -> {
+            JLabel caption = caption();
+            caption.dispatchEvent(new MouseEvent(
+                    caption, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 1, 1, 1, false));
+            return null;
+        });
+        assertThat(message()).contains("coarse: ", "heights");
+    }
+
+    private JLabel caption() {
+        return Dialogs.all(viewer.window().controls(), JLabel.class).stream()
+                .filter(label -> label.getText().startsWith("Patch"))
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test

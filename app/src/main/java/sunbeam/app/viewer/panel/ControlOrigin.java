@@ -45,7 +45,11 @@ public enum ControlOrigin implements Origin {
         ValueKind<?> kind = setting.kind();
         String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";
         String values = kind.form() == ValueKind.Form.TEXT ? "No unit." : unit + ", " + kind.range() + ".";
-        String text = String.join(" ", setting.help().in(this), values, more);
+        return wrapped(String.join(" ", setting.help().in(this), values, more));
+    }
+
+    /** Returns a text as a tooltip with lines of limited width. */
+    static String wrapped(String text) {
         return "<html><body style='width: 260px'>"
                 + text.replace("&", "&amp;").replace("<", "&lt;").strip();
     }

@@ -23,6 +23,8 @@ import static sunbeam.precompute.plan.MethodSettings.SPACING;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.BorderLayout;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,7 +41,9 @@ import javax.swing.JTextField;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;
@@ -56,6 +60,8 @@ public final class ControlPanel extends JTabbedPane {
     private final JComboBox<MethodChoice> method = new JComboBox<>(MethodChoice.ALL.toArray(MethodChoice[]::new));
     private final JComboBox<Object> comparison = new JComboBox<>();
     private final JTextField spacing = new JTextField("1um", 8);
+    private final JLabel patchCaption;
+    private final String patchTip;
     private final JLabel spacingCaption;
     private final NameBox tolerance = new NameBox(List.of("0.05", "0.01", "0.001", "1e-4"));
     private final NameBox average = SettingRows.words(AVERAGE);
@@ -63,6 +69,9 @@ public final class ControlPanel extends JTabbedPane {
     private final SettingRows colorTab = new SettingRows(this::enter);
     private final SettingRows sceneTab = new SettingRows(this::enter);
     private final LabelledSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
+    // Plan of the loaded scene, and remarks about its patches.
+    private transient MethodPlan plan;
+    private transient List<String> remarks = List.of();
     private final transient DiffractionWeights weights = new DiffractionWeights();
     private boolean updating;
     private double lastExposure = 1;
@@ -71,7 +80,14 @@ public final class ControlPanel extends JTabbedPane {
         this.scenes = scenes;
         this.problem = problem;
         NameBox patch = new NameBox(BuiltInPatches.names());
-        colorTab.row(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        patchCaption = colorTab.row(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        patchTip = patchCaption.getToolTipText();
+        patchCaption.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                problem.accept(String.join("\n", remarks));
+            }
+        });
         SettingRows.onChoice(
                 patch,
                 name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
@@ -218,7 +234,27 @@ public final class ControlPanel extends JTabbedPane {
         spacingCaption.setVisible(choice.hasSpacing());
         tolerance.setEnabled(choice.hasTolerance());
         average.setEnabled(choice.hasAverages());
+        scenes.loaded().ifPresent(this::followRemarks);
         updating = false;
+    }
+
+    /** Marks the patch's caption if there are remarks about it: as tooltip, and by a click as message. */
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    private void followRemarks(LoadedScene loaded) {
+        if (loaded.firstPart().method() == plan) {
+            return;
+        }
+        plan = loaded.firstPart().method();
+        remarks = loaded.parts().stream()
+                .flatMap(part ->
+                        part.patchRemarks().stream().map(line -> part.patch().name() + ": " + line))
+                .distinct()
+                .toList();
+        patchCaption.setText(ControlOrigin.INSTANCE.name(PATCH) + (remarks.isEmpty() ? "" : " \u24d8"));
+        patchCaption.setToolTipText(
+                remarks.isEmpty()
+                        ? patchTip
+                        : ControlOrigin.wrapped(String.join("\n", remarks)).replace("\n", "<br>"));
     }
 
     private void followExposure(Choices choices) {
