@@ -2,6 +2,7 @@ package sunbeam.app.render;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.GradientPaint;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -67,7 +68,8 @@ public record LightCone(Vector3fc towards) {
         double mouthY = outline.mouthY();
         double radius = outline.radius();
         double length = Math.hypot(mouthX - outline.apexX(), mouthY - outline.apexY());
-        graphics.setColor(new Color(255, 214, 120, towards.z() > 0 ? 200 : 80));
+        // Behind the model the cone is dimmer.
+        int opacity = towards.z() > 0 ? 70 : 30;
         graphics.setStroke(new BasicStroke(STROKE, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         if (length > radius) {
             double acrossX = -(mouthY - outline.apexY()) / length * radius;
@@ -76,12 +78,24 @@ public record LightCone(Vector3fc towards) {
             sides.moveTo(mouthX + acrossX, mouthY + acrossY);
             sides.lineTo(outline.apexX(), outline.apexY());
             sides.lineTo(mouthX - acrossX, mouthY - acrossY);
-            graphics.draw(sides);
+            graphics.setPaint(new GradientPaint(
+                    (float) outline.apexX(),
+                    (float) outline.apexY(),
+                    color(0),
+                    (float) mouthX,
+                    (float) mouthY,
+                    color(opacity)));
+            graphics.fill(sides);
         }
         Ellipse2D mouth = new Ellipse2D.Double(mouthX - radius, mouthY - radius, 2 * radius, 2 * radius);
-        graphics.draw(mouth);
-        graphics.setColor(new Color(255, 214, 120, towards.z() > 0 ? 90 : 30));
+        graphics.setPaint(color(opacity));
         graphics.fill(mouth);
+        graphics.setPaint(color(2 * opacity));
+        graphics.draw(mouth);
         graphics.dispose();
+    }
+
+    private static Color color(int opacity) {
+        return new Color(255, 214, 120, opacity);
     }
 }

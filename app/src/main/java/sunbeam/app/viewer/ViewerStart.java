@@ -17,6 +17,7 @@ import sunbeam.app.viewer.input.KeyControls;
 import sunbeam.app.viewer.input.MouseControls;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.window.RecentFiles;
 import sunbeam.app.viewer.window.StartJournal;
 import sunbeam.app.viewer.window.ViewMeasurement;
 import sunbeam.app.viewer.window.Viewer;
@@ -81,7 +82,8 @@ public final class ViewerStart {
                                 ? first.get()
                                 : LoadedScene.load(loader, next, previous, progress),
                         GraphicsStage::new,
-                        journal));
+                        journal,
+                        RecentFiles.of(environment)));
                 KeyControls.install(viewer.get());
                 MouseControls.install(viewer.get());
                 viewer.get().start();

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -57,6 +59,13 @@ class SceneFileTest {
                 .hasMessageStartingWith(file.toString())
                 .hasMessageContainingAll(words)
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void aBuiltInSceneHasASmallPicture(String name) throws IOException {
+        BufferedImage picture = ImageIO.read(Scenes.picture(name));
+        assertThat(new int[] {picture.getWidth(), picture.getHeight()}).containsExactly(72, 54);
     }
 
     /** In place of each value stands, in turn, null and each kind of value: read, or refused with file, line and key. */

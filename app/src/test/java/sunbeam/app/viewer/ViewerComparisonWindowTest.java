@@ -32,7 +32,6 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
     @Test
     void theThesisStandsToTheRightOfALineThatIsDragged() throws Exception {
         onEvents(() -> {
-            viewer.presenter().toggleCone();
             // The other is drawn in the exposure of the first.
             viewer.model()
                     .change(scene -> scene.with(Choices.none().with(SceneSettings.EXPOSURE, OptionalDouble.of(0.7))));

@@ -86,6 +86,8 @@ public abstract class ViewerInAWindow {
         arrivals = new Arrivals();
         viewer = ViewerStart.open(scene(), environment(), line -> {});
         onEvents(() -> {
+            viewer.window().showPanel(true);
+            viewer.window().picture().hideHint();
             viewer.window().setBounds(0, 0, 620, 420);
             viewer.presenter().toggleMap();
             return null;

@@ -4,15 +4,25 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 
+import java.awt.Dimension;
+import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.Predicate;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.JToggleButton;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.setting.Choices;
 
 /** What the keys do, pressed by a robot in a real window. */
@@ -93,6 +103,115 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         awaitScene(scene -> scene.get(SceneSettings.ROTATE_PATCH) == 1);
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
         awaitScene(scene -> scene.equals(scene()));
+    }
+
+    @Test
+    void whileLIsHeldTheLightFollowsTheMouseWithoutAButton() throws Exception {
+        Vector3f first = seenLight();
+        middle(0);
+        arrivals.await(KeyEvent.KEY_PRESSED, 1, () -> pressFocused(KeyEvent.VK_L));
+        middle(30);
+        awaitLightOther(first);
+        arrivals.await(KeyEvent.KEY_RELEASED, 1, () -> robot.keyRelease(KeyEvent.VK_L));
+        Vector3f right = seenLight();
+        PictureView view = viewer.window().picture();
+        assertThat(azimuth(right) - azimuth(first))
+                .as("half a turn is the shorter side")
+                .isCloseTo(30 * Math.PI / Math.min(view.getWidth(), view.getHeight()), within(ROUNDING));
+        middle(0);
+        robot.delay(100);
+        assertThat(seenLight()).isEqualTo(right);
+    }
+
+    private void pressFocused(int key) {
+        try {
+            await(() -> onEvents(() -> {
+                viewer.window().picture().requestFocus();
+                return viewer.window().picture().isFocusOwner();
+            }));
+        } catch (Exception failure) {
+            throw new IllegalStateException(failure);
+        }
+        robot.keyPress(key);
+    }
+
+    @Test
+    void turntableAndLightSweepPlayUntilTheirKeyIsPressedAgain() throws Exception {
+        press(KeyEvent.VK_T);
+        await(() -> onEvents(() -> viewer.model().scene().orientation().angle()) > Math.toRadians(20));
+        Scene turning = onEvents(() -> viewer.model().scene());
+        assertThat(turning.orientation().transform(new Vector3f(0, 0, 1)).z).isCloseTo(1, within((float) ROUNDING));
+        assertThat(button("TURNTABLE")).isTrue();
+        press(KeyEvent.VK_S);
+        awaitScene(scene -> !scene.light().equals(turning.light()));
+        assertThat(button("TURNTABLE")).as("one motion at a time").isFalse();
+        assertThat(button("LIGHT_SWEEP")).isTrue();
+        press(KeyEvent.VK_S);
+        Scene stopped = onEvents(() -> viewer.model().scene());
+        robot.delay(100);
+        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(stopped);
+        assertThat(button("LIGHT_SWEEP")).isFalse();
+    }
+
+    private boolean button(String name) throws Exception {
+        return onEvents(() -> Dialogs.all(viewer.window().getJMenuBar(), JToggleButton.class).stream()
+                .filter(button -> name.equals(button.getName()))
+                .findFirst()
+                .orElseThrow()
+                .isSelected());
+    }
+
+    @Test
+    void thePanelHidesAndThePictureFillsTheScreen() throws Exception {
+        int beside = onEvents(() -> viewer.window().picture().getWidth());
+        press(KeyEvent.VK_F9);
+        await(() -> onEvents(() -> viewer.window().picture().getWidth()) > beside + 300);
+        press(KeyEvent.VK_F11);
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        await(() -> onEvents(() -> viewer.window().getSize()).equals(screen));
+        press(KeyEvent.VK_F11);
+        await(() -> onEvents(() -> viewer.window().getWidth()) == 620);
+        press(KeyEvent.VK_F9);
+        await(() -> onEvents(() -> viewer.window().picture().getWidth()) == beside);
+    }
+
+    @Test
+    void menusMarkWhatIsOnAndTheCurrentScene() throws Exception {
+        assertThat(marked("View")).containsExactly("Show or hide the panel");
+        press(KeyEvent.VK_C);
+        press(KeyEvent.VK_N);
+        press(KeyEvent.VK_M);
+        assertThat(marked("View"))
+                .containsExactly(
+                        "Show or hide the panel",
+                        "Show or hide the light's cone",
+                        "Show or hide how the nanostructure lies",
+                        "Show or hide the BRDF map");
+        assertThat(marked("Scenes")).isEmpty();
+        onEvents(() -> {
+            viewer.open(Scenes.load("light-left"), () -> {});
+            return null;
+        });
+        await(() -> !marked("Scenes").isEmpty());
+        assertThat(marked("Scenes")).containsExactly(Scenes.load("light-left").get(SceneSettings.TITLE));
+    }
+
+    /** The marked items of a menu that is opened. */
+    private List<String> marked(String title) throws Exception {
+        return onEvents(() -> {
+            JMenuBar bar = viewer.window().getJMenuBar();
+            JMenu menu = Dialogs.all(bar, JMenu.class).stream()
+                    .filter(candidate -> candidate.getText().equals(title))
+                    .findFirst()
+                    .orElseThrow();
+            menu.setSelected(true);
+            menu.setSelected(false);
+            return Arrays.stream(menu.getMenuComponents())
+                    .map(JMenuItem.class::cast)
+                    .filter(JMenuItem::isSelected)
+                    .map(JMenuItem::getText)
+                    .toList();
+        });
     }
 
     @Test

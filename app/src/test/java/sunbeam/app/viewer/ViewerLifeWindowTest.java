@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.viewer.panel.MethodChoice;
+import sunbeam.app.viewer.window.RecentFiles;
 import sunbeam.app.viewer.window.StartJournal;
 import sunbeam.app.viewer.window.Viewer;
 
@@ -30,7 +31,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     () -> {
                         throw new GraphicsException("no OpenGL 3.3 here");
                     },
-                    new StartJournal());
+                    new StartJournal(),
+                    RecentFiles.of(environment()));
             made.start();
             return made;
         });

@@ -56,8 +56,8 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(message()).isBlank();
         onEvents(() -> {
             JLabel caption = caption();
-            caption.dispatchEvent(new MouseEvent(
-                    caption, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 1, 1, 1, false));
+            caption.dispatchEvent(
+                    new MouseEvent(caption, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 1, 1, 1, false));
             return null;
         });
         assertThat(message()).contains("coarse: ", "heights");

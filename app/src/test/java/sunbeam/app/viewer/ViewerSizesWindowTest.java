@@ -10,6 +10,7 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.viewer.window.Viewer;
 
 /** A window that is made small, hidden, minimised, and large again. */
 @Tag("window")
@@ -32,6 +33,27 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
     }
 
     @Test
+    void aNarrowWindowOpensWithoutThePanel() throws Exception {
+        Viewer narrow = ViewerStart.open(scene(), environment(), line -> {});
+        onEvents(() -> {
+            assertThat(narrow.window().isPanelShown()).isEqualTo(narrow.window().getWidth() >= 900);
+            narrow.window().setSize(700, 500);
+            return null;
+        });
+        await(() -> onEvents(() -> narrow.window().picture().getWidth()) > 600);
+        onEvents(() -> {
+            narrow.window().setSize(1180, 880);
+            return null;
+        });
+        await(() -> onEvents(() -> narrow.window().isPanelShown()));
+        onEvents(() -> {
+            narrow.quit();
+            return null;
+        });
+        narrow.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    @Test
     void aHiddenWindowIsDrawnAnewWhenItComesBack() throws Exception {
         BufferedImage before = picture();
         onEvents(() -> {
@@ -43,7 +65,6 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
         onEvents(() -> {
             viewer.window().setExtendedState(Frame.NORMAL);
             viewer.window().setVisible(true);
-            viewer.presenter().toggleCone();
             return null;
         });
         awaitFinal();

@@ -3,13 +3,11 @@ package sunbeam.app.cli.render;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.joml.Quaternionf;
-import org.joml.Vector3f;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
@@ -132,19 +130,10 @@ public final class AnimationOptions {
 
     /** Returns the scene of each frame. */
     List<Scene> scenes(Scene scene) {
+        Motion motion = lightSweep != null ? Motion.LIGHT_SWEEP : Motion.TURNTABLE;
         Sweep sweep = lightSweep != null ? lightSweep : Sweep.ONCE_ROUND;
         return IntStream.range(0, frames())
-                .mapToObj(frame -> turned(scene, (float) sweep.at(frame, frames())))
+                .mapToObj(frame -> motion.at(scene, sweep.at(frame, frames())))
                 .toList();
-    }
-
-    /** Returns the scene with the light, or for a turntable the mesh, turned about the vertical; counterclockwise from above, radians. */
-    private Scene turned(Scene scene, float angle) {
-        if (lightSweep == null) {
-            Quaternionf rotation = new Quaternionf().rotationZ(angle);
-            return scene.withOrientation(rotation.mul(scene.orientation()).normalize());
-        }
-        Vector3f towards = new Vector3f(scene.light().towards()).rotateZ(angle);
-        return scene.withLight(new SceneLight(towards, scene.light().intensity()));
     }
 }

@@ -4,9 +4,12 @@ import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.KeyStroke;
+import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.picture.Divider;
@@ -16,66 +19,107 @@ import sunbeam.app.viewer.window.Viewer;
 
 /** Key actions. Menus, key bindings, help and the table in docs/viewer.md derive from this enum. */
 enum Action {
-    LOAD_SCENE("File", "load a scene", "ctrl O", viewer -> viewer.files().load(FileKind.SCENE)),
-    LOAD_PATCH("File", "load a patch", "ctrl L", viewer -> viewer.files().load(FileKind.PATCH)),
-    LOAD_MESH("File", "load a mesh", "ctrl M", viewer -> viewer.files().load(FileKind.MESH)),
-    LOAD_TEXTURE("File", "load a texture", "ctrl T", viewer -> viewer.files().load(FileKind.TEXTURE)),
-    SAVE_SCENE("File", "save the scene", "ctrl S", viewer -> viewer.files().saveScene()),
+    TURN(Group.LIGHT, "turn the model by 2 degrees", "shift arrows", Action::turn),
+    ROLL(Group.LIGHT, "roll the model by 2 degrees", "ctrl shift LEFT, ctrl shift RIGHT", Action::roll),
+    LIGHT(Group.LIGHT, "move the light by 2 degrees", "arrows", Action::moveLight),
+    FOLLOW(
+            Group.LIGHT,
+            "while it is held, the light follows the mouse",
+            "L, released L",
+            (viewer, stroke) -> viewer.window().picture().holdLight(!stroke.isOnKeyRelease())),
+    TURNTABLE(
+            Group.LIGHT,
+            "start or stop the turntable",
+            "T",
+            viewer -> viewer.player().toggle(Motion.TURNTABLE),
+            viewer -> viewer.player().plays(Motion.TURNTABLE)),
+    LIGHT_SWEEP(
+            Group.LIGHT,
+            "start or stop the light's sweep around the model",
+            "S",
+            viewer -> viewer.player().toggle(Motion.LIGHT_SWEEP),
+            viewer -> viewer.player().plays(Motion.LIGHT_SWEEP)),
+    PAN(Group.CAMERA, "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),
+    NEARER(Group.CAMERA, "zoom in", "typed +, typed =", viewer -> viewer.zoom(1 / 1.1)),
+    FARTHER(Group.CAMERA, "zoom out", "typed -", viewer -> viewer.zoom(1.1)),
+    OTHER(
+            Group.SKIN,
+            "while it is held, show the other method alone",
+            "SPACE, released SPACE",
+            (viewer, stroke) -> viewer.window().picture().divider().whole(!stroke.isOnKeyRelease())),
+    DIVIDER(Group.SKIN, "move the line between two methods", "alt LEFT, alt RIGHT", (viewer, stroke) -> {
+        Divider divider = viewer.window().picture().divider();
+        divider.move(divider.share() + Action.STEP_SHARE * right(stroke));
+    }),
+    LOAD_SCENE(Group.FILE, "load a scene", "ctrl O", viewer -> viewer.files().load(FileKind.SCENE)),
+    LOAD_PATCH(Group.FILE, "load a patch", "ctrl L", viewer -> viewer.files().load(FileKind.PATCH)),
+    LOAD_MESH(Group.FILE, "load a mesh", "ctrl M", viewer -> viewer.files().load(FileKind.MESH)),
+    LOAD_TEXTURE(
+            Group.FILE, "load a texture", "ctrl T", viewer -> viewer.files().load(FileKind.TEXTURE)),
+    SAVE_SCENE(Group.FILE, "save the scene", "ctrl S", viewer -> viewer.files().saveScene()),
     SAVE_PICTURE(
-            "File",
+            Group.FILE,
             "save the picture, as soon as it is final",
             "ctrl P",
             viewer -> viewer.files().savePicture()),
-    QUIT("File", "quit", "ctrl Q", Viewer::quit),
-    UNDO("Edit", "undo the last change", "ctrl Z", viewer -> viewer.model().undo()),
+    QUIT(Group.FILE, "quit", "ctrl Q", Viewer::quit),
+    UNDO(Group.EDIT, "undo the last change", "ctrl Z", viewer -> viewer.model().undo()),
     REDO(
-            "Edit",
+            Group.EDIT,
             "redo what was undone",
             "ctrl shift Z, ctrl Y",
             viewer -> viewer.model().redo()),
     COPY(
-            "Edit",
+            Group.EDIT,
             "copy the picked points' numbers",
             "ctrl C",
             viewer -> viewer.inspector().copy()),
+    RESET(Group.EDIT, "back to the scene as it was loaded", "HOME", Viewer::reset),
+    PANEL(
+            Group.VIEW,
+            "show or hide the panel",
+            "F9",
+            viewer -> viewer.window().showPanel(!viewer.window().isPanelShown()),
+            viewer -> viewer.window().isPanelShown()),
+    FULL_SCREEN(
+            Group.VIEW,
+            "enter or leave full screen",
+            "F11",
+            viewer -> viewer.window().toggleFullScreen(),
+            viewer -> viewer.window().isFullScreen()),
     CONE(
-            "View",
+            Group.VIEW,
             "show or hide the light's cone",
-            "L",
-            viewer -> viewer.presenter().toggleCone()),
+            "C",
+            viewer -> viewer.presenter().toggleCone(),
+            viewer -> viewer.presenter().isConeShown()),
     STROKES(
-            "View",
+            Group.VIEW,
             "show or hide how the nanostructure lies",
             "N",
-            viewer -> viewer.presenter().toggleStrokes()),
-    MAP("View", "show or hide the BRDF map", "M", viewer -> viewer.presenter().toggleMap()),
-    RESET("View", "back to the scene as it was loaded", "HOME", Viewer::reset),
-    LIGHT("", "move the light by 2 degrees", "arrows", Action::moveLight),
-    TURN("", "turn the model by 2 degrees", "shift arrows", Action::turn),
-    PAN("", "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),
-    NEARER("", "zoom in", "typed +, typed =", viewer -> viewer.zoom(1 / 1.1)),
-    FARTHER("", "zoom out", "typed -", viewer -> viewer.zoom(1.1)),
-    OTHER(
-            "",
-            "while it is held, show the other method alone",
-            "SPACE, released SPACE",
-            (viewer, stroke) -> viewer.window().picture().divider().whole(!stroke.isOnKeyRelease())),
-    DIVIDER("", "move the line between two methods", "alt LEFT, alt RIGHT", (viewer, stroke) -> {
-        Divider divider = viewer.window().picture().divider();
-        divider.move(divider.share() + Action.STEP_SHARE * right(stroke));
-    }),
-    HELP("Help", "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
+            viewer -> viewer.presenter().toggleStrokes(),
+            viewer -> viewer.presenter().areStrokesShown()),
+    MAP(
+            Group.VIEW,
+            "show or hide the BRDF map",
+            "M",
+            viewer -> viewer.presenter().toggleMap(),
+            viewer -> viewer.presenter().isMapShown()),
+    HELP(Group.HELP, "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
 
     private static final String ARROWS = "arrows";
     private static final double STEP_RADIANS = Math.toRadians(2);
     private static final double STEP_SHARE = 0.02;
 
-    private final String menu;
+    private final Group group;
     private final String description;
     private final String keys;
 
     @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
     private final transient Effect effect;
+
+    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+    private final transient Optional<Predicate<Viewer>> state;
 
     /** Effect of an action that depends on the pressed key. */
     @FunctionalInterface
@@ -89,20 +133,31 @@ enum Action {
         void run(Viewer viewer);
     }
 
-    Action(String menu, String description, String keys, KeylessEffect effect) {
-        this(menu, description, keys, (viewer, stroke) -> effect.run(viewer));
+    Action(Group group, String description, String keys, KeylessEffect effect) {
+        this(group, description, keys, (viewer, stroke) -> effect.run(viewer));
+    }
+
+    /** Creates an action that switches something on or off. */
+    Action(Group group, String description, String keys, KeylessEffect effect, Predicate<Viewer> isOn) {
+        this(group, description, keys, (viewer, stroke) -> effect.run(viewer), Optional.of(isOn));
+    }
+
+    Action(Group group, String description, String keys, Effect effect) {
+        this(group, description, keys, effect, Optional.empty());
     }
 
     /**
-     * @param menu name of the menu; if empty, the keys work only while the picture has the focus
+     * @param group group of the help; without a menu, the keys work only while the picture has the focus
      * @param description description for menus and help
      * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
+     * @param state what the action switches, for its check mark
      */
-    Action(String menu, String description, String keys, Effect effect) {
-        this.menu = menu;
+    Action(Group group, String description, String keys, Effect effect, Optional<Predicate<Viewer>> state) {
+        this.group = group;
         this.description = description;
         this.keys = keys;
         this.effect = effect;
+        this.state = state;
     }
 
     private static void moveLight(Viewer viewer, KeyStroke stroke) {
@@ -119,14 +174,16 @@ enum Action {
     private static void turn(Viewer viewer, KeyStroke stroke) {
         viewer.model()
                 .change(scene -> scene.withOrientation(Drags.turned(
+                        scene.view().camera(),
                         scene.orientation(),
-                        // Drags.turn rotates by twice the arc on its ball, so the arc is half the angle.
-                        Drags.turn(
-                                scene.view().camera(),
-                                0,
-                                0,
-                                right(stroke) * STEP_RADIANS / 2,
-                                up(stroke) * STEP_RADIANS / 2))));
+                        right(stroke) * STEP_RADIANS,
+                        up(stroke) * STEP_RADIANS)));
+    }
+
+    private static void roll(Viewer viewer, KeyStroke stroke) {
+        viewer.model()
+                .change(scene -> scene.withOrientation(
+                        Drags.rolled(scene.view().camera(), scene.orientation(), -right(stroke) * STEP_RADIANS)));
     }
 
     private static void pan(Viewer viewer, KeyStroke stroke) {
@@ -151,8 +208,18 @@ enum Action {
         return key == KeyEvent.VK_UP ? 1 : key == KeyEvent.VK_DOWN ? -1 : 0;
     }
 
-    String menu() {
-        return menu;
+    Group group() {
+        return group;
+    }
+
+    /** True if the action switches something on or off. */
+    boolean isSwitch() {
+        return state.isPresent();
+    }
+
+    /** True if the action switches something that is on. */
+    boolean isOn(Viewer viewer) {
+        return state.filter(isOn -> isOn.test(viewer)).isPresent();
     }
 
     String description() {

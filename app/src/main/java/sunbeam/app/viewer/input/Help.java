@@ -16,18 +16,26 @@ import sunbeam.app.viewer.window.ViewerWindow;
  * @param description description of the effect
  */
 record Help(String input, String description) {
-    static List<Help> rows() {
+    /** Returns a group's rows, those of the mouse first. */
+    static List<Help> rows(Group group) {
         return Stream.concat(
-                        Stream.of(MouseAction.values()).map(action -> new Help(action.gesture(), action.description())),
-                        Stream.of(Action.values()).map(action -> new Help(action.keyNames(), action.description())))
+                        Stream.of(MouseAction.values())
+                                .filter(action -> action.group() == group)
+                                .map(action -> new Help(action.gesture(), action.description())),
+                        Stream.of(Action.values())
+                                .filter(action -> action.group() == group)
+                                .map(action -> new Help(action.keyNames(), action.description())))
                 .toList();
     }
 
     static void show(ViewerWindow window) {
-        String rows = rows().stream()
-                .map(row ->
-                        "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.description() + "</td></tr>")
-                .collect(Collectors.joining("", "<html><table cellpadding='1'>", "</table>"));
+        String rows = Stream.of(Group.values())
+                .map(group -> rows(group).stream()
+                        .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.description()
+                                + "</td></tr>")
+                        .collect(Collectors.joining(
+                                "", "<tr><td colspan='2'><u>" + group.title() + "</u></td></tr>", "")))
+                .collect(Collectors.joining("<tr><td>&nbsp;</td></tr>", "<html><table cellpadding='1'>", "</table>"));
         JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
         Dimension whole = list.getPreferredSize();
         list.setPreferredSize(new Dimension(

@@ -1,17 +1,27 @@
 package sunbeam.app.viewer.input;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import javax.swing.AbstractAction;
+import javax.swing.Box;
+import javax.swing.ImageIcon;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
+import javax.swing.event.MenuEvent;
+import javax.swing.event.MenuListener;
 import javax.swing.text.JTextComponent;
+import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.viewer.window.Viewer;
@@ -26,9 +36,10 @@ public final class KeyControls {
         window.picture().setFocusable(true);
         Map<String, JMenu> menus = new LinkedHashMap<>();
         for (Action action : Action.values()) {
-            boolean hasMenu = !action.menu().isEmpty();
+            boolean hasMenu = action.group().hasMenu();
             if (hasMenu) {
-                menus.computeIfAbsent(action.menu(), name -> new JMenu(name)).add(item(viewer, action));
+                JMenu menu = menus.computeIfAbsent(action.group().title(), JMenu::new);
+                menu.add(item(viewer, action, menu));
             }
             for (KeyStroke stroke :
                     action.strokes().subList(hasMenu ? 1 : 0, action.strokes().size())) {
@@ -43,33 +54,99 @@ public final class KeyControls {
                 });
             }
         }
+        // A key that is held while the window loses the focus is never released there.
+        window.picture().addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                for (Action action : Action.values()) {
+                    action.strokes().stream()
+                            .filter(KeyStroke::isOnKeyRelease)
+                            .forEach(stroke -> action.run(viewer, stroke));
+                }
+            }
+        });
+        menus.get(Group.FILE.title())
+                .insert(recent(viewer), Action.LOAD_TEXTURE.ordinal() - Action.LOAD_SCENE.ordinal() + 1);
         JMenuBar bar = new Menus();
         menus.values().forEach(bar::add);
         bar.add(scenes(viewer), 1);
         for (int i = 0; i < bar.getMenuCount(); i++) {
             bar.getMenu(i).setMnemonic(bar.getMenu(i).getText().charAt(0));
         }
+        bar.add(Box.createHorizontalGlue());
+        bar.add(playButton(viewer, Action.TURNTABLE, "Turntable"));
+        bar.add(playButton(viewer, Action.LIGHT_SWEEP, "Light"));
         window.setJMenuBar(bar);
     }
 
-    private static JMenuItem item(Viewer viewer, Action action) {
+    private static JMenuItem item(Viewer viewer, Action action, JMenu menu) {
         String description = action.description();
-        JMenuItem item = new JMenuItem(description.substring(0, 1).toUpperCase(Locale.ROOT) + description.substring(1));
+        String text = description.substring(0, 1).toUpperCase(Locale.ROOT) + description.substring(1);
+        JMenuItem item = action.isSwitch() ? new JCheckBoxMenuItem(text) : new JMenuItem(text);
         KeyStroke stroke = action.strokes().get(0);
         item.setAccelerator(stroke);
         item.addActionListener(event -> action.run(viewer, stroke));
+        if (action.isSwitch()) {
+            onOpening(menu, () -> item.setSelected(action.isOn(viewer)));
+        }
         return item;
+    }
+
+    private static JToggleButton playButton(Viewer viewer, Action action, String text) {
+        JToggleButton button = new JToggleButton("\u25b6 " + text);
+        button.setName(action.name());
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.setFocusable(false);
+        button.setToolTipText(action.description() + " (" + action.keyNames() + ")");
+        button.addActionListener(event -> action.run(viewer, action.strokes().get(0)));
+        viewer.player().onChange(() -> button.setSelected(action.isOn(viewer)));
+        return button;
     }
 
     private static JMenu scenes(Viewer viewer) {
         JMenu menu = new JMenu("Scenes");
-        for (String name : Scenes.builtIn()) {
-            JMenuItem item = new JMenuItem(name);
-            item.setToolTipText(Scenes.load(name).get(SceneSettings.TITLE));
-            item.addActionListener(event -> viewer.open(Scenes.load(name), () -> {}));
-            menu.add(item);
-        }
+        onOpening(menu, () -> {
+            menu.removeAll();
+            for (String name : Scenes.builtIn()) {
+                Scene scene = Scenes.load(name);
+                JMenuItem item =
+                        new JCheckBoxMenuItem(scene.get(SceneSettings.TITLE), new ImageIcon(Scenes.picture(name)));
+                item.setSelected(scene.equals(viewer.sceneAsOpened()));
+                item.setToolTipText(name);
+                item.addActionListener(event -> viewer.open(scene, () -> {}));
+                menu.add(item);
+            }
+        });
         return menu;
+    }
+
+    private static JMenu recent(Viewer viewer) {
+        JMenu menu = new JMenu("Load a recent file");
+        onOpening(menu, () -> {
+            menu.removeAll();
+            for (Path file : viewer.files().recent()) {
+                JMenuItem item = new JMenuItem(file.getFileName().toString());
+                item.setToolTipText(file.toString());
+                item.addActionListener(event -> viewer.files().load(file));
+                menu.add(item);
+            }
+        });
+        return menu;
+    }
+
+    private static void onOpening(JMenu menu, Runnable work) {
+        menu.addMenuListener(new MenuListener() {
+            @Override
+            public void menuSelected(MenuEvent event) {
+                work.run();
+            }
+
+            @Override
+            public void menuDeselected(MenuEvent event) {}
+
+            @Override
+            public void menuCanceled(MenuEvent event) {}
+        });
     }
 
     /** Menu bar that ignores letters while a text field has the focus, so that typing the m of "65um" does not toggle the map. */

@@ -13,39 +13,60 @@ import sunbeam.app.viewer.picture.PictureView;
  */
 enum MouseAction {
     DIVIDE(
+            Group.SKIN,
             "drag of the line between two methods",
             "moves it",
             event -> isDrag(event)
                     && event.getComponent() instanceof PictureView view
                     && view.divider().isGrabbed(),
             MouseControls::divide),
+    TURN(
+            Group.LIGHT,
+            "left drag",
+            "turns the model about the point under the pointer; what stands upright stays so",
+            event -> isDrag(event)
+                    && SwingUtilities.isLeftMouseButton(event)
+                    && !event.isControlDown()
+                    && !event.isShiftDown(),
+            MouseControls::turn),
+    ROLL(
+            Group.LIGHT,
+            "Ctrl + Shift + left drag",
+            "rolls the model",
+            event -> isDrag(event)
+                    && SwingUtilities.isLeftMouseButton(event)
+                    && event.isControlDown()
+                    && event.isShiftDown(),
+            MouseControls::roll),
     LIGHT(
+            Group.LIGHT,
             "right drag, Shift + left drag",
             "moves the light",
             event -> isDrag(event)
-                    && (SwingUtilities.isRightMouseButton(event)
-                            || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown())),
+                            && (SwingUtilities.isRightMouseButton(event)
+                                    || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown()))
+                    || event.getID() == MouseEvent.MOUSE_MOVED
+                            && event.getComponent() instanceof PictureView view
+                            && view.isLightHeld(),
             MouseControls::moveLight),
     PAN(
+            Group.CAMERA,
             "middle drag, Ctrl + left drag",
             "pans",
             event -> isDrag(event)
                     && (SwingUtilities.isMiddleMouseButton(event)
                             || (SwingUtilities.isLeftMouseButton(event) && event.isControlDown())),
             MouseControls::pan),
-    TURN(
-            "left drag",
-            "turns the model about the point under the pointer",
-            event -> isDrag(event) && SwingUtilities.isLeftMouseButton(event),
-            MouseControls::turn),
-    ZOOM("wheel", "zooms to the pointer", event -> event instanceof MouseWheelEvent, MouseControls::zoom),
+    ZOOM(Group.CAMERA, "wheel", "zooms to the pointer", event -> event instanceof MouseWheelEvent, MouseControls::zoom),
     PICK_BESIDE(
+            Group.SKIN,
             "Shift + double click on the skin",
             "picks a second point beside it",
             event -> isDoubleClick(event) && event.isShiftDown(),
             MouseControls::pickBeside),
-    PICK("double click on the skin", "picks the point", MouseAction::isDoubleClick, MouseControls::pick);
+    PICK(Group.SKIN, "double click on the skin", "picks the point", MouseAction::isDoubleClick, MouseControls::pick);
 
+    private final Group group;
     private final String gesture;
     private final String description;
 
@@ -56,10 +77,12 @@ enum MouseAction {
     private final transient BiConsumer<MouseControls, MouseEvent> effect;
 
     MouseAction(
+            Group group,
             String gesture,
             String description,
             Predicate<MouseEvent> fits,
             BiConsumer<MouseControls, MouseEvent> effect) {
+        this.group = group;
         this.gesture = gesture;
         this.description = description;
         this.fits = fits;
@@ -74,6 +97,10 @@ enum MouseAction {
         return event.getID() == MouseEvent.MOUSE_CLICKED
                 && event.getClickCount() == 2
                 && SwingUtilities.isLeftMouseButton(event);
+    }
+
+    Group group() {
+        return group;
     }
 
     String gesture() {

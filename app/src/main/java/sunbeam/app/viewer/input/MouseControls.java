@@ -6,8 +6,9 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
-import jrtr.scene.Camera;
+import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
@@ -15,6 +16,7 @@ import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.pick.PickedPoint;
 import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.window.Player;
 import sunbeam.app.viewer.window.ScenePresenter;
 import sunbeam.app.viewer.window.Viewer;
 
@@ -25,6 +27,7 @@ public final class MouseControls extends MouseAdapter {
     private final PictureView view;
     private final ViewerModel model;
     private final ScenePresenter presenter;
+    private final Player player;
     private Point last;
     // Point under the pointer when the button was pressed.
     private Optional<PickedPoint> held = Optional.empty();
@@ -34,6 +37,7 @@ public final class MouseControls extends MouseAdapter {
         view = viewer.window().picture();
         model = viewer.model();
         presenter = viewer.presenter();
+        player = viewer.player();
     }
 
     public static void install(Viewer viewer) {
@@ -56,6 +60,10 @@ public final class MouseControls extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
+        if (last != null) {
+            act(event);
+        }
+        last = event.getPoint();
         view.setCursor(Cursor.getPredefinedCursor(isAtDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
     }
 
@@ -80,6 +88,7 @@ public final class MouseControls extends MouseAdapter {
     @Override
     public void mouseDragged(MouseEvent event) {
         if (last != null) {
+            view.hideHint();
             act(event);
             last = event.getPoint();
         }
@@ -129,11 +138,19 @@ public final class MouseControls extends MouseAdapter {
     }
 
     void turn(MouseEvent event) {
-        Point to = event.getPoint();
+        player.stop();
+        orient(scene -> Drags.turned(scene.view().camera(), scene.orientation(), right(event), up(event)));
+    }
+
+    void roll(MouseEvent event) {
+        player.stop();
+        double angle = angle(event.getPoint()) - angle(last);
+        orient(scene -> Drags.rolled(scene.view().camera(), scene.orientation(), angle));
+    }
+
+    private void orient(Function<Scene, Quaternionfc> orientation) {
         model.change(scene -> {
-            Camera camera = scene.view().camera();
-            var turn = Drags.turn(camera, ballX(last), ballY(last), ballX(to), ballY(to));
-            Scene turned = scene.withOrientation(Drags.turned(scene.orientation(), turn));
+            Scene turned = scene.withOrientation(orientation.apply(scene));
             return held.map(point -> following(point, turned)).orElse(turned);
         });
     }
@@ -145,19 +162,24 @@ public final class MouseControls extends MouseAdapter {
     }
 
     void moveLight(MouseEvent event) {
-        double perPixel = Math.PI / Math.min(view.getWidth(), view.getHeight());
-        double right = (event.getX() - last.x) * perPixel;
-        double up = (last.y - event.getY()) * perPixel;
+        double right = right(event);
+        double up = up(event);
         model.change(scene -> scene.withLight(new SceneLight(
                 Drags.light(scene.view().camera(), scene.light().towards(), right, up),
                 scene.light().intensity())));
     }
 
-    private double ballX(Point point) {
-        return (2.0 * point.x - view.getWidth()) / Math.min(view.getWidth(), view.getHeight());
+    /** Returns the angle of the last move to the right; the view's shorter side is half a turn. */
+    private double right(MouseEvent event) {
+        return (event.getX() - last.x) * Math.PI / Math.min(view.getWidth(), view.getHeight());
     }
 
-    private double ballY(Point point) {
-        return (view.getHeight() - 2.0 * point.y) / Math.min(view.getWidth(), view.getHeight());
+    private double up(MouseEvent event) {
+        return (last.y - event.getY()) * Math.PI / Math.min(view.getWidth(), view.getHeight());
+    }
+
+    /** Returns a point's angle around the picture's center, counterclockwise, radians. */
+    private double angle(Point point) {
+        return Math.atan2(0.5 * view.getHeight() - point.y, point.x - 0.5 * view.getWidth());
     }
 }

@@ -19,34 +19,41 @@ public final class Drags {
     private Drags() {}
 
     /**
-     * Returns the turn of a model by a drag (K. Shoemake, "ARCBALL", Graphics Interface 1992): the grabbed point of a virtual ball follows
-     * the mouse. Points are (x, y) from the ball's center, in units of its radius, y upwards.
+     * Returns a model's orientation after a turn about its own vertical and a tilt about the picture's horizontal, so that an upright model
+     * stays upright.
      *
-     * @return unit quaternion in world space
+     * @param right angle by which the model's front turns to the picture's right, radians
+     * @param up angle by which it tilts upwards, radians
+     * @return normalized, since rounding errors add up over many drags
      */
-    public static Quaternionf turn(Camera camera, double fromX, double fromY, double toX, double toY) {
-        Vector3f from = onBall(fromX, fromY);
-        Vector3f to = onBall(toX, toY);
-        // Shoemake's product turns by twice the arc, so that a drag across the ball turns it once around.
-        Vector3f axis = from.cross(to, new Vector3f());
-        Quaternionf inCamera = new Quaternionf(axis.x, axis.y, axis.z, from.dot(to)).normalize();
-        Quaternionf worldToCamera = camera.worldToCamera().getUnnormalizedRotation(new Quaternionf());
-        return worldToCamera.conjugate(new Quaternionf()).mul(inCamera).mul(worldToCamera);
+    public static Quaternionf turned(Camera camera, Quaternionfc orientation, double right, double up) {
+        Vector3f sight = sight(camera);
+        Vector3f toRight = sight.cross(camera.up(), new Vector3f()).normalize();
+        Vector3f vertical = orientation.transform(camera.up(), new Vector3f()).normalize();
+        // The front of a model that hangs upside down turns the other way around its vertical.
+        double turn = vertical.dot(toRight.cross(sight, new Vector3f())) < 0 ? -right : right;
+        return rotation(-up, toRight)
+                .mul(rotation(turn, vertical))
+                .mul(orientation)
+                .normalize();
     }
 
-    /** Returns the orientation followed by a turn; normalized, since rounding errors add up over many drags. */
-    public static Quaternionf turned(Quaternionfc orientation, Quaternionfc turn) {
-        return turn.mul(orientation, new Quaternionf()).normalize();
+    /**
+     * Returns a model's orientation after a roll about the line of sight.
+     *
+     * @param angle counterclockwise in the picture, radians
+     */
+    public static Quaternionf rolled(Camera camera, Quaternionfc orientation, double angle) {
+        return rotation(-angle, sight(camera).normalize()).mul(orientation).normalize();
     }
 
-    /** Returns the ball's point under the mouse in camera space; outside the ball, the nearest point of its rim. */
-    private static Vector3f onBall(double x, double y) {
-        double squared = x * x + y * y;
-        if (squared >= 1) {
-            double radius = Math.sqrt(squared);
-            return new Vector3f((float) (x / radius), (float) (y / radius), 0);
-        }
-        return new Vector3f((float) x, (float) y, (float) Math.sqrt(1 - squared));
+    private static Quaternionf rotation(double angle, Vector3fc axis) {
+        return new Quaternionf().rotationAxis((float) angle, axis);
+    }
+
+    /** Returns the vector from eye to target. */
+    private static Vector3f sight(Camera camera) {
+        return camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
     }
 
     /**
@@ -119,7 +126,7 @@ public final class Drags {
     /** Returns the world-space vector, in the plane through the target, of an offset given in picture heights. */
     private static Vector3f across(Viewpoint view, double right, double up, int width, int height) {
         Camera camera = view.camera();
-        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+        Vector3f sight = sight(camera);
         double seen = 2 * sight.length() * view.halfHeight(width, height);
         Vector3f toRight = sight.cross(camera.up(), new Vector3f()).normalize();
         Vector3f toTop = toRight.cross(sight, new Vector3f()).normalize();

@@ -120,16 +120,17 @@ public final class Divider {
             graphics.setColor(Color.WHITE);
             graphics.fillRect(x, 0, 1, height);
             graphics.fillRect(x - 2, height / 2 - 2 * REACH, 5, 4 * REACH);
-            label(graphics, ownLabel, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(ownLabel));
+            label(graphics, ownLabel, x - 2 * MARGIN - graphics.getFontMetrics().stringWidth(ownLabel), MARGIN);
         }
-        label(graphics, otherLabel, x + 2 * MARGIN);
+        label(graphics, otherLabel, x + 2 * MARGIN, MARGIN);
     }
 
-    private static void label(Graphics2D graphics, String text, int x) {
+    /** Paints a line of text on a dark strip whose top is at {@code y}. */
+    static void label(Graphics2D graphics, String text, int x, int y) {
         var metrics = graphics.getFontMetrics();
         graphics.setColor(DARK);
-        graphics.fillRect(x - MARGIN, MARGIN, metrics.stringWidth(text) + 2 * MARGIN, metrics.getHeight() + 4);
+        graphics.fillRect(x - MARGIN, y, metrics.stringWidth(text) + 2 * MARGIN, metrics.getHeight() + 4);
         graphics.setColor(Color.WHITE);
-        graphics.drawString(text, x, MARGIN + 2 + metrics.getAscent());
+        graphics.drawString(text, x, y + 2 + metrics.getAscent());
     }
 }

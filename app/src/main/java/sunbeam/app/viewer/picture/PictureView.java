@@ -24,6 +24,8 @@ public final class PictureView extends JComponent {
     public static final Color VEIL = new Color(0, 0, 0, 160);
 
     private static final int MARGIN = 24;
+    private static final String HINT =
+            "drag: turn  \u00b7  right drag, or hold L: light  \u00b7  wheel: zoom  \u00b7  F1: all keys";
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
@@ -35,6 +37,8 @@ public final class PictureView extends JComponent {
     private transient Optional<LightCone> cone = Optional.empty();
     private transient Optional<BufferedImage> strokes = Optional.empty();
     private transient List<Optional<Point>> marks = List.of();
+    private boolean isHintShown = true;
+    private boolean isLightHeld;
     private final transient Divider divider = new Divider(this::repaint);
 
     public PictureView() {
@@ -51,6 +55,23 @@ public final class PictureView extends JComponent {
     /** Returns the split view. */
     public Divider divider() {
         return divider;
+    }
+
+    /** Removes the line about the mouse; called at the first drag. */
+    public void hideHint() {
+        if (isHintShown) {
+            isHintShown = false;
+            repaint();
+        }
+    }
+
+    /** Sets whether the light follows the mouse without a button. */
+    public void holdLight(boolean value) {
+        isLightHeld = value;
+    }
+
+    public boolean isLightHeld() {
+        return isLightHeld;
     }
 
     /** Returns the width of the picture in screen pixels; 0 if the component has no width. */
@@ -229,11 +250,16 @@ public final class PictureView extends JComponent {
                 scaled.fillRect(0, 0, getWidth(), getHeight());
             }
             scaled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            scaled.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
             for (int i = 0; i < marks.size(); i++) {
                 int number = i;
                 marks.get(i)
                         .ifPresent(pixel -> MapView.paintRing(
                                 scaled, number, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
+            }
+            if (isHintShown) {
+                int width = scaled.getFontMetrics().stringWidth(HINT);
+                Divider.label(scaled, HINT, (getWidth() - width) / 2, getHeight() - 2 * MARGIN);
             }
             scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));

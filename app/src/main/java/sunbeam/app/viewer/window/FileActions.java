@@ -39,6 +39,7 @@ public final class FileActions {
     private final ViewerModel model;
     private final Background background;
     private final BiConsumer<Scene, Runnable> opening;
+    private final RecentFiles recent;
     private Path folder = Path.of("").toAbsolutePath();
     private Path pictureWaiting;
     private LoadedScene drawn;
@@ -46,11 +47,17 @@ public final class FileActions {
     private String renderer = "";
 
     /** @param opening opens a scene and runs its second argument when the scene is loaded */
-    FileActions(ViewerWindow window, ViewerModel model, Background background, BiConsumer<Scene, Runnable> opening) {
+    FileActions(
+            ViewerWindow window,
+            ViewerModel model,
+            Background background,
+            BiConsumer<Scene, Runnable> opening,
+            RecentFiles recent) {
         this.window = window;
         this.model = model;
         this.background = background;
         this.opening = opening;
+        this.recent = recent;
         window.getRootPane().setTransferHandler(new Drop());
     }
 
@@ -59,6 +66,14 @@ public final class FileActions {
     }
 
     private void load(FileKind kind, Path file) {
+        if (kind != FileKind.TEXTURE) {
+            run(
+                    () -> {
+                        recent.add(file);
+                        return file;
+                    },
+                    added -> {});
+        }
         switch (kind) {
             case SCENE -> loadScene(file);
             case MESH -> loadMesh(file);
@@ -74,12 +89,17 @@ public final class FileActions {
     }
 
     /** Loads a scene, mesh or patch; the name (meshes) or the content decides which. */
-    private void load(Path file) {
+    public void load(Path file) {
         if (MeshFormat.isNamed(file)) {
-            loadMesh(file);
+            load(FileKind.MESH, file);
             return;
         }
         run(() -> SceneReader.isScene(file), isScene -> load(isScene ? FileKind.SCENE : FileKind.PATCH, file));
+    }
+
+    /** Returns the scenes, patches and meshes loaded last, the newest first. */
+    public List<Path> recent() {
+        return recent.files();
     }
 
     /** Loads a mesh and places the camera at a distance that fits its size. */

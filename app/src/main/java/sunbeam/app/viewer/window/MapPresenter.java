@@ -41,6 +41,10 @@ final class MapPresenter {
         this.background = background;
     }
 
+    boolean isShown() {
+        return isShown;
+    }
+
     void toggle() {
         isShown = !isShown;
         window.showMap(isShown);

@@ -38,7 +38,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     private Optional<ViewMeasurement> measurement = Optional.empty();
     private final StrokesPresenter strokes;
-    private boolean coneShown = true;
+    private boolean coneShown;
     private volatile boolean failed;
     private ViewState requested;
     private ViewState shown;
@@ -97,13 +97,25 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         followLight();
     }
 
+    public boolean isConeShown() {
+        return coneShown;
+    }
+
     public void toggleStrokes() {
         strokes.toggle(isSettled());
+    }
+
+    public boolean areStrokesShown() {
+        return strokes.areShown();
     }
 
     public void toggleMap() {
         map.toggle();
         show();
+    }
+
+    public boolean isMapShown() {
+        return map.isShown();
     }
 
     /** Finds the point of the skin under a pixel, as {@link PointInspector#locate} does. */

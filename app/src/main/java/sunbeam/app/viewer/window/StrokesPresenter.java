@@ -19,6 +19,10 @@ final class StrokesPresenter {
         this.loop = loop;
     }
 
+    boolean areShown() {
+        return shown;
+    }
+
     void toggle(boolean isFinal) {
         shown = !shown;
         outdated();

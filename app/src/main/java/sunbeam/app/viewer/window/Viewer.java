@@ -39,6 +39,7 @@ public final class Viewer {
     private final CountDownLatch closed = new CountDownLatch(1);
     private final StartJournal journal;
     private final ScenePresenter presenter;
+    private final Player player;
     private final AWTEventListener dragListener = this::trackDrag;
     private Scene sceneAsOpened;
 
@@ -49,18 +50,25 @@ public final class Viewer {
      * @param loader loader of scenes
      * @param opening opens OpenGL, on the render thread
      * @param journal receives the times of the start's stages
+     * @param recent list of the files loaded last
      */
-    public Viewer(Scene scene, ViewerModel.Loading loader, Supplier<GraphicsStage> opening, StartJournal journal) {
+    public Viewer(
+            Scene scene,
+            ViewerModel.Loading loader,
+            Supplier<GraphicsStage> opening,
+            StartJournal journal,
+            RecentFiles recent) {
         this.journal = journal;
         sceneAsOpened = scene;
         model = new ViewerModel(scene, loader, loading);
+        player = new Player(model);
         // OpenGL opens while the window is created; its notifications wait for the event thread.
         loop = new RenderLoop(opening, this::tell);
         loop.start();
         try {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
             inspector = new PointInspector(window.picture(), window.pick(), measuring, window.status()::message);
-            files = new FileActions(window, model, writing, this::open);
+            files = new FileActions(window, model, writing, this::open, recent);
             presenter = new ScenePresenter(
                     model,
                     window,
@@ -113,6 +121,10 @@ public final class Viewer {
 
     public ScenePresenter presenter() {
         return presenter;
+    }
+
+    public Player player() {
+        return player;
     }
 
     public FileActions files() {
@@ -180,6 +192,7 @@ public final class Viewer {
 
     private void end() {
         Toolkit.getDefaultToolkit().removeAWTEventListener(dragListener);
+        player.stop();
         loop.close();
         loading.close();
         writing.finish();
@@ -199,6 +212,11 @@ public final class Viewer {
     /** Scales the distance from the eye to the point that the camera looks at. */
     public void zoom(double factor) {
         model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor, 0, 0, 1, 1)));
+    }
+
+    /** Returns the scene that was opened last, without later changes. */
+    public Scene sceneAsOpened() {
+        return sceneAsOpened;
     }
 
     public void reset() {

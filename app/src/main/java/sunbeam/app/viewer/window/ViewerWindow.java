@@ -2,9 +2,13 @@ package sunbeam.app.viewer.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -19,11 +23,17 @@ import sunbeam.app.viewer.picture.PictureView;
 
 /** Window with its components and their layout. {@link Viewer} connects their behavior. */
 public final class ViewerWindow extends JFrame {
+    // Narrowest window, in Swing units, that opens with its panel beside the picture.
+    private static final int NARROW = 900;
+
     private final ControlPanel controls;
     private final PictureView picture = new PictureView();
     private final MapView map = new MapView();
     private final PickPanel pick = new PickPanel();
     private final StatusLine status = new StatusLine();
+    private final JComponent panel;
+    // True until the user shows or hides the panel.
+    private boolean panelFollowsWidth = true;
 
     ViewerWindow(String title, ViewerModel model) {
         super(title);
@@ -51,8 +61,41 @@ public final class ViewerWindow extends JFrame {
         add(status, BorderLayout.SOUTH);
         setMinimumSize(new Dimension(60, 60));
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-        setSize(1180, 880);
+        setIconImages(WindowIcon.images());
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setSize(Math.min(1180, screen.width), Math.min(880, screen.height));
         setLocationByPlatform(true);
+        panel = scroll;
+        panel.setVisible(getWidth() >= NARROW);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                if (panelFollowsWidth) {
+                    panel.setVisible(getWidth() >= NARROW);
+                    validate();
+                }
+            }
+        });
+    }
+
+    /** Shows or hides the panel; before the first call, a narrow window has none. */
+    public void showPanel(boolean shown) {
+        panelFollowsWidth = false;
+        panel.setVisible(shown);
+        validate();
+    }
+
+    public boolean isPanelShown() {
+        return panel.isVisible();
+    }
+
+    public void toggleFullScreen() {
+        getGraphicsConfiguration().getDevice().setFullScreenWindow(isFullScreen() ? null : this);
+    }
+
+    @SuppressWarnings("ReferenceEquality") // windows have no equality of their own
+    public boolean isFullScreen() {
+        return getGraphicsConfiguration().getDevice().getFullScreenWindow() == this;
     }
 
     public PictureView picture() {

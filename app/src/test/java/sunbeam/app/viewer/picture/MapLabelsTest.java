@@ -28,6 +28,8 @@ final class MapLabelsTest {
             }
         }
         assertThat(places).hasSizeGreaterThan(20);
-        assertThat(new MapLabels(graphics, bounds).paint("x", 198, 100)).as("turns away from the edge").isNotNull();
+        assertThat(new MapLabels(graphics, bounds).paint("x", 198, 100))
+                .as("turns away from the edge")
+                .isNotNull();
     }
 }

@@ -34,6 +34,24 @@ class PictureViewTest {
         assertThat(enlarged(few, 10, 11).getRGB(0, 0, 10, 11, null, 0, 10)).containsOnly(0xffff01fe);
     }
 
+    @Test
+    void theLineAboutTheMouseIsThereUntilTheFirstDrag() {
+        PictureView view = new PictureView();
+        view.setSize(800, 600);
+        BufferedImage black = new BufferedImage(800, 600, BufferedImage.TYPE_INT_RGB);
+        view.showPicture(black, 800, 600, true);
+        assertThat(painted(view)).as("white letters").contains(0xffffffff);
+        view.hideHint();
+        assertThat(painted(view)).containsOnly(0xff000000);
+        assertThat(view.picture()).contains(black);
+    }
+
+    private static int[] painted(PictureView view) {
+        BufferedImage image = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
+        view.paintComponent(image.createGraphics());
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+
     private static BufferedImage enlarged(BufferedImage few, int width, int height) {
         PictureView view = new PictureView();
         view.showPicture(few, width, height, false);

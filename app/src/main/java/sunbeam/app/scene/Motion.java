@@ -1,0 +1,27 @@
+package sunbeam.app.scene;
+
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+
+/** Motion of an animated scene about the vertical (z), counterclockwise from above. */
+public enum Motion {
+    /** The mesh turns; light and camera stay. */
+    TURNTABLE {
+        @Override
+        public Scene at(Scene scene, double radians) {
+            Quaternionf turn = new Quaternionf().rotationZ((float) radians);
+            return scene.withOrientation(turn.mul(scene.orientation()).normalize());
+        }
+    },
+    /** The light goes around; mesh and camera stay. */
+    LIGHT_SWEEP {
+        @Override
+        public Scene at(Scene scene, double radians) {
+            Vector3f towards = new Vector3f(scene.light().towards()).rotateZ((float) radians);
+            return scene.withLight(new SceneLight(towards, scene.light().intensity()));
+        }
+    };
+
+    /** Returns the scene after a turn of the mesh or light by an angle in radians. */
+    public abstract Scene at(Scene scene, double radians);
+}
