@@ -18,7 +18,7 @@ public final class Surfaces {
     public static HeightMap sampled(int columns, int rows, double pitch, Samples samples) {
         double[] heights = new double[columns * rows];
         Arrays.setAll(heights, i -> samples.at(i % columns, i / columns));
-        return HeightMap.owning(columns, rows, pitch, pitch, heights);
+        return new HeightMap(columns, rows, pitch, pitch, heights);
     }
 
     /** Heights by position in meters; x to the right, y upwards, both 0 at the top left sample. */

@@ -25,6 +25,7 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
+import sunbeam.precompute.patch.HeightCache;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
@@ -38,14 +39,14 @@ enum FuzzedReader {
         @Override
         void read(Path file) {
             Choices scale = choices(file).with(PatchSettings.WIDTH, 10e-6).with(PatchSettings.MAX_HEIGHT, 300e-9);
-            PatchLoader.load(new PatchRequest(scale));
+            PatchLoader.load(new PatchRequest(scale), HeightCache.NONE);
         }
     },
     /** Scans that bring their own scale. */
     SCAN("scan", "heights") {
         @Override
         void read(Path file) {
-            PatchLoader.load(new PatchRequest(choices(file)));
+            PatchLoader.load(new PatchRequest(choices(file)), HeightCache.NONE);
         }
     },
     /** Descriptors, with a good image beside them. */
@@ -56,7 +57,7 @@ enum FuzzedReader {
             if (!Files.exists(image)) {
                 Files.write(image, Seeds.image("png"));
             }
-            PatchLoader.load(new PatchRequest(choices(file)));
+            PatchLoader.load(new PatchRequest(choices(file)), HeightCache.NONE);
         }
     },
     SCENE("scene.json", "scene") {

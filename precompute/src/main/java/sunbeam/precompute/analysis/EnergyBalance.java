@@ -57,7 +57,7 @@ public record EnergyBalance(double ratio, double wavelength) {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = map.at(left + i % columns, top + i / columns);
         }
-        return HeightMap.owning(columns, rows, map.pitchX(), map.pitchY(), heights);
+        return new HeightMap(columns, rows, map.pitchX(), map.pitchY(), heights);
     }
 
     /** Returns a warning if the ratio exceeds {@link #LARGEST}, else empty. */

@@ -236,7 +236,7 @@ public record GratingPeriod(
     }
 
     /** Returns {@link #interval}, or "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
-    public String told() {
+    public String estimate() {
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
 
@@ -251,7 +251,7 @@ public record GratingPeriod(
     /** Returns one line with the interval, the direction and the share of the variance, or with the reason. */
     public String describe() {
         if (!isSure()) {
-            return isSeen() ? told() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;
+            return isSeen() ? estimate() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;
         }
         // The directions of a scanner's axes are known to tenths of a degree, so no direction is known better.
         double tenths = Math.floorMod(Math.round(10 * Math.toDegrees(azimuth())), 1800L) / 10.0;

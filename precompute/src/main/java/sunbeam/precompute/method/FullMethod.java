@@ -57,18 +57,9 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }
 
-    /** Returns the method with a tolerance and sunlight's coherence length. */
-    public static FullMethod within(double tolerance) {
-        return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD);
-    }
-
     /** Returns the method with the thesis's choices. */
     public static FullMethod thesis() {
         return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
-    }
-
-    public FullMethod with(GaussianArea other) {
-        return new FullMethod(table, other, fresnel);
     }
 
     @Override

@@ -29,14 +29,11 @@ public final class HeightMap {
      * @param rows number of samples along y, at least 1
      * @param pitchX distance of neighboring columns in meters, positive and finite
      * @param pitchY distance of neighboring rows in meters, positive and finite
-     * @param heights {@code rows * columns} heights in meters, row by row from the top; copied
+     * @param heights {@code rows * columns} heights in meters, row by row from the top; not copied, so that a large scan is not held twice:
+     *     the caller must not change them afterwards
      * @throws IllegalArgumentException when a size, pitch or the array's length does not fit
      */
     public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
-        this(heights.clone(), columns, rows, pitchX, pitchY);
-    }
-
-    private HeightMap(double[] heights, int columns, int rows, double pitchX, double pitchY) {
         if (columns < 1 || rows < 1) {
             throw new IllegalArgumentException("a height map needs samples, got " + columns + " x " + rows);
         }
@@ -53,24 +50,16 @@ public final class HeightMap {
         this.heights = heights;
     }
 
-    /**
-     * Creates a height map that takes over the array, so that a large scan is not held twice. The caller must not change the array
-     * afterwards.
-     */
-    public static HeightMap owning(int columns, int rows, double pitchX, double pitchY, double[] heights) {
-        return new HeightMap(heights, columns, rows, pitchX, pitchY);
-    }
-
     /** Returns this map with a known {@link #digest()}, since computing that of a large scan is slow. */
     public HeightMap withDigest(String known) {
-        HeightMap same = new HeightMap(heights, columns, rows, pitchX, pitchY);
+        HeightMap same = with(heights);
         same.digest = known;
         return same;
     }
 
     /** Returns a map of the same grid that takes over an array of other heights. */
     public HeightMap with(double[] others) {
-        return new HeightMap(others, columns, rows, pitchX, pitchY);
+        return new HeightMap(columns, rows, pitchX, pitchY, others);
     }
 
     public HeightMap map(DoubleUnaryOperator function) {
@@ -110,11 +99,6 @@ public final class HeightMap {
     /** Returns all heights in meters, row by row from the top: the map's own array, which callers must not change. */
     public double[] heights() {
         return heights;
-    }
-
-    /** Returns a copy of all heights in meters, row by row from the top. */
-    public double[] toArray() {
-        return heights.clone();
     }
 
     /** Returns the lowest height in meters, ignoring missing samples; NaN when all are missing. */

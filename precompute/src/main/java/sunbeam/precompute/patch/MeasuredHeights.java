@@ -76,7 +76,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 .orElseThrow(() -> noHeights(file, channels));
         ScanChannel channel = inColumns(file, channels.channels().get(index), ScanFormats.isPicture(reader), choices);
         FileScale scale = FileScale.of(file, channel, choices);
-        HeightMap map = HeightMap.owning(
+        HeightMap map = new HeightMap(
                 channel.columns(),
                 channel.rows(),
                 scale.pitchX(),

@@ -43,11 +43,6 @@ public final class PatchLoader {
         return request.located(() -> loadHere(request, cache));
     }
 
-    /** Like {@link #load(PatchRequest, HeightCache)}, without a cache. */
-    public static Patch load(PatchRequest request) {
-        return load(request, HeightCache.NONE);
-    }
-
     /** True for a file of a scan or of numbers; false for images, descriptors and unreadable files. */
     public static boolean isScan(Path file) {
         if (!Files.isRegularFile(file)) {

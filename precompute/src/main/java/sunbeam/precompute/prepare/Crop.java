@@ -116,7 +116,7 @@ public record Crop(double left, double right, double bottom, double top) {
             int from = (samples.firstRow + row) * field.columns() + samples.firstColumn;
             System.arraycopy(field.heights(), from, heights, row * columns, columns);
         }
-        return HeightMap.owning(columns, rows, field.pitchX(), field.pitchY(), heights);
+        return new HeightMap(columns, rows, field.pitchX(), field.pitchY(), heights);
     }
 
     /** Index of the first sample whose center lies at or beyond a position from the lower left corner, meters. */

@@ -19,7 +19,7 @@ public final class MissingHeights {
     private MissingHeights(HeightMap map) {
         columns = map.columns();
         rows = map.rows();
-        heights = map.toArray();
+        heights = map.heights().clone();
     }
 
     /** @throws IllegalArgumentException when all samples are missing */

@@ -75,7 +75,7 @@ record Polynomial(HeightMap map, double offset, RealVector coefficients) {
     }
 
     HeightMap subtracted() {
-        double[] heights = map.toArray();
+        double[] heights = map.heights().clone();
         IntStream.range(0, map.rows()).parallel().forEach(row -> {
             double[] rowCoefficients = new double[HIGHEST + 1];
             for (int j = 0; j < coefficients.getDimension(); j++) {

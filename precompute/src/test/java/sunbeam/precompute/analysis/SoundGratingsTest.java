@@ -26,7 +26,7 @@ class SoundGratingsTest {
 
     /** @param levels 0 for heights as they are */
     private static HeightMap rounded(HeightMap map, int levels) {
-        double[] heights = map.toArray();
+        double[] heights = map.heights().clone();
         double step = map.relief() / (levels - 1);
         for (int i = 0; i < heights.length && levels > 0; i++) {
             heights[i] = map.minimum() + step * Math.rint((heights[i] - map.minimum()) / step);

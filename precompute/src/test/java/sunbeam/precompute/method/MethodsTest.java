@@ -21,10 +21,12 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.FresnelFactor;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -42,7 +44,8 @@ class MethodsTest {
 
     @Test
     void nothingChosenIsFullWithinTheStandardTolerance() {
-        assertThat(Methods.of(Choices.none())).isEqualTo(FullMethod.within(ErrorBudget.STANDARD));
+        assertThat(Methods.of(Choices.none()))
+                .isEqualTo(new FullMethod(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD));
         assertThat(Methods.of(THESIS)).isEqualTo(FullMethod.thesis());
     }
 

@@ -31,7 +31,8 @@ class EmptyHeightsTest {
     }
 
     private static Patch load(Path file) {
-        return PatchLoader.load(PatchRequests.parse(file.toString(), "100um", null, "1um", null, "none"));
+        return PatchLoader.load(
+                PatchRequests.parse(file.toString(), "100um", null, "1um", null, "none"), HeightCache.NONE);
     }
 
     @Test

@@ -33,7 +33,7 @@ class FileScaleTest {
         for (int i = 0; i < choices.length; i += 2) {
             request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
         }
-        return PatchLoader.load(request);
+        return PatchLoader.load(request, HeightCache.NONE);
     }
 
     @Test

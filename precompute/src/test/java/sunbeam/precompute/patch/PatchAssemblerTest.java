@@ -34,7 +34,7 @@ class PatchAssemblerTest {
         for (int i = 0; i < choices.length; i += 2) {
             request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
         }
-        return PatchLoader.load(request);
+        return PatchLoader.load(request, HeightCache.NONE);
     }
 
     /** Lines 17.3 samples apart, 80 nm high, on a ground that wanders a little. */

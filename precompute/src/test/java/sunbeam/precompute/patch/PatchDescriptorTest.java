@@ -36,7 +36,7 @@ class PatchDescriptorTest {
     }
 
     private static Patch load(Path file) {
-        return PatchLoader.load(PatchRequests.of(file.toString()));
+        return PatchLoader.load(PatchRequests.of(file.toString()), HeightCache.NONE);
     }
 
     private void assertRefused(String json, String... complaints) throws IOException {

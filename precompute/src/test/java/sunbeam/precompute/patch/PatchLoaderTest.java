@@ -30,13 +30,13 @@ class PatchLoaderTest {
     }
 
     private void assertRefused(PatchRequest request, String... complaints) {
-        assertThatThrownBy(() -> PatchLoader.load(request))
+        assertThatThrownBy(() -> PatchLoader.load(request, HeightCache.NONE))
                 .isInstanceOf(PatchException.class)
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }
 
     private void assertChoiceRefused(PatchRequest request, String... complaints) {
-        assertThatThrownBy(() -> PatchLoader.load(request))
+        assertThatThrownBy(() -> PatchLoader.load(request, HeightCache.NONE))
                 .isInstanceOf(SettingException.class)
                 .satisfies(e -> assertThat(((SettingException) e).place()).isEqualTo(Origin.Place.OPTION))
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
@@ -44,7 +44,7 @@ class PatchLoaderTest {
 
     @Test
     void findsABuiltInPatchAndLevelsIt() {
-        Patch patch = PatchLoader.load(PatchRequests.of("blaze"));
+        Patch patch = PatchLoader.load(PatchRequests.of("blaze"), HeightCache.NONE);
 
         assertThat(patch.name()).isEqualTo("blaze");
         assertThat(patch.source()).contains("built-in blaze", "128 x 32 samples", "levelling mean");
@@ -56,8 +56,10 @@ class PatchLoaderTest {
 
     @Test
     void readsAnImageWithItsScale() throws IOException {
-        Patch patch = PatchLoader.load(PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, "none")
-                .raw(true));
+        Patch patch = PatchLoader.load(
+                PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, "none")
+                        .raw(true),
+                HeightCache.NONE);
 
         assertThat(patch.name()).isEqualTo("ramp");
         assertThat(patch.heights().columns()).isEqualTo(256);
@@ -72,7 +74,7 @@ class PatchLoaderTest {
 
     @Test
     void readsADescriptor() throws IOException {
-        Patch patch = PatchLoader.load(PatchRequests.of(descriptor(", \"levelling\": \"plane\"")));
+        Patch patch = PatchLoader.load(PatchRequests.of(descriptor(", \"levelling\": \"plane\"")), HeightCache.NONE);
 
         assertThat(patch.name()).isEqualTo("skin");
         // A ramp is a plane: the rounding of 255 nm is what remains.
@@ -81,11 +83,11 @@ class PatchLoaderTest {
 
     @Test
     void theScaleOfADescriptorAndOfTheOptionsGiveTheSamePatch() throws IOException {
-        Patch described = PatchLoader.load(PatchRequests.of(descriptor("")));
+        Patch described = PatchLoader.load(PatchRequests.of(descriptor("")), HeightCache.NONE);
         // Without a descriptor, scans are leveled by their plane and blended, unless the thesis's preset takes them
         // raw.
         Patch asked = PatchLoader.load(
-                PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, null).raw(true));
+                PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, null).raw(true), HeightCache.NONE);
 
         assertThat(described.digest()).isEqualTo(asked.digest());
     }
@@ -112,7 +114,7 @@ class PatchLoaderTest {
                 PatchRequests.parse(file, null, null, null, null, "mean"), "--level mean contradicts", "says plane");
         assertChoiceRefused(
                 PatchRequests.parse(file, null, null, null, "red", null), "--channel red contradicts", "says grey");
-        assertThat(PatchLoader.load(PatchRequests.parse(file, null, null, null, "gray", "plane"))
+        assertThat(PatchLoader.load(PatchRequests.parse(file, null, null, null, "gray", "plane"), HeightCache.NONE)
                         .source())
                 .contains("levelling plane");
     }
@@ -142,7 +144,8 @@ class PatchLoaderTest {
         TestImages.Samples tilted = (c, r, b) -> c >= 12 && r >= 12 ? Double.NaN : 100 + 5 * c - 3 * r;
         Path file = TestImages.write(TestImages.gray32f(16, 16, tilted), folder.resolve("holes.tiff"));
 
-        Patch patch = PatchLoader.load(PatchRequests.parse(file.toString(), "1um", null, "1nm", null, "plane"));
+        Patch patch = PatchLoader.load(
+                PatchRequests.parse(file.toString(), "1um", null, "1nm", null, "plane"), HeightCache.NONE);
 
         assertThat(patch.warnings()).hasSize(2);
         assertThat(patch.warnings().get(0)).contains("16 of 256 samples are missing");
@@ -150,7 +153,7 @@ class PatchLoaderTest {
         // The tilt is that of the samples that are there, and a hole in a plane is filled by the plane: what remains is
         // the rounding of heights of 200 nm.
         assertThat(patch.heights().relief()).isLessThan(1e-21);
-        assertThat(Arrays.stream(patch.heights().toArray()).average().orElseThrow())
+        assertThat(Arrays.stream(patch.heights().heights()).average().orElseThrow())
                 .isBetween(-1e-21, 1e-21);
     }
 }

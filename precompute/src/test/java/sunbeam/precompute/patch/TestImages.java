@@ -105,7 +105,7 @@ final class TestImages {
     /** What a channel of an image holds, as stored: heights of a full scale of 1 um, to the micrometer. */
     static double[] samples(Path file, String channel, double fullScale) {
         PatchRequest request = PatchRequests.parse(file.toString(), "10um", null, "1um", channel, null);
-        return Arrays.stream(MeasuredHeights.read(file, request.choices()).map().toArray())
+        return Arrays.stream(MeasuredHeights.read(file, request.choices()).map().heights())
                 .map(height -> height / 1e-6 * fullScale)
                 .toArray();
     }

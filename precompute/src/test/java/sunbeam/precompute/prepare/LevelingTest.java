@@ -21,7 +21,7 @@ class LevelingTest {
     }
 
     private static double mean(HeightMap map) {
-        return Arrays.stream(map.toArray()).average().orElseThrow();
+        return Arrays.stream(map.heights()).average().orElseThrow();
     }
 
     private static double largest(HeightMap map) {
@@ -75,7 +75,7 @@ class LevelingTest {
         HeightMap leveled = leveling.apply(map);
 
         assertThat(largest(leveled)).isLessThan(1e-22);
-        assertThat(Arrays.stream(leveled.toArray()).filter(Double::isNaN).count())
+        assertThat(Arrays.stream(leveled.heights()).filter(Double::isNaN).count())
                 .isEqualTo(16);
     }
 
@@ -91,6 +91,6 @@ class LevelingTest {
     void acceptsAMapWithoutAnySample(Leveling leveling) {
         HeightMap nothing = map(3, 3, (c, r) -> Double.NaN);
 
-        assertThat(leveling.apply(nothing).toArray()).containsOnly(Double.NaN);
+        assertThat(leveling.apply(nothing).heights()).containsOnly(Double.NaN);
     }
 }

@@ -3,7 +3,6 @@ package sunbeam.precompute.table;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
@@ -50,9 +49,7 @@ class TableBuilderTest {
     }
 
     private static HeightMap rounded(HeightMap map, double step) {
-        double[] heights = map.toArray();
-        Arrays.setAll(heights, i -> step * Math.rint(heights[i] / step));
-        return new HeightMap(map.columns(), map.rows(), map.pitchX(), map.pitchY(), heights);
+        return map.map(height -> step * Math.rint(height / step));
     }
 
     private static double[] bin(HeightMap map, TaylorExpansion expansion, int n, int jx, int jy) {

@@ -64,7 +64,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         }
         // The gray scale leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one
         // gray.
-        double[] heights = map.toArray();
+        double[] heights = map.heights();
         double low = Quantiles.of(heights, DUST) * NANOMETERS;
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
         HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GRAY);
@@ -131,7 +131,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double[] shares = new double[HISTOGRAM_BINS];
         // Each height counts in two neighboring bins, by its distance to their centers. So the few levels of an 8-bit
         // scan do not look like a comb.
-        for (double height : map.toArray()) {
+        for (double height : map.heights()) {
             double place = (height - low) / step;
             int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
             shares[bin] += 100 * (1 - (place - bin)) / (map.columns() * map.rows());

@@ -90,7 +90,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         double pitchY = all.getDouble();
         byte[] digest = new byte[DIGEST_BYTES];
         all.get(digest);
-        return HeightMap.owning(columns, rows, pitchX, pitchY, doubles(all))
+        return new HeightMap(columns, rows, pitchX, pitchY, doubles(all))
                 .withDigest(HexFormat.of().formatHex(digest));
     }
 

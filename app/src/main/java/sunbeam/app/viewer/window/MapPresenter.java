@@ -135,7 +135,7 @@ final class MapPresenter {
                 .flatMap(wave -> light.map(towards -> new GratingOrders(wave, towards)).stream())
                 .toList();
         String words = known.map(found -> found.isSeen()
-                        ? "The period is " + found.told() + "."
+                        ? "The period is " + found.estimate() + "."
                         : "No orders are marked: " + found.reason() + ".")
                 .orElse("");
         window.map().orders(orders, words);

@@ -10,6 +10,8 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 
@@ -18,7 +20,7 @@ class CertifyOptionTest {
         double[] heights = new double[32 * 32];
         Arrays.setAll(heights, i -> i % 32 < 16 ? 0 : 100e-9);
         HeightMap map = new HeightMap(32, 32, 100e-9, 100e-9, heights);
-        return FullMethod.within(tolerance)
+        return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD)
                 .plan(Surface.of(new Patch("lines", map, "made up", List.of())), VisibleRange.all());
     }
 

@@ -14,6 +14,8 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.plan.ErrorBudget;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
@@ -34,7 +36,8 @@ class MethodOptionsTest {
 
     @Test
     void fullWithinTheStandardToleranceNeedsNoOption() {
-        assertThat(method("")).isEqualTo(FullMethod.within(ErrorBudget.STANDARD));
+        assertThat(method(""))
+                .isEqualTo(new FullMethod(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD));
         assertThat(method("--preset thesis")).isEqualTo(FullMethod.thesis());
         assertThat(method("--method FULL --expansion Taylor")).isEqualTo(method("--expansion taylor"));
     }

@@ -52,7 +52,7 @@ class PatchOptionsTest {
         Patch patch = load(thesis);
         // The tilt stays, less the mean; the edges are those of the scan; light sees the repetition over 65 um.
         assertThat(patch.source()).contains("levelling mean").doesNotContain("blended");
-        assertThat(patch.heights().toArray()).isEqualTo(patch.scan().toArray());
+        assertThat(patch.heights().heights()).isEqualTo(patch.scan().heights());
         assertThat(patch.heights().at(39, 0) - patch.heights().at(0, 0))
                 .isCloseTo(1e-9 * (39 + 20 * Math.sin(2 * Math.PI * 39 / 7.3)), within(1e-18));
         assertThat(ScanLimit.of(thesis, patch).choices().get(MethodSettings.COHERENCE_LENGTH))

@@ -93,7 +93,7 @@ class BlobCacheTest {
 
     @Test
     void heightsComeBackToTheLastBit() {
-        HeightMap map = HeightMap.owning(3, 2, 1e-7, 2e-7, new double[] {0, 1e-9, Math.PI, -0.0, 4, 5});
+        HeightMap map = new HeightMap(3, 2, 1e-7, 2e-7, new double[] {0, 1e-9, Math.PI, -0.0, 4, 5});
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         for (int run = 0; run < 2; run++) {
             HeightMap kept = new BlobCache(Optional.of("build"), folder, warnings::add).heights("map", () -> {

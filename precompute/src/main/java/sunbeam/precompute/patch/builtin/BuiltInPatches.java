@@ -54,6 +54,6 @@ public final class BuiltInPatches {
     private static HeightMap grating(DoubleUnaryOperator profile) {
         double[] heights = new double[ROWS * COLUMNS];
         Arrays.setAll(heights, i -> profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS));
-        return HeightMap.owning(COLUMNS, ROWS, PERIOD / COLUMNS, PERIOD / ROWS, heights);
+        return new HeightMap(COLUMNS, ROWS, PERIOD / COLUMNS, PERIOD / ROWS, heights);
     }
 }

@@ -49,7 +49,7 @@ final class CompactDisc {
                 position += length;
             }
         }
-        return HeightMap.owning(SAMPLES, SAMPLES, PITCH, PITCH, heights);
+        return new HeightMap(SAMPLES, SAMPLES, PITCH, PITCH, heights);
     }
 
     /** Lengths of pits and lands in turn, in channel bits, fill the track exactly, so that it is periodic. */

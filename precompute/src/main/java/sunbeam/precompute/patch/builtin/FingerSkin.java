@@ -106,7 +106,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             heights[i] += grain * grains[i];
         }
         IntStream.range(0, SAMPLES).parallel().forEach(column -> addColumn(column, rows, heights));
-        return HeightMap.owning(SAMPLES, SAMPLES, SIDE / SAMPLES, SIDE / SAMPLES, heights);
+        return new HeightMap(SAMPLES, SAMPLES, SIDE / SAMPLES, SIDE / SAMPLES, heights);
     }
 
     private void addColumn(int column, FingerRow[] rows, double[] heights) {

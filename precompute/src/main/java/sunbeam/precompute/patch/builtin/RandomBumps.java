@@ -48,6 +48,6 @@ final class RandomBumps {
                 heights[(top + i / COLUMNS) % samples * samples + (left + i % COLUMNS) % samples] += HEIGHT;
             }
         }
-        return HeightMap.owning(samples, samples, PITCH, PITCH, heights);
+        return new HeightMap(samples, samples, PITCH, PITCH, heights);
     }
 }

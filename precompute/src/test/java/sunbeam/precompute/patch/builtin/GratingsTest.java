@@ -64,7 +64,7 @@ class GratingsTest {
     @Test
     void lamellarHasTwoHeightsAndNoEvenOrders() {
         HeightMap lamellar = BuiltInPatches.generate("lamellar");
-        assertThat(lamellar.toArray()).containsOnly(0, 137.5e-9);
+        assertThat(lamellar.heights()).containsOnly(0, 137.5e-9);
         long ridge = IntStream.range(0, lamellar.columns())
                 .filter(column -> lamellar.at(column, 0) > 0)
                 .count();

@@ -13,7 +13,7 @@ final class Spectrum {
     Spectrum(HeightMap patch) {
         columns = patch.columns();
         rows = patch.rows();
-        double[] heights = patch.toArray();
+        double[] heights = patch.heights();
         double mean = 0;
         for (double height : heights) {
             mean += height / heights.length;
