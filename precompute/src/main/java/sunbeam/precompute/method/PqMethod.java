@@ -84,11 +84,16 @@ public record PqMethod(
     private static PqMethod of(Choices choices) {
         return new PqMethod(
                 TableChoices.of(choices),
-                choices.get(
-                        INTERPOLATION, Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC),
+                interpolation(choices),
                 GaussianArea.windowOf(choices),
                 choices.find(REPLICAS),
                 FresnelFactor.of(choices));
+    }
+
+    /** Returns the chosen interpolation, or the preset's. */
+    public static PeriodInterpolation interpolation(Choices choices) {
+        return choices.get(
+                INTERPOLATION, Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
     }
 
     @Override

@@ -47,6 +47,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
@@ -251,7 +252,14 @@ public final class EvaluateCommand extends ReportingCommand {
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", evaluation.csv());
         contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
-        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation), text));
+        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation, title(choices)), text));
         return contents;
+    }
+
+    /** Returns the method, its preset and, of pq, its interpolation. */
+    private String title(Choices choices) {
+        return method.type.label()
+                + (Preset.isThesis(choices) ? ", preset thesis" : "")
+                + (method == Evaluator.PQ ? ", " + Kinds.name(PqMethod.interpolation(choices)) : "");
     }
 }

@@ -24,25 +24,30 @@ final class ResponsePlot {
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
 
-    /** White of the brightest angles. */
-    private static final int PEAKS = 0xFFFFFF;
-    // Orange-red, a hue that VIRIDIS lacks and that is brighter than most of it also to red-blind readers.
-    private static final int EQUATION = 0xFF7040;
+    /** Red of the brightest angles, as in the thesis. */
+    private static final int PEAKS = 0xFF3020;
 
-    /** Light blue of the curve for the mean of the brightest angles. */
-    private static final int FITTED = 0x40C8FF;
+    /** Light blue of the grating equation for the mean of the brightest angles. */
+    private static final int FITTED = 0x40A0FF;
+
+    /** Magenta of the grating equation for the period of the heights. */
+    private static final int EQUATION = 0xE868E8;
 
     private ResponsePlot() {}
 
-    /** Draws the verdict and, below it, the response. */
-    static BufferedImage draw(Evaluation evaluation) {
+    /**
+     * Draws the verdict and, below it, the response.
+     *
+     * @param method words for the method
+     */
+    static BufferedImage draw(Evaluation evaluation, String method) {
         return new Sheet(WIDTH)
                 .heading(evaluation.patch().name() + ": " + evaluation.verdict().sentence())
-                .row(response(evaluation))
+                .row(response(evaluation, method + "; " + evaluation.light()))
                 .draw();
     }
 
-    private static BufferedImage response(Evaluation evaluation) {
+    private static BufferedImage response(Evaluation evaluation, String title) {
         ResponseGrid grid = evaluation.response().grid();
         double[][] values = evaluation.response().values();
         double largest =
@@ -56,11 +61,11 @@ final class ResponsePlot {
         }
         double[] wavelengths = nanometers(grid.wavelengths());
         if (wavelengths.length == 1) {
-            return profile(evaluation, wavelengths[0]);
+            return profile(evaluation, title, wavelengths[0]);
         }
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(
-                        evaluation.light(),
+                        title,
                         "wavelength / nm",
                         "angle to the viewer theta_r / degrees",
                         WIDTH,
@@ -83,9 +88,9 @@ final class ResponsePlot {
         return map.draw();
     }
 
-    private static BufferedImage profile(Evaluation evaluation, double nanometers) {
-        String title = Text.format("%s, %.4g nm", evaluation.light(), nanometers);
-        return Plot.linear(title, "angle to the viewer theta_r / degrees", "relative radiance rho", WIDTH, HEIGHT)
+    private static BufferedImage profile(Evaluation evaluation, String title, double nanometers) {
+        String lit = Text.format("%s, %.4g nm", title, nanometers);
+        return Plot.linear(lit, "angle to the viewer theta_r / degrees", "relative radiance rho", WIDTH, HEIGHT)
                 .line(
                         "response",
                         degrees(evaluation.response().grid().angles(), angle -> angle),

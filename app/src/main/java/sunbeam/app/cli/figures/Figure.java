@@ -2,6 +2,9 @@ package sunbeam.app.cli.figures;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.node.TextNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -13,16 +16,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 
 /**
  * Figure or table of the thesis, as an entry of the manifest figures.json.
  *
- * @param number number in the thesis, such as 5.10 or table-4.1; "resolution" for a question that the thesis leaves open
- * @param verdict statement whether the thesis's result ({@code thesis}) and Sunbeam's ({@code ours}) agree, or why not
- * @param patches patches for which each picture is drawn: blaze, elaphe, xenopeltis; empty if the commands name their own
+ * @param number number in the thesis, such as 5.10 or table-4.1
+ * @param thesis what the thesis shows or claims
+ * @param ours what Sunbeam's pictures show beside or instead of that
+ * @param check measurement of the pictures that decides whether the claim holds
+ * @param patches patches for which each picture is drawn: blaze, elaphe, xenopeltis; null if the commands name their own
  * @param compared true if all maps of a patch use the exposure of its first map and are compared with it
  */
 record Figure(
@@ -30,7 +34,7 @@ record Figure(
         String title,
         String thesis,
         String ours,
-        String verdict,
+        Check check,
         List<String> patches,
         boolean compared,
         List<Picture> pictures) {
@@ -40,20 +44,50 @@ record Figure(
      *
      * @param label words for the caption that distinguish the picture from the others of the figure
      * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
-     *     {stem} for its name without the ending; a command without any of them draws a map
+     *     {stem} for its name without the ending, {scene} for the file of the scene, {size} for its size, {slits} for the patch of
+     *     {@link FigureInput}, {window} for a width at which a patch's orders are broader than pixels; a brdf-map without {file} draws a
+     *     disc of the chosen size. Null for a plot
+     * @param plot name of a {@link FigurePlot}; null for a command
      * @param picture file that the command writes, with {stem}; null for {stem}.png
+     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers ({@link FigureInput}); null for none
+     * @param hidden true for a picture that only the check or a plot needs
      * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters
      *     (_m); null for none
      */
-    record Picture(String name, String label, String command, String picture, Map<String, Double> numbers) {}
+    record Picture(
+            String name,
+            String label,
+            String command,
+            FigurePlot plot,
+            String picture,
+            Map<String, JsonNode> scene,
+            boolean hidden,
+            Map<String, Double> numbers) {}
 
     /** Reads the manifest, in the thesis's order. */
     static List<Figure> all() {
         try (InputStream manifest = Figure.class.getResourceAsStream("figures.json")) {
-            return List.of(new ObjectMapper().readValue(manifest, Figure[].class));
+            ObjectMapper mapper = new ObjectMapper();
+            JsonNode tree = mapper.readTree(manifest);
+            for (JsonNode figure : tree) {
+                expand(mapper, (ObjectNode) figure);
+            }
+            return List.of(mapper.treeToValue(tree, Figure[].class));
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
+    }
+
+    /** Replaces each picture with {@code values} by one picture for each of them, in which the value stands for {}. */
+    private static void expand(ObjectMapper mapper, ObjectNode figure) throws IOException {
+        ArrayNode expanded = mapper.createArrayNode();
+        for (JsonNode picture : figure.get("pictures")) {
+            JsonNode values = ((ObjectNode) picture).remove("values");
+            for (JsonNode value : values == null ? List.<JsonNode>of(new TextNode("")) : values) {
+                expanded.add(mapper.readTree(picture.toString().replace("{}", value.asText())));
+            }
+        }
+        figure.set("pictures", expanded);
     }
 
     /**
@@ -89,13 +123,24 @@ record Figure(
          * picture of another command is kept as it is.
          */
         boolean resumes() {
-            return command.get(0).equals("brdf-map")
-                    || (command.get(0).equals("render") && !command.contains("--wireframe"));
+            return picture.plot() == null
+                    && (command.get(0).equals("brdf-map")
+                            || (command.get(0).equals("render") && !command.contains("--wireframe")));
         }
 
-        /** True for plots and scenes, which are wider than maps. */
-        boolean isWide() {
-            return !command.get(0).equals("brdf-map");
+        /** Returns the picture's name in checks, with its patch before. */
+        String name() {
+            return (patch.isEmpty() ? "" : patch + "-") + picture.name();
+        }
+
+        /** Returns the file beside the picture with another ending. */
+        Path beside(String ending) {
+            return Path.of(file.toString().replaceFirst("\\.png$", ending));
+        }
+
+        /** True for a map's disc without its annotations. */
+        boolean isMap() {
+            return command.contains("--no-annotate");
         }
 
         /**
@@ -103,71 +148,81 @@ record Figure(
          * exist.
          */
         List<List<String>> numbers() {
-            Path ours = Path.of(file.toString().replaceFirst("\\.png$", ".json"));
-            if (picture.numbers() == null || !Files.isRegularFile(ours)) {
+            if (picture.numbers() == null || !Files.isRegularFile(beside(".json"))) {
                 return List.of();
             }
-            try {
-                JsonNode tree = new ObjectMapper().readTree(ours.toFile());
-                List<List<String>> rows = new ArrayList<>();
-                picture.numbers().forEach((pointer, thesis) -> {
-                    JsonNode value = tree.at(pointer.replaceFirst("_nm(2?)$", "_m$1"));
-                    if (value.isNumber()) {
-                        double unit = pointer.endsWith("_nm2") ? 1e18 : pointer.endsWith("_nm") ? 1e9 : 1;
-                        double number = unit * value.asDouble();
-                        rows.add(List.of(
-                                picture.label(),
-                                pointer.replaceFirst(".*/", "").replace('_', ' '),
-                                Text.format("%.2f", thesis),
-                                Text.format("%.2f", number),
-                                Text.format("%+.2f", number - thesis)));
-                    }
-                });
-                return rows;
-            } catch (IOException failure) {
-                throw InputException.of(ours, failure);
-            }
+            List<List<String>> rows = new ArrayList<>();
+            picture.numbers().forEach((pointer, thesis) -> {
+                double number = Measure.number(this, pointer);
+                if (!Double.isNaN(number)) {
+                    rows.add(List.of(
+                            picture.label(),
+                            pointer.replaceFirst(".*/", "").replace('_', ' '),
+                            Text.format("%.2f", thesis),
+                            Text.format("%.2f", number),
+                            Text.format("%+.2f", number - thesis)));
+                }
+            });
+            return rows;
         }
+    }
+
+    /** Returns what the check finds; empty if pictures are missing. */
+    Optional<Check.Verdict> verdict(List<Drawing> drawings) {
+        return check.verdict(drawings.stream()
+                .filter(drawing -> drawing.number().equals(number))
+                .toList());
     }
 
     /** Returns the names of the patches, which have a row of pictures each; a single empty name if the commands name their own patches. */
     List<String> rows() {
-        return patches.isEmpty() ? List.of("") : patches;
+        return patches == null ? List.of("") : patches;
     }
 
-    /**
-     * @param source function from a patch to the argument of {@code --patch}
-     * @param size side of maps, pixels
-     */
-    List<Drawing> drawings(UnaryOperator<String> source, int size, Path folder) {
+    /** @param source function from a patch to the argument of {@code --patch} */
+    List<Drawing> drawings(UnaryOperator<String> source, Sizes sizes, Path folder) {
         return rows().stream()
-                .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source, size, folder)))
+                .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source, sizes, folder)))
                 .toList();
     }
 
-    private Drawing drawing(String patch, Picture picture, UnaryOperator<String> source, int size, Path folder) {
+    /**
+     * Sizes of pictures.
+     *
+     * @param map side of a map, pixels
+     * @param scene width and height of a scene, such as 480x360
+     */
+    record Sizes(int map, String scene) {}
+
+    private Drawing drawing(String patch, Picture picture, UnaryOperator<String> source, Sizes sizes, Path folder) {
         String stem = folder.resolve(stem(patch, picture)).toString();
         String template = picture.picture() == null ? "{stem}.png" : picture.picture();
         Path file = Path.of(template.replace("{stem}", stem));
-        if (picture.command().contains("{")) {
-            List<String> words = Stream.of(picture.command().split(" ", -1))
-                    .map(word -> expanded(word, patch, source, file, stem))
-                    .toList();
+        if (picture.plot() != null) {
+            return new Drawing(number, patch, picture, file, List.of(), Optional.empty());
+        }
+        List<String> words = new ArrayList<>(Stream.of(picture.command().split(" ", -1))
+                .map(word -> expanded(word.replace("{size}", sizes.scene()), patch, source, file, stem))
+                .toList());
+        if (!picture.command().startsWith("brdf-map") || picture.command().contains("{file}")) {
             return new Drawing(number, patch, picture, file, words, Optional.empty());
         }
         // Method gem has no absolute brightness, so it has its own exposure.
         Optional<Path> base = Optional.of(folder.resolve(stem(patch, pictures.get(0)) + ".png"))
                 .filter(first ->
                         compared && !first.equals(file) && !picture.command().contains("--method gem"));
-        List<String> words = new ArrayList<>(List.of(picture.command().split(" ", -1)));
-        words.addAll(List.of("--no-annotate", "--size", Integer.toString(size)));
+        words.addAll(List.of("--no-annotate", "--size", Integer.toString(sizes.map())));
         base.ifPresent(first -> words.addAll(List.of("--exposure", first.toString())));
         words.addAll(List.of("--patch", source.apply(patch), "--output", file.toString()));
         return new Drawing(number, patch, picture, file, words, base);
     }
 
     private static String expanded(String word, String patch, UnaryOperator<String> source, Path file, String stem) {
-        String expanded = word.replace("{file}", file.toString()).replace("{stem}", stem);
+        String expanded = word.replace("{file}", file.toString())
+                .replace("{stem}", stem)
+                .replace("{window}", patch.equals("blaze") ? "16um" : "65um")
+                .replace("{scene}", stem + FigureInput.SCENE)
+                .replace("{slits}", file.resolveSibling(FigureInput.SLITS).toString());
         for (String name : List.of("patch", "blaze", "elaphe", "xenopeltis")) {
             if (expanded.contains("{" + name + "}")) {
                 expanded = expanded.replace("{" + name + "}", source.apply(name.equals("patch") ? patch : name));

@@ -32,11 +32,16 @@ import sunbeam.precompute.text.Text;
         header = "Draw the thesis's figures and Table 4.1 as one folder with a page.",
         description =
                 "Draw the figures of the thesis, by its own numbers, as one folder: each with what the thesis shows in it, what"
-                        + " is seen here, and whether both agree; Table 4.1 with the thesis's numbers, ours and the difference. Existing"
+                        + " is seen here, and whether a measurement of the pictures agrees; Table 4.1 with the thesis's numbers, ours"
+                        + " and the difference. Existing"
                         + " pictures that were drawn with the same options are kept, so a stopped run can be continued. Look at index.html, which names the command of each picture.",
         footer = {"  sunbeam figures --only 5.10,table-4.1"})
 public final class FiguresCommand extends ReportingCommand {
     private static final int LARGEST = 2048;
+    /** Sides of maps in pixels. */
+    private static final int STANDARD = 256;
+
+    private static final int QUICK = 96;
     private static final String PAGE = "index.html";
     private static final Map<String, String> BUILT_IN =
             Map.of("blaze", "blaze", "elaphe", "elaphe-like", "xenopeltis", "xenopeltis-like");
@@ -61,9 +66,11 @@ public final class FiguresCommand extends ReportingCommand {
     @Option(
             names = "--size",
             paramLabel = "PIXELS",
-            defaultValue = "256",
-            description = "Width and height of each map, 16 to 2048. Default: ${DEFAULT-VALUE}.")
-    private int size;
+            description = "Width and height of each map, 16 to 2048. Default: 256, with --quick 96.")
+    private Integer size;
+
+    @Option(names = "--quick", description = "Draw small pictures, in a third of the time.")
+    private boolean quick;
 
     @Option(
             names = "--patches",
@@ -87,18 +94,22 @@ public final class FiguresCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        UsageException.requireWithin("--size", size, 16, LARGEST);
+        int side = size != null ? size : quick ? QUICK : STANDARD;
+        UsageException.requireWithin("--size", side, 16, LARGEST);
+        Figure.Sizes sizes = new Figure.Sizes(side, quick ? "240x180" : "480x360");
         List<Figure> figures = Figure.select(only);
         List<Figure.Drawing> drawings = figures.stream()
-                .flatMap(figure -> figure.drawings(this::source, size, output).stream())
+                .flatMap(figure -> figure.drawings(this::source, sizes, output).stream())
                 .toList();
-        OutputFolder.create(output);
+        OutputFolder.createWithParents(output);
         checkPage();
         int code = draw(drawings);
         AtomicFile.write(
                 output.resolve(PAGE),
                 Overwrite.REPLACE,
                 AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
+        figures.forEach(figure -> figure.verdict(drawings)
+                .ifPresent(verdict -> out().println(figure.number() + " " + verdict)));
         drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
                 .forEach(row -> out().println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
@@ -125,6 +136,12 @@ public final class FiguresCommand extends ReportingCommand {
             for (Figure.Drawing drawing : drawings) {
                 StringWriter err = new StringWriter();
                 boolean replaced = force.overwrite() == Overwrite.REPLACE;
+                if (drawing.picture().plot() != null) {
+                    plot(drawing, drawings);
+                    progress.step(1);
+                    continue;
+                }
+                FigureInput.write(drawing, output);
                 if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
                     continue;
                 }
@@ -148,6 +165,18 @@ public final class FiguresCommand extends ReportingCommand {
             }
         }
         return code;
+    }
+
+    private static void plot(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
+        drawing.picture()
+                .plot()
+                .draw(
+                        drawing,
+                        drawings.stream()
+                                .filter(other -> other.number().equals(drawing.number())
+                                        && other.patch().equals(drawing.patch())
+                                        && Files.exists(other.file()))
+                                .toList());
     }
 
     private void complain(Figure.Drawing drawing, String err) {

@@ -23,7 +23,8 @@ final class FiguresPage {
             body { background: #16181c; color: #ddd; font: 15px/1.4 sans-serif; margin: 2em auto; max-width: 1400px; }
             h1, h2 { color: #fff; } h2 { margin-top: 2.5em; } a { color: #8cf; }
             .row { display: flex; flex-wrap: wrap; gap: 1em; margin-bottom: 1em; }
-            figure { margin: 0; width: 256px; } figure.wide { width: 536px; } table { border-collapse: collapse; } td, th { padding: 2px 12px; text-align: left; } figure img { width: 100%; }
+            figure { margin: 0; width: 536px; } figure.map { width: 256px; } table { border-collapse: collapse; } td, th { padding: 2px 12px; text-align: left; } figure img { width: 100%; }
+            figure.map img { border-radius: 50%; box-shadow: 0 0 0 1px #777; }
             figcaption, code { font-size: 12px; color: #aaa; }
             </style>
             </head>
@@ -46,13 +47,15 @@ final class FiguresPage {
         for (Figure figure : figures) {
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
             html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
-            html.append(escape(figure.ours())).append("<br><b>Verdict:</b> ");
-            html.append(escape(figure.verdict())).append("</p>\n").append(table(figure, drawings));
+            html.append(escape(figure.ours())).append("<br><b>Check:</b> ");
+            html.append(escape(figure.verdict(drawings).map(Check.Verdict::toString).orElse("a picture or a number is missing")));
+            html.append("</p>\n").append(table(figure, drawings));
             for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");
                 drawings.stream()
                         .filter(drawing -> drawing.number().equals(figure.number())
                                 && drawing.patch().equals(patch)
+                                && !drawing.picture().hidden()
                                 && Files.isRegularFile(drawing.file()))
                         .forEach(drawing -> html.append(picture(drawing, folder)));
                 html.append("</div>\n");
@@ -81,7 +84,7 @@ final class FiguresPage {
     }
 
     private static String picture(Figure.Drawing drawing, Path folder) {
-        String wide = drawing.isWide() ? " class=\"wide\"" : "";
+        String kind = drawing.isMap() ? " class=\"map\"" : "";
         String file = escape(folder.relativize(drawing.file()).toString().replace('\\', '/'));
         String label = (drawing.patch().isEmpty() ? "" : drawing.patch() + ": ")
                 + drawing.picture().label();
@@ -93,9 +96,9 @@ final class FiguresPage {
                                 .text()
                         + " from the first")
                 .orElse("");
-        return "<figure" + wide + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
+        return "<figure" + kind + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
-                + escape("./sunbeam " + String.join(" ", drawing.command()) + " --force")
+                + escape(drawing.command().isEmpty() ? "" : "./sunbeam " + String.join(" ", drawing.command()) + " --force")
                 + "</code></figcaption></figure>\n";
     }
 

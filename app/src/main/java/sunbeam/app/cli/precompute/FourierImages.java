@@ -15,7 +15,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 /**
  * Figure 3.1 of the thesis: inverse DFT of powers (i h)^n of the heights h, in micrometers above the lowest. Red shows real parts and green
- * imaginary parts, each from its least to its greatest value; a plot shows these extremes over n.
+ * imaginary parts, logarithmically: mid-gray is 0, and the extremes are 0 and 255. A plot shows the magnitudes of these extremes over n.
  */
 record FourierImages(HeightMap map) {
     private static final int SIDE = 300;
@@ -24,21 +24,49 @@ record FourierImages(HeightMap map) {
     private static final int PLOT_WIDTH = 640;
     private static final double MICROMETERS = 1e6;
 
-    /** Range below which a channel is due to rounding errors, relative to the larger range of both. */
+    /** Smallest magnitude that differs from 0 in an image, relative to the largest real or imaginary part. */
+    private static final double SPAN = 1e-4;
+
+    /** Magnitude below which an extreme is a rounding error, relative to the largest one of its power. */
     private static final double ROUNDING = 1e-12;
 
+    /** Numbers of the plot's red and green. */
+    private static final int RED = 1;
+
+    private static final int GREEN = 2;
+
+    /**
+     * Picture of the powers.
+     *
+     * @param largest largest magnitude of a real or imaginary part of each power from 0 on; 0 for powers that were not transformed
+     */
+    record Drawn(BufferedImage picture, double[] largest) {}
+
     /** @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added */
-    BufferedImage draw(List<Integer> powers) {
+    Drawn draw(List<Integer> powers) {
         boolean plotted = powers.size() > 1;
         int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
-        return new Sheet(width)
-                .part(SIDE + CAPTION, graphics -> draw(graphics, powers, plotted, width))
+        double[][] extremes = new double[4][powers.get(powers.size() - 1) + 1];
+        BufferedImage picture = new Sheet(width)
+                .part(SIDE + CAPTION, graphics -> draw(graphics, powers, extremes, width))
                 .draw();
+        return new Drawn(
+                picture,
+                IntStream.range(0, extremes[0].length)
+                        .mapToDouble(n -> largest(extremes, n))
+                        .toArray());
     }
 
-    private void draw(Graphics2D graphics, List<Integer> powers, boolean plotted, int width) {
-        int last = plotted ? powers.get(powers.size() - 1) : powers.get(0);
-        double[][] extremes = new double[4][last + 1];
+    private static double largest(double[][] extremes, int n) {
+        return Arrays.stream(extremes)
+                .mapToDouble(values -> Math.abs(values[n]))
+                .max()
+                .orElseThrow();
+    }
+
+    private void draw(Graphics2D graphics, List<Integer> powers, double[][] extremes, int width) {
+        boolean plotted = powers.size() > 1;
+        int last = extremes[0].length - 1;
         for (int n = plotted ? 0 : last; n <= last; n++) {
             ComplexVector bins = transformed(n);
             double[] red = range(bins.real());
@@ -49,7 +77,7 @@ record FourierImages(HeightMap map) {
             extremes[3][n] = green[1];
             int place = powers.indexOf(n) * (SIDE + GAP);
             if (place >= 0) {
-                graphics.drawImage(image(bins, red, green), place, 0, SIDE, SIDE, null);
+                graphics.drawImage(image(bins, largest(extremes, n)), place, 0, SIDE, SIDE, null);
                 graphics.drawString("(i h)^" + n, place + 4, SIDE + CAPTION - 9);
             }
         }
@@ -75,7 +103,7 @@ record FourierImages(HeightMap map) {
     }
 
     /** Draws, for each pixel, the bin of largest magnitude among those that fall into it; frequency 0 is in the middle, y points up. */
-    private BufferedImage image(ComplexVector bins, double[] red, double[] green) {
+    private BufferedImage image(ComplexVector bins, double largest) {
         int width = Math.min(SIDE, map.columns());
         int height = Math.min(SIDE, map.rows());
         int[] strongest = new int[width * height];
@@ -89,11 +117,9 @@ record FourierImages(HeightMap map) {
             }
         }
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // A channel whose range is within rounding errors is drawn as zero.
-        double rounding = ROUNDING * Math.max(red[1] - red[0], green[1] - green[0]);
         for (int i = 0; i < strongest.length; i++) {
-            int rgb = channel(bins.real()[strongest[i]], red, rounding) << 16
-                    | channel(bins.imaginary()[strongest[i]], green, rounding) << 8;
+            int rgb = channel(bins.real()[strongest[i]] / largest) << 16
+                    | channel(bins.imaginary()[strongest[i]] / largest) << 8;
             image.setRGB(i % width, i / width, rgb);
         }
         return image;
@@ -108,18 +134,34 @@ record FourierImages(HeightMap map) {
         return new double[] {range.getMin(), range.getMax()};
     }
 
-    private static int channel(double value, double[] range, double rounding) {
-        return range[1] - range[0] > rounding ? (int) Math.round(255 * (value - range[0]) / (range[1] - range[0])) : 0;
+    /** Returns the logarithmic brightness of a value from -1 to 1. */
+    private static int channel(double value) {
+        double brightness = Math.log(Math.max(1, Math.abs(value) / SPAN)) / Math.log(1 / SPAN);
+        return (int) Math.round(127.5 * (1 + Math.copySign(brightness, value)));
     }
 
+    /** Plots magnitudes: those of the greatest values as lines, those of the least ones as points. */
     private static BufferedImage plot(double[][] extremes) {
         double[] powers =
                 IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
-        return Plot.linear("Extreme values", "power n", "DFT of (i h)^n / um^n", PLOT_WIDTH, SIDE + CAPTION)
-                .line("least real", powers, extremes[0])
-                .line("greatest real", powers, extremes[1])
-                .line("least imag.", powers, extremes[2])
-                .line("greatest imag.", powers, extremes[3])
+        double[][] magnitudes = Arrays.stream(extremes)
+                .map(values -> IntStream.range(0, values.length)
+                        .mapToDouble(n -> Math.abs(values[n]))
+                        .toArray())
+                .toArray(double[][]::new);
+        for (double[] values : magnitudes) {
+            Arrays.setAll(values, n -> values[n] > ROUNDING * largest(extremes, n) ? values[n] : Double.NaN);
+        }
+        return new Plot(new Plot.Frame(
+                        "Extreme values",
+                        Plot.Axis.linear("power n"),
+                        Plot.Axis.logarithmic("|DFT of (i h)^n| / um^n"),
+                        PLOT_WIDTH,
+                        SIDE + CAPTION))
+                .line("greatest real", powers, magnitudes[1], RED)
+                .points("least real", powers, magnitudes[0], RED)
+                .line("greatest imaginary", powers, magnitudes[3], GREEN)
+                .points("least imaginary", powers, magnitudes[2], GREEN)
                 .draw();
     }
 }

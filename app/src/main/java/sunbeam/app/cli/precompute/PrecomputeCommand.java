@@ -1,6 +1,7 @@
 package sunbeam.app.cli.precompute;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -85,11 +86,12 @@ public final class PrecomputeCommand extends ReportingCommand {
         }
         AtomicFile.checkWritable(picture, force.overwrite());
         Patch patch = patchOptions.load(choices);
-        Path written = PngWriter.write(
-                picture,
-                force.overwrite(),
-                new FourierImages(patch.heights()).draw(powers),
-                Map.of("Title", "Fourier images of " + patch.name(), "Patch", patch.source()));
+        FourierImages.Drawn drawn = new FourierImages(patch.heights()).draw(powers);
+        Map<String, String> text = Map.of(
+                "Title", "Fourier images of " + patch.name(),
+                "Patch", patch.source(),
+                "Extremes", Arrays.toString(drawn.largest()));
+        Path written = PngWriter.write(picture, force.overwrite(), drawn.picture(), text);
         out(picture).println(StandardOutput.name(written));
         return ExitCode.OK.code();
     }

@@ -33,6 +33,15 @@ public final class OutputFolder {
         }
     }
 
+    /** Creates the folder and the folders above it, like {@link #create}. */
+    public static void createWithParents(Path folder) {
+        Path above = folder.toAbsolutePath().getParent();
+        if (above != null && !Files.exists(above)) {
+            createWithParents(above);
+        }
+        create(folder);
+    }
+
     /**
      * Creates the folder if it is missing, and runs the writer. A new folder that stays empty is removed, also if the process is ended
      * (Ctrl-C).

@@ -20,7 +20,6 @@ import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.PaintScale;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
-import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.PaintScaleLegend;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
@@ -221,10 +220,7 @@ public final class HeatMap {
         plot.setFixedDomainAxisSpace(space);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
         if (curves.getSeriesCount() > 0) {
-            LegendTitle legend = PlotStyle.legend(plot, RectangleEdge.BOTTOM);
-            legend.setBackgroundPaint(new Color(values.colors().map().at(0.2)));
-            legend.setItemPaint(Color.WHITE);
-            chart.addSubtitle(legend);
+            chart.addSubtitle(PlotStyle.legend(plot, RectangleEdge.BOTTOM));
         }
         PaintScaleLegend bar = colorBar();
         chart.addSubtitle(bar);

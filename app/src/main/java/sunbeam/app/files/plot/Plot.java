@@ -25,7 +25,7 @@ import sunbeam.app.files.output.PngWriter;
 
 /**
  * Plot of lines and points over x in Sunbeam's style, drawn without a display. The axes' labels contain the units ({@code wavelength /
- * nm}). Series get the colors and marks of {@link PlotStyle} in the order in which they are added.
+ * nm}); values that are NaN are left out. Series get the colors and marks of {@link PlotStyle} in the order in which they are added.
  */
 public final class Plot {
     private final Frame frame;
@@ -211,6 +211,7 @@ public final class Plot {
     private DoubleSummaryStatistics range(Function<Series, double[]> axis) {
         return allSeries.stream()
                 .flatMapToDouble(series -> Arrays.stream(axis.apply(series)))
+                .filter(value -> !Double.isNaN(value))
                 .summaryStatistics();
     }
 

@@ -24,11 +24,13 @@ class FiguresCommandTest {
     @TempDir
     private Path folder;
 
+    private Path output;
+
     private final List<List<String>> runs = new ArrayList<>();
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
 
-    /** A program whose maps are gray, those of 50 nm darker, and which cannot draw those of 25 nm. */
+    /** A program whose maps are gray, those of 50 and 100 nm darker, and which cannot draw those of 25 nm. */
     private int draw(PrintWriter complaints, String... arguments) {
         List<String> words = List.of(arguments);
         runs.add(words);
@@ -38,7 +40,7 @@ class FiguresCommandTest {
         }
         BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
         for (int i = 0; i < 16; i++) {
-            image.setRGB(i % 4, i / 4, words.contains("50nm") ? 0x404040 : 0x808080);
+            image.setRGB(i % 4, i / 4, words.contains("50nm") || words.contains("100nm") ? 0x404040 : 0x808080);
         }
         try {
             ImageIO.write(
@@ -61,7 +63,7 @@ class FiguresCommandTest {
             err.append(failure.getMessage());
             return 6;
         });
-        List<String> all = new ArrayList<>(List.of("--output", folder.toString()));
+        List<String> all = new ArrayList<>(List.of("--output", (output != null ? output : folder).toString()));
         all.addAll(List.of(more));
         return command.execute(all.toArray(String[]::new));
     }
@@ -72,6 +74,8 @@ class FiguresCommandTest {
         assertThat(all)
                 .extracting(Figure::number)
                 .containsExactly(
+                        "2.8",
+                        "2.11",
                         "3.1",
                         "4.5",
                         "4.6",
@@ -95,37 +99,38 @@ class FiguresCommandTest {
                         "5.15",
                         "5.16",
                         "5.17",
-                        "5.18",
-                        "resolution");
+                        "5.18");
         List<Figure.Drawing> drawings = all.stream()
-                .flatMap(figure -> figure.drawings(patch -> patch, 24, folder).stream())
+                .flatMap(figure -> figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36"), folder).stream())
                 .toList();
         assertThat(drawings).extracting(Figure.Drawing::file).doesNotHaveDuplicates();
         assertThat(drawings)
+                .filteredOn(drawing -> drawing.picture().plot() == null)
                 .allSatisfy(drawing -> assertThat(String.join(" ", drawing.command()))
                         .doesNotContain("{")
                         .contains(folder.toString()));
         assertThat(all)
-                .allSatisfy(figure -> assertThat(List.of(figure.thesis(), figure.ours(), figure.verdict()))
+                .allSatisfy(figure -> assertThat(List.of(figure.thesis(), figure.ours()))
                         .doesNotContain(""));
         assertThat(Figure.select(List.of("5.10", "4.9")))
                 .extracting(Figure::number)
                 .containsExactly("4.9", "5.10");
         assertThatThrownBy(() -> Figure.select(List.of("5.99")))
                 .isInstanceOf(UsageException.class)
-                .hasMessageStartingWith("--only 5.99: no such figure; choose from 3.1, 4.5");
+                .hasMessageStartingWith("--only 5.99: no such figure; choose from 2.8, 2.11, 3.1");
     }
 
     /** What commands take is theirs to say, and they do: none of the manifest is refused before it loads anything. */
     @Test
     void eachCommandOfTheManifestIsOneOfTheProgram() {
         List<String> words = Figure.all().stream()
-                .flatMap(figure -> figure.drawings(patch -> patch, 24, folder).stream())
+                .flatMap(figure -> figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36"), folder).stream())
+                .filter(drawing -> drawing.picture().plot() == null)
                 .map(drawing -> drawing.command().get(0))
                 .distinct()
                 .toList();
         assertThat(words)
-                .containsExactlyInAnyOrder("precompute", "brdf-map", "evaluate", "inspect", "render", "benchmark");
+                .containsExactlyInAnyOrder("precompute", "brdf-map", "evaluate", "inspect", "render");
     }
 
     @Test
@@ -148,10 +153,10 @@ class FiguresCommandTest {
         assertThat(runs).hasSize(6);
         assertThat(runs.get(2))
                 .startsWith("brdf-map", "--preset", "thesis")
-                .containsSequence("--wavelength-step", "5nm", "--no-annotate")
+                .containsSequence("--wavelength-step", "10nm", "--no-annotate")
                 .containsSequence("--size", "24")
                 .containsSequence(
-                        "--exposure", folder.resolve("5.5-blaze-full.png").toString())
+                        "--exposure", folder.resolve("5.5-blaze-1nm.png").toString())
                 .containsSequence("--patch", "blaze")
                 .endsWith("--resume");
         String page = Files.readString(folder.resolve("index.html"));
@@ -169,6 +174,45 @@ class FiguresCommandTest {
         assertThat(figures("--only", "4.9")).isZero();
         assertThat(runs).as("it is there").isEmpty();
         assertThat(Files.readString(folder.resolve("index.html"))).contains("Figure 4.9");
+    }
+
+    @Test
+    void aVerdictIsWhatTheCheckMeasures() throws IOException {
+        figures("--only", "5.5,5.6", "--size", "24");
+        // The gray of 100 nm lies 26 from that of 1 nm in lightness, those of 5 and 10 nm are equal to it.
+        assertThat(out.toString())
+                .containsPattern("5\\.5 agrees: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
+                .contains("5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 1, > 1)");
+        assertThat(Files.readString(folder.resolve("index.html"))).contains("<b>Check:</b> differs: 95th percentile");
+    }
+
+    @Test
+    void aCheckWithoutItsPicturesHasNoVerdict() throws IOException {
+        Figure figure = Figure.select(List.of("5.5")).get(0);
+        assertThat(figure.verdict(figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36"), folder)))
+                .isEmpty();
+    }
+
+    @Test
+    void quickPicturesAreSmall() {
+        figures("--only", "5.5,5.14", "--quick");
+        assertThat(runs.get(0)).containsSequence("--size", "96");
+        assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "240x180");
+    }
+
+    @Test
+    void aSceneOfAFigureHasItsValues() throws IOException {
+        figures("--only", "5.17,5.18");
+        assertThat(Files.readString(folder.resolve("5.17-4.1.scene.json"))).contains("\"fieldOfView\" : \"4.1 deg\"");
+        // (0.6, 0.5) turned by 10 degrees.
+        assertThat(Files.readString(folder.resolve("5.18-10.scene.json"))).containsPattern("\\[ 0\\.504\\d*, 0\\.596");
+    }
+
+    @Test
+    void foldersAboveTheOutputAreMade() {
+        output = folder.resolve("a").resolve("b");
+        assertThat(figures("--only", "2.8")).isZero();
+        assertThat(output.resolve("2.8-functions.png")).isRegularFile();
     }
 
     @Test

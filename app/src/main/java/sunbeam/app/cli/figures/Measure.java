@@ -1,0 +1,178 @@
+package sunbeam.app.cli.figures;
+
+import com.fasterxml.jackson.annotation.JsonValue;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import sunbeam.app.files.input.ImageFile;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.picture.PictureDifference;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.numerics.Quantiles;
+
+/** Quantity that a {@link Check} measures in a picture, or in the file of numbers beside it. */
+enum Measure {
+    CHROMA("mean chroma"),
+    CHROMA_IN_THE_MIDDLE("chroma in the middle"),
+    CHROMA_ON_THE_RIGHT("mean chroma on the right"),
+    LIGHT_ON_THE_LEFT("share of light on the left"),
+    LIGHT_ALONG_X("share of light along x"),
+    MEDIAN_DIFFERENCE("median CIEDE2000"),
+    DIFFERENCE("95th percentile of CIEDE2000"),
+    ERROR("median relative error of Y"),
+    WIDTH("width of the maximum in degrees"),
+    NUMBER("number"),
+    DEVIATION("relative deviation from the thesis");
+
+    /** Radius of the mirror direction's neighborhood in a map whose radius is 1. */
+    private static final double NEAR = 0.03;
+
+    /** Luminances relative to the mirror's below which a relative error means nothing, as float32 does not resolve them. */
+    private static final double DARK = 1e-9;
+
+    private final String label;
+
+    Measure(String label) {
+        this.label = label;
+    }
+
+    /** Returns the quantity's name in the manifest and in verdicts. */
+    @Override
+    @JsonValue
+    public String toString() {
+        return label;
+    }
+
+    /** Region of a map: x to the right, y up, from -1 to 1. */
+    private interface Region {
+        boolean contains(double x, double y);
+    }
+
+    /**
+     * Measures a picture.
+     *
+     * @param pointer JSON pointer of a number
+     * @param base picture to compare with; null for measures that need none
+     * @return the value; NaN if the picture's command found no number
+     */
+    double of(Figure.Drawing drawing, String pointer, Figure.Drawing base) {
+        return switch (this) {
+            case CHROMA -> chroma(drawing, (x, y) -> true);
+            case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
+            case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
+            case LIGHT_ON_THE_LEFT -> light(drawing, (x, y) -> x < -NEAR)
+                    / light(drawing, (x, y) -> Math.abs(x) > NEAR);
+            case LIGHT_ALONG_X -> light(drawing, (x, y) -> Math.abs(x) > Math.max(NEAR, Math.abs(y)))
+                    / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
+            case MEDIAN_DIFFERENCE -> difference(drawing, base).median();
+            case DIFFERENCE -> difference(drawing, base).high();
+            case ERROR -> error(drawing, base);
+            case WIDTH -> Response.read(drawing).width();
+            case NUMBER -> number(drawing, pointer);
+            case DEVIATION -> drawing.picture().numbers().entrySet().stream()
+                    .mapToDouble(entry -> Math.abs(number(drawing, entry.getKey()) / entry.getValue() - 1))
+                    .findFirst()
+                    .orElseThrow();
+        };
+    }
+
+    private static BufferedImage image(Figure.Drawing drawing) {
+        return ImageFile.ours(drawing.file(), "remove it");
+    }
+
+    /** Returns the mean CIELAB chroma of the surface's pixels in a region: those whose color is not the one of the picture's corner. */
+    private static double chroma(Figure.Drawing drawing, Region region) {
+        BufferedImage image = image(drawing);
+        int background = image.getRGB(0, 0);
+        return pixels(image, region)
+                .filter(pixel -> rgb(image, pixel) != background)
+                .mapToDouble(pixel -> CieLab.ofSrgb(rgb(image, pixel) & 0xffffff).chroma())
+                .average()
+                .orElse(0);
+    }
+
+    /** Returns the sum of luminance in a region. */
+    private static double light(Figure.Drawing drawing, Region region) {
+        BufferedImage image = image(drawing);
+        return pixels(image, region)
+                .map(pixel -> rgb(image, pixel))
+                .mapToDouble(rgb -> 0.2126 * Srgb.linear(rgb >> 16 & 0xff)
+                        + 0.7152 * Srgb.linear(rgb >> 8 & 0xff)
+                        + 0.0722 * Srgb.linear(rgb & 0xff))
+                .sum();
+    }
+
+    private static IntStream pixels(BufferedImage image, Region region) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        return IntStream.range(0, width * height)
+                .filter(pixel -> region.contains(
+                        2 * (pixel % width + 0.5) / width - 1, 1 - 2 * (pixel / width + 0.5) / height));
+    }
+
+    private static int rgb(BufferedImage image, int pixel) {
+        return image.getRGB(pixel % image.getWidth(), pixel / image.getWidth());
+    }
+
+    private static PictureDifference difference(Figure.Drawing drawing, Figure.Drawing base) {
+        return PictureDifference.of(image(drawing), image(base));
+    }
+
+    /** Returns the median relative error of luminance between the linear colors of two maps, where there is light. */
+    static double error(Figure.Drawing drawing, Figure.Drawing base) {
+        FloatBuffer ours = linear(drawing);
+        FloatBuffer exact = linear(base);
+        IntToDoubleFunction error = i -> Math.abs(ours.get(i) / (double) exact.get(i) - 1);
+        return Quantiles.of(
+                IntStream.range(0, exact.limit() / 3)
+                        .map(pixel -> 3 * pixel + 1)
+                        .filter(i -> exact.get(i) > DARK)
+                        .mapToDouble(error)
+                        .toArray(),
+                0.5);
+    }
+
+    /** Reads the XYZ that brdf-map --linear wrote beside a picture. */
+    private static FloatBuffer linear(Figure.Drawing drawing) {
+        Path file = drawing.beside(".npy");
+        try {
+            ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+            return bytes.position(10 + bytes.getShort(8)).slice().order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    /**
+     * Reads a number that the command wrote beside the picture, or into it.
+     *
+     * @param pointer JSON pointer, with _nm and _nm2 where the number is in meters (_m, _m2)
+     * @return the number; NaN if there is none
+     */
+    static double number(Figure.Drawing drawing, String pointer) {
+        Path file = drawing.beside(".json");
+        try {
+            String numbers = Files.exists(file)
+                    ? Files.readString(file)
+                    : PngText.read(drawing.file()).get("Extremes");
+            double unit = pointer.endsWith("_nm2") ? 1e18 : pointer.endsWith("_nm") ? 1e9 : 1;
+            return numbers == null
+                    ? Double.NaN
+                    : unit * new ObjectMapper()
+                            .readTree(numbers)
+                            .at(pointer.replaceFirst("_nm(2?)$", "_m$1"))
+                            .asDouble(Double.NaN);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+}
