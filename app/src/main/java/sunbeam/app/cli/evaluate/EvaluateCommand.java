@@ -160,7 +160,7 @@ public final class EvaluateCommand extends ReportingCommand {
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
-        json.print(out(), report, files.write(contents(evaluation, report)));
+        json.print(out(), report, files.write(contents(evaluation, title(choices), report)));
         return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
@@ -240,7 +240,8 @@ public final class EvaluateCommand extends ReportingCommand {
         return tree;
     }
 
-    private static Map<String, AtomicFile.StreamContent> contents(Evaluation evaluation, Map<String, Object> tree) {
+    private static Map<String, AtomicFile.StreamContent> contents(
+            Evaluation evaluation, String title, Map<String, Object> tree) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", evaluation.patch().name() + ", " + evaluation.light());
         text.put("Patch", evaluation.patch().source());
@@ -252,7 +253,7 @@ public final class EvaluateCommand extends ReportingCommand {
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
         contents.put(".csv", evaluation.csv());
         contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
-        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation, title(choices)), text));
+        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation, title), text));
         return contents;
     }
 

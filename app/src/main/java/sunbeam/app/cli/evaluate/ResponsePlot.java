@@ -65,12 +65,7 @@ final class ResponsePlot {
         }
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(
-                        title,
-                        "wavelength / nm",
-                        "angle to the viewer theta_r / degrees",
-                        WIDTH,
-                        HEIGHT,
-                        false),
+                        title, "wavelength / nm", "angle to the viewer theta_r / degrees", WIDTH, HEIGHT, false),
                 new HeatMap.Values(
                         rows,
                         HeatMap.Values.around(wavelengths),

@@ -50,7 +50,10 @@ enum FigurePlot {
             case RESPONSES -> responses(others);
             case ERRORS -> errors(others);
         };
-        plot.write(drawing.file(), Overwrite.REPLACE, Map.of("Title", drawing.picture().label()));
+        plot.write(
+                drawing.file(),
+                Overwrite.REPLACE,
+                Map.of("Title", drawing.picture().label()));
         if (!numbers.isEmpty()) {
             AtomicFile.write(
                     drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));
@@ -83,17 +86,24 @@ enum FigurePlot {
         double[] cosines = random.doubles(30, -1, 1).toArray();
         double[] sines = random.doubles(30, -1, 1).toArray();
         DoubleUnaryOperator signal = t -> IntStream.range(0, 30)
-                .mapToDouble(k -> cosines[k] * Math.cos(Math.PI * k * t / 50) + sines[k] * Math.sin(Math.PI * k * t / 50))
+                .mapToDouble(
+                        k -> cosines[k] * Math.cos(Math.PI * k * t / 50) + sines[k] * Math.sin(Math.PI * k * t / 50))
                 .sum();
-        double[] samples = IntStream.range(0, 100).mapToDouble(signal::applyAsDouble).toArray();
+        double[] samples =
+                IntStream.range(0, 100).mapToDouble(signal::applyAsDouble).toArray();
         DoubleUnaryOperator reconstructed = t -> IntStream.range(0, 100)
                 .mapToDouble(n -> samples[n] * (t == n ? 1 : Math.sin(Math.PI * (t - n)) / (Math.PI * (t - n))))
                 .sum();
         double[] times = IntStream.rangeClosed(0, 990).mapToDouble(i -> 0.1 * i).toArray();
         double[] exact = map(times, signal);
         double[] ours = map(times, reconstructed);
-        double squares = IntStream.range(0, times.length).mapToDouble(i -> Math.pow(ours[i] - exact[i], 2)).sum();
-        numbers.put("error", Math.sqrt(squares / Arrays.stream(exact).map(value -> value * value).sum()));
+        double squares = IntStream.range(0, times.length)
+                .mapToDouble(i -> Math.pow(ours[i] - exact[i], 2))
+                .sum();
+        numbers.put(
+                "error",
+                Math.sqrt(squares
+                        / Arrays.stream(exact).map(value -> value * value).sum()));
         return Plot.linear("Sinc interpolation of 100 samples", "t / step", "s(t)", WIDTH, HEIGHT)
                 .line("signal", times, exact)
                 .line("sum of sincs", times, ours)
@@ -107,7 +117,8 @@ enum FigurePlot {
     private static Plot slits(Map<String, Double> numbers) {
         double distance = 0.5;
         double wavelength = 500e-9;
-        double[] millimeters = IntStream.rangeClosed(-500, 500).mapToDouble(i -> 0.01 * i).toArray();
+        double[] millimeters =
+                IntStream.rangeClosed(-500, 500).mapToDouble(i -> 0.01 * i).toArray();
         Plot plot = Plot.linear(
                 "Slits 30 um wide, 150 um apart, 500 nm, screen at 0.5 m",
                 "place on the screen / mm",
@@ -142,8 +153,11 @@ enum FigurePlot {
     }
 
     private static Plot responses(List<Figure.Drawing> others) {
-        Plot plot = Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
-        for (Figure.Drawing drawing : others.stream().filter(other -> Files.exists(other.beside(".csv"))).toList()) {
+        Plot plot =
+                Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
+        for (Figure.Drawing drawing : others.stream()
+                .filter(other -> Files.exists(other.beside(".csv")))
+                .toList()) {
             Response response = Response.read(drawing);
             plot.line(drawing.picture().label(), response.angles(), response.values());
         }
@@ -161,8 +175,13 @@ enum FigurePlot {
         return new Plot(new Plot.Frame("Taylor terms", Plot.Axis.linear("terms"), errors, WIDTH, HEIGHT))
                 .points(
                         "error",
-                        compared.stream().mapToDouble(drawing -> Double.parseDouble(drawing.picture().name())).toArray(),
-                        compared.stream().mapToDouble(drawing -> Measure.error(drawing, best)).toArray());
+                        compared.stream()
+                                .mapToDouble(drawing ->
+                                        Double.parseDouble(drawing.picture().name()))
+                                .toArray(),
+                        compared.stream()
+                                .mapToDouble(drawing -> Measure.error(drawing, best))
+                                .toArray());
     }
 
     private static double[] map(double[] values, DoubleUnaryOperator function) {

@@ -108,8 +108,8 @@ public final class FiguresCommand extends ReportingCommand {
                 output.resolve(PAGE),
                 Overwrite.REPLACE,
                 AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
-        figures.forEach(figure -> figure.verdict(drawings)
-                .ifPresent(verdict -> out().println(figure.number() + " " + verdict)));
+        figures.forEach(figure ->
+                figure.verdict(drawings).ifPresent(verdict -> out().println(figure.number() + " " + verdict)));
         drawings.stream()
                 .flatMap(drawing -> drawing.numbers().stream())
                 .forEach(row -> out().println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));

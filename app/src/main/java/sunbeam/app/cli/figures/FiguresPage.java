@@ -48,7 +48,8 @@ final class FiguresPage {
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
             html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
             html.append(escape(figure.ours())).append("<br><b>Check:</b> ");
-            html.append(escape(figure.verdict(drawings).map(Check.Verdict::toString).orElse("a picture or a number is missing")));
+            html.append(escape(
+                    figure.verdict(drawings).map(Check.Verdict::toString).orElse("a picture or a number is missing")));
             html.append("</p>\n").append(table(figure, drawings));
             for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");
@@ -98,7 +99,10 @@ final class FiguresPage {
                 .orElse("");
         return "<figure" + kind + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
-                + escape(drawing.command().isEmpty() ? "" : "./sunbeam " + String.join(" ", drawing.command()) + " --force")
+                + escape(
+                        drawing.command().isEmpty()
+                                ? ""
+                                : "./sunbeam " + String.join(" ", drawing.command()) + " --force")
                 + "</code></figcaption></figure>\n";
     }
 

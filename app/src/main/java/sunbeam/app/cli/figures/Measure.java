@@ -69,19 +69,21 @@ enum Measure {
             case CHROMA -> chroma(drawing, (x, y) -> true);
             case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
             case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
-            case LIGHT_ON_THE_LEFT -> light(drawing, (x, y) -> x < -NEAR)
-                    / light(drawing, (x, y) -> Math.abs(x) > NEAR);
-            case LIGHT_ALONG_X -> light(drawing, (x, y) -> Math.abs(x) > Math.max(NEAR, Math.abs(y)))
-                    / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
+            case LIGHT_ON_THE_LEFT ->
+                light(drawing, (x, y) -> x < -NEAR) / light(drawing, (x, y) -> Math.abs(x) > NEAR);
+            case LIGHT_ALONG_X ->
+                light(drawing, (x, y) -> Math.abs(x) > Math.max(NEAR, Math.abs(y)))
+                        / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
             case MEDIAN_DIFFERENCE -> difference(drawing, base).median();
             case DIFFERENCE -> difference(drawing, base).high();
             case ERROR -> error(drawing, base);
             case WIDTH -> Response.read(drawing).width();
             case NUMBER -> number(drawing, pointer);
-            case DEVIATION -> drawing.picture().numbers().entrySet().stream()
-                    .mapToDouble(entry -> Math.abs(number(drawing, entry.getKey()) / entry.getValue() - 1))
-                    .findFirst()
-                    .orElseThrow();
+            case DEVIATION ->
+                drawing.picture().numbers().entrySet().stream()
+                        .mapToDouble(entry -> Math.abs(number(drawing, entry.getKey()) / entry.getValue() - 1))
+                        .findFirst()
+                        .orElseThrow();
         };
     }
 
@@ -95,7 +97,8 @@ enum Measure {
         int background = image.getRGB(0, 0);
         return pixels(image, region)
                 .filter(pixel -> rgb(image, pixel) != background)
-                .mapToDouble(pixel -> CieLab.ofSrgb(rgb(image, pixel) & 0xffffff).chroma())
+                .mapToDouble(
+                        pixel -> CieLab.ofSrgb(rgb(image, pixel) & 0xffffff).chroma())
                 .average()
                 .orElse(0);
     }
@@ -115,8 +118,8 @@ enum Measure {
         int width = image.getWidth();
         int height = image.getHeight();
         return IntStream.range(0, width * height)
-                .filter(pixel -> region.contains(
-                        2 * (pixel % width + 0.5) / width - 1, 1 - 2 * (pixel / width + 0.5) / height));
+                .filter(pixel ->
+                        region.contains(2 * (pixel % width + 0.5) / width - 1, 1 - 2 * (pixel / width + 0.5) / height));
     }
 
     private static int rgb(BufferedImage image, int pixel) {
@@ -146,7 +149,10 @@ enum Measure {
         Path file = drawing.beside(".npy");
         try {
             ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
-            return bytes.position(10 + bytes.getShort(8)).slice().order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
+            return bytes.position(10 + bytes.getShort(8))
+                    .slice()
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .asFloatBuffer();
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }
@@ -167,10 +173,11 @@ enum Measure {
             double unit = pointer.endsWith("_nm2") ? 1e18 : pointer.endsWith("_nm") ? 1e9 : 1;
             return numbers == null
                     ? Double.NaN
-                    : unit * new ObjectMapper()
-                            .readTree(numbers)
-                            .at(pointer.replaceFirst("_nm(2?)$", "_m$1"))
-                            .asDouble(Double.NaN);
+                    : unit
+                            * new ObjectMapper()
+                                    .readTree(numbers)
+                                    .at(pointer.replaceFirst("_nm(2?)$", "_m$1"))
+                                    .asDouble(Double.NaN);
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }

@@ -110,8 +110,8 @@ class FiguresCommandTest {
                         .doesNotContain("{")
                         .contains(folder.toString()));
         assertThat(all)
-                .allSatisfy(figure -> assertThat(List.of(figure.thesis(), figure.ours()))
-                        .doesNotContain(""));
+                .allSatisfy(figure ->
+                        assertThat(List.of(figure.thesis(), figure.ours())).doesNotContain(""));
         assertThat(Figure.select(List.of("5.10", "4.9")))
                 .extracting(Figure::number)
                 .containsExactly("4.9", "5.10");
@@ -129,8 +129,7 @@ class FiguresCommandTest {
                 .map(drawing -> drawing.command().get(0))
                 .distinct()
                 .toList();
-        assertThat(words)
-                .containsExactlyInAnyOrder("precompute", "brdf-map", "evaluate", "inspect", "render");
+        assertThat(words).containsExactlyInAnyOrder("precompute", "brdf-map", "evaluate", "inspect", "render");
     }
 
     @Test
@@ -181,8 +180,10 @@ class FiguresCommandTest {
         figures("--only", "5.5,5.6", "--size", "24");
         // The gray of 100 nm lies 26 from that of 1 nm in lightness, those of 5 and 10 nm are equal to it.
         assertThat(out.toString())
-                .containsPattern("5\\.5 agrees: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
-                .contains("5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 1, > 1)");
+                .containsPattern(
+                        "5\\.5 agrees: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
+                .contains(
+                        "5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 1, > 1)");
         assertThat(Files.readString(folder.resolve("index.html"))).contains("<b>Check:</b> differs: 95th percentile");
     }
 
