@@ -51,7 +51,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         Path file = Files.writeString(folder.resolve("coarse.json"), descriptor("coarse.png", "2 um"));
         load(file);
         awaitPatch(file.toString());
-        assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch \u24d8");
+        assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch (i)");
         assertThat(onEvents(() -> caption().getToolTipText())).contains("coarse: ", "heights");
         assertThat(message()).isBlank();
         onEvents(() -> {

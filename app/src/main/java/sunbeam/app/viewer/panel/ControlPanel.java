@@ -250,7 +250,7 @@ public final class ControlPanel extends JTabbedPane {
                         part.patchRemarks().stream().map(line -> part.patch().name() + ": " + line))
                 .distinct()
                 .toList();
-        patchCaption.setText(ControlOrigin.INSTANCE.name(PATCH) + (remarks.isEmpty() ? "" : " \u24d8"));
+        patchCaption.setText(ControlOrigin.INSTANCE.name(PATCH) + (remarks.isEmpty() ? "" : " (i)"));
         patchCaption.setToolTipText(
                 remarks.isEmpty()
                         ? patchTip
