@@ -58,12 +58,12 @@ public record Scene(
     public Scene {
         orientation = new Quaternionf(orientation);
         fillLights = List.copyOf(fillLights);
-        settings = settings.only(SceneSettings.OF_SCENE).over(STANDARD);
+        settings = settings.only(SceneSettings.OF_RECORD).over(STANDARD);
     }
 
     private static Choices standard() {
         Choices standard = Choices.none();
-        for (Setting<?> setting : SceneSettings.OF_SCENE) {
+        for (Setting<?> setting : SceneSettings.OF_RECORD) {
             standard = standard.orStandard(setting);
         }
         return standard;
@@ -212,9 +212,16 @@ public record Scene(
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
-    /** Returns the surroundings that are drawn: none with the thesis's preset. */
+    /** Returns the surroundings that are drawn: with the thesis's preset only those that {@link #keepingSurroundings} keeps. */
     public Surroundings effectiveSurroundings() {
-        return method.isThesis() ? Surroundings.NONE : Surroundings.of(settings);
+        return method.isThesis() && !get(SceneSettings.KEEPS_SURROUNDINGS)
+                ? Surroundings.NONE
+                : Surroundings.of(settings);
+    }
+
+    /** Returns this scene with its surroundings also under the thesis's preset, for a comparison of methods. */
+    public Scene keepingSurroundings() {
+        return with(SceneSettings.KEEPS_SURROUNDINGS, true);
     }
 
     /** Returns the standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 with the thesis's preset. */

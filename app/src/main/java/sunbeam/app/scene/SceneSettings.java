@@ -145,6 +145,10 @@ public final class SceneSettings {
                     "The mesh casts shadows on itself and on the ground; preset thesis has none.")
             .withStandard(false);
 
+    /** Whether the thesis's preset, too, draws the surroundings; no setting of files or options. */
+    static final Setting<Boolean> KEEPS_SURROUNDINGS =
+            new Setting<>("keepsSurroundings", Kinds.flag(), "").withStandard(false);
+
     public static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
                     Kinds.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
@@ -187,6 +191,10 @@ public final class SceneSettings {
     /** Settings of the scene itself, without those of its light. */
     static final List<Setting<?>> OF_SCENE =
             Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).collect(Collectors.toUnmodifiableList());
+
+    /** Settings that a scene holds in memory. */
+    static final List<Setting<?>> OF_RECORD =
+            Stream.concat(OF_SCENE.stream(), Stream.of(KEEPS_SURROUNDINGS)).collect(Collectors.toUnmodifiableList());
 
     /** Settings whose change requires loading. */
     static final List<Setting<?>> PARTS = List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX);

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.Point;
@@ -8,11 +9,13 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import javax.swing.JComboBox;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.picture.Divider;
@@ -78,6 +81,28 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
         choose("off");
         await(() -> onEvents(() -> !divider().isShown()));
         assertSame(onEvents(() -> painted(viewer.window().picture())), picture(), 0, own.getWidth());
+    }
+
+    @Test
+    void bothSidesHaveTheGround() throws Exception {
+        onEvents(() -> {
+            viewer.model()
+                    .change(scene -> scene.with(Choices.none()
+                            .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
+                            .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
+                            .with(SceneSettings.SKY, 0.5)
+                            .with(SceneSettings.SHADOWS, true)));
+            return null;
+        });
+        awaitFinal();
+        choose("full, thesis");
+        BufferedImage both = awaitOther();
+        int own = picture().getRGB(both.getWidth() - 1, both.getHeight() - 1);
+        int other = both.getRGB(both.getWidth() - 1, both.getHeight() - 1);
+        for (int shift = 0; shift < 24; shift += 8) {
+            // The thesis's primaries have another white; the background is 255, 0, 255.
+            assertThat(other >> shift & 255).isCloseTo(own >> shift & 255, within(4));
+        }
     }
 
     private Divider divider() {

@@ -37,6 +37,8 @@ public final class GraphicsStage implements Stage {
     private static final long MOVING_NANOSECONDS = 400_000_000;
     // Sample stride, in pixels, of the last coarse picture before the final one.
     private static final int FINEST_STRIDE = 4;
+    // Sample stride of the comparison's first picture. Nothing moves then, and a newer state interrupts it.
+    private static final int COMPARISON_STRIDE = 8;
 
     private final RenderContext context;
     private final MapStage map;
@@ -149,6 +151,10 @@ public final class GraphicsStage implements Stage {
             Preview preview = byTable(current.scale().divisor());
             current.scale().frame(current.pixelClock() - start);
             return Optional.of(preview);
+        }
+        if (state.isOther()) {
+            stride = COMPARISON_STRIDE;
+            return coarse(interrupted);
         }
         stride = current.tiles().stride(state.width(), state.height(), MOVING_NANOSECONDS);
         long start = System.nanoTime();

@@ -29,6 +29,8 @@ final class SplitViewPresenter {
     private double exposure;
     // State requested from the comparison method; null for none.
     private ViewState requested;
+    // Time of the last preview, in nanoseconds.
+    private long previewed;
     private LoadedScene loaded;
     // Scene whose tables are being loaded; null if none.
     private Scene preparing;
@@ -62,8 +64,9 @@ final class SplitViewPresenter {
         Scene scene = own.firstPart().scene();
         window.controls()
                 .compared(scene)
-                .map(other -> other.with(
-                        Choices.at(ControlOrigin.INSTANCE).with(SceneSettings.EXPOSURE, OptionalDouble.of(exposure))))
+                .map(other -> other.keepingSurroundings()
+                        .with(Choices.at(ControlOrigin.INSTANCE)
+                                .with(SceneSettings.EXPOSURE, OptionalDouble.of(exposure))))
                 .ifPresent(this::draw);
     }
 
@@ -74,7 +77,7 @@ final class SplitViewPresenter {
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
             requested = own.by(loaded);
-            window.picture().divider().show(null, ownWords(), words(), false);
+            window.picture().divider().show(null, ownWords(), words() + ", being drawn", false);
             loop.show(requested);
             return;
         }
@@ -120,14 +123,17 @@ final class SplitViewPresenter {
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void preview(ViewState state, Stage.Preview preview) {
         if (state == requested) {
-            window.picture().divider().show(preview.image(), ownWords(), words() + ", preview", false);
+            previewed = System.nanoTime();
+            String scale = StatusLine.scale(preview.divisor());
+            window.picture().divider().show(preview.image(), ownWords(), words() + ", preview" + scale, false);
         }
     }
 
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
         if (state == requested) {
-            String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone));
+            String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone))
+                    + StatusLine.remaining(previewed, shareDone);
             window.picture().divider().showTile(image, x, y, words() + done);
         }
     }

@@ -80,7 +80,7 @@ public final class StatusLine extends JPanel {
         report("Preview" + scale(divisor));
     }
 
-    private static String scale(double divisor) {
+    static String scale(double divisor) {
         return divisor > 1 ? " 1:" + Decimals.format(divisor) : "";
     }
 
@@ -93,17 +93,20 @@ public final class StatusLine extends JPanel {
     }
 
     private void showProgress(double share, String pattern) {
-        long now = System.nanoTime();
         if (!progressPattern.equals(pattern)) {
             progressPattern = pattern;
-            progressStart = now;
+            progressStart = System.nanoTime();
         }
-        double seconds = (now - progressStart) * 1e-9;
-        String left = seconds > 1 && share > 0.05 && share < 1
+        rateStart = 0;
+        show(Text.format(pattern, Math.floor(100 * share)) + remaining(progressStart, share));
+    }
+
+    /** Returns words about the remaining time of work, given its start and the share done; empty until that can be estimated. */
+    static String remaining(long start, double share) {
+        double seconds = (System.nanoTime() - start) * 1e-9;
+        return seconds > 1 && share > 0.05 && share < 1
                 ? Text.format(", about %.0f s left", Math.ceil(seconds * (1 - share) / share))
                 : "";
-        rateStart = 0;
-        show(Text.format(pattern, Math.floor(100 * share)) + left);
     }
 
     void complete(long nanoseconds) {
