@@ -17,7 +17,7 @@ class EnergyBalanceTest {
     }
 
     @Test
-    void aMirrorSendsOutWhatArrives() {
+    void mirrorsConserveEnergy() {
         HeightMap mirror = Surfaces.of(40, 30, 50e-9, (x, y) -> 3e-6);
         assertThat(EnergyBalance.at(mirror, Direction.ofDegrees(50, 20), 550e-9).ratio())
                 .isCloseTo(1, within(1e-6)); // amplitudes are float32

@@ -19,7 +19,7 @@ class PeriodModelTest {
     /** In any direction, of 7 to 30 periods. */
     @ParameterizedTest
     @CsvSource({"1.0, 0", "0.9, 17", "1.31, -40", "0.7, 90", "1.44, 63", "0.42, 5"})
-    void aSineIsToldWithItsDirection(double micrometers, double degrees) {
+    void sinesHaveTheirPeriodAndDirection(double micrometers, double degrees) {
         double x1 = Math.cos(Math.toRadians(degrees)) / micrometers * 1e6;
         double y1 = Math.sin(Math.toRadians(degrees)) / micrometers * 1e6;
         HeightMap map = Surfaces.of(128, 110, 80e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * (x1 * x + y1 * y)));
@@ -34,7 +34,7 @@ class PeriodModelTest {
 
     /** The sums over all kinds that SimulatedGratingsRun and FaultyScansRun print, of few draws: 95 % of the answers hold the truth. */
     @Test
-    void whatIsToldHoldsTheTruth() {
+    void estimatedIntervalsHoldTheTruth() {
         int held = 0;
         int told = 0;
         for (long seed = 9000; seed < 9003; seed++) {
@@ -58,14 +58,14 @@ class PeriodModelTest {
 
     @ParameterizedTest
     @EnumSource
-    void whatHasNoPeriodIsRefused(PeriodlessSurface surface) {
+    void surfacesWithoutPeriodAreRefused(PeriodlessSurface surface) {
         for (long seed = 0; seed < 4; seed++) {
             assertThat(told(surface.draw(seed))).as(surface + " " + seed).isEmpty();
         }
     }
 
     @Test
-    void everyRefusalIsASentence() {
+    void refusalsHaveTheirReason() {
         HeightMap few = Surfaces.of(100, 100, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 2.9e-6));
         assertThat(refusal(few)).isEqualTo("3.4 periods seen, too few for an interval");
         HeightMap coarse = Surfaces.of(100, 100, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 0.31e-6));

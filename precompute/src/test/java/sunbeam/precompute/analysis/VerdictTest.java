@@ -91,7 +91,7 @@ class VerdictTest {
     }
 
     @Test
-    void flatAndNoisySurfacesHaveTheirSentences() {
+    void flatAndNoisySurfacesHaveNoOrder() {
         HeightMap flat = Surfaces.of(50, 50, 100e-9, (x, y) -> 0);
         assertThat(verdict(piece(flat, List.of()))).startsWith("A mirror: ");
         assertThat(verdict(piece(PeriodlessSurface.WHITE.draw(3), List.of())))
@@ -204,7 +204,7 @@ class VerdictTest {
     /** 8.8 periods in a descriptor's patch, which is drawn as a period of 12 um, each edge astray by 5 %. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
-    void aDisorderedGratingIsToldWhateverItsPatchRepeats(long seed) {
+    void disorderedGratingsHaveAPeriodUnderAnyRepetition(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         double period = 12e-6 / 8.8;
         double[] edges = IntStream.range(0, 30)
@@ -238,7 +238,7 @@ class VerdictTest {
 
     /** Lines 120 nm apart, of which the waves that light sees (190 nm and longer) hold nothing. */
     @Test
-    void linesFinerThanLightAreNoGratingOfWhatTheyLeak() {
+    void linesFinerThanLightAreNoGrating() {
         HeightMap map =
                 Surfaces.of(200, 200, 20e-9, (x, y) -> 100e-9 * Math.abs(Math.sin(Math.PI * (x + 0.03 * y) / 0.12e-6)));
         assertThat(verdict(piece(map, List.of())))
@@ -283,7 +283,7 @@ class VerdictTest {
     }
 
     @Test
-    void builtInPatchesHaveTheirs() {
+    void builtInPatchesHaveTheirPeriod() {
         assertThat(verdict(new Patch("blaze", BuiltInPatches.generate("blaze"), "built in", List.of())))
                 .isEqualTo("A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16"
                         + " degrees under light from above");

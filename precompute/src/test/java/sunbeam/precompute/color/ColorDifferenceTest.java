@@ -58,7 +58,7 @@ final class ColorDifferenceTest {
     }
 
     @Test
-    void whiteOfD65IsWhiteAndGreysAreGray() {
+    void whiteOfD65IsWhiteAndGraysAreGray() {
         CieLab white = CieLab.ofXyz(0.95047, 1, 1.08883);
         assertThat(white.lightness()).isCloseTo(100, within(1e-12));
         assertThat(white.chroma()).isCloseTo(0, within(1e-12));

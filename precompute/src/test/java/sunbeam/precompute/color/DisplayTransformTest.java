@@ -26,7 +26,7 @@ class DisplayTransformTest {
 
     @ParameterizedTest
     @EnumSource(Tone.class)
-    void whatAScreenShowsIsShownAsItIs(Tone tone) {
+    void colorsWithinTheGamutStay(Tone tone) {
         double[] dim = {0.4, 0.1, 0.3};
 
         assertThat(light(Srgb.xyz(dim[0], dim[1], dim[2]), 1, tone)).containsExactly(dim, within(ROUNDING));
@@ -69,7 +69,7 @@ class DisplayTransformTest {
     }
 
     @Test
-    void whatIsAThousandTimesWhiteIsNearlyWhite() {
+    void aThousandTimesWhiteIsNearlyWhite() {
         double[] rgb = light(times(1000, Srgb.xyz(1, 0, 0)), 1, Tone.COMPRESS);
 
         assertThat(rgb[0]).isGreaterThan(0.99);
@@ -99,7 +99,7 @@ class DisplayTransformTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {0, -1, Double.NaN})
-    void withoutLuminanceNothingIsShown(double luminance) {
+    void colorsWithoutLuminanceAreBlack(double luminance) {
         assertThat(light(new double[] {1, luminance, 1}, 1, Tone.COMPRESS)).containsExactly(0, 0, 0);
     }
 

@@ -118,7 +118,7 @@ class IlluminantTest {
                 "..",
                 "NaNnm"
             })
-    void whatIsNoBandIsRefusedByName(String text) {
+    void textsThatAreNoBandAreRefusedByName(String text) {
         assertThatThrownBy(() -> WavelengthBand.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(text)

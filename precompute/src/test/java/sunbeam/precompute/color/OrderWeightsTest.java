@@ -36,7 +36,7 @@ class OrderWeightsTest {
     }
 
     @Test
-    void theTableHoldsWhatItTabulates() {
+    void tablesHoldTheTabulatedFunction() {
         OrderWeights table = OrderWeights.tabulate(cie, 5e3, 7e4);
         int row = 7;
         int column = 400;

@@ -62,7 +62,7 @@ class ColorTableTest {
     }
 
     @Test
-    void aWindowSoShortThatNothingIsWiderHasOneLevelAndThatOfPoints() {
+    void shortestWindowsHaveOneLevelAndThatOfPoints() {
         GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
         assertThat(ColorTable.within(1e-3, area, 1e-6, false).levels()).hasSize(1);
         assertThat(ColorTable.within(1e-2, area, 1e-6, false).levels()).hasSize(2);
@@ -101,7 +101,7 @@ class ColorTableTest {
     }
 
     @Test
-    void reliefThatBlursLessThanTheCoarsestLevelNeedsNoTableOfItsOwn() {
+    void smallReliefNeedsNoTableOfItsOwn() {
         assertThat(ColorTable.isBlurredByRelief(Math.tan(Math.toRadians(1.5)))).isFalse();
         assertThat(ColorTable.isBlurredByRelief(Math.tan(Math.toRadians(2)))).isTrue();
     }

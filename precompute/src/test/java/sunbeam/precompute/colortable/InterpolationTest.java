@@ -37,7 +37,7 @@ class InterpolationTest {
     }
 
     @Test
-    void whatOneSampleCountsFallsByTheSameFactorASample() {
+    void impulseResponsesFallByTheSameFactorPerSample() {
         float[] peak = new float[41];
         peak[20] = 1;
         Interpolation.CUBIC.toCoefficients(peak, peak.length, 1);
@@ -65,7 +65,7 @@ class InterpolationTest {
 
     /** Tiles of an older filter of the same name are not taken for those of the present one. */
     @Test
-    void aKeyHoldsWhatTheFilterDoesToOneSample() {
+    void keysContainTheFiltersImpulseResponse() {
         for (Interpolation filter : Interpolation.values()) {
             float[] impulse = new float[16];
             impulse[8] = 1;

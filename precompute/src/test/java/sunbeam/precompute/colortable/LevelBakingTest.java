@@ -67,7 +67,7 @@ class LevelBakingTest {
 
     /** A table of all reachable tiles lacks none. */
     @Test
-    void whatTwoDirectionsHaveIsReachable() {
+    void allPairsOfDirectionsAreReachable() {
         SplittableRandom random = new SplittableRandom(3);
         for (TileGrid grid : List.of(GRID, LINES)) {
             BitSet reachable = grid.reachable();
@@ -156,7 +156,7 @@ class LevelBakingTest {
     }
 
     @Test
-    void whatIsEvaluatedBeforeAJobIsCanceledIsNotEvaluatedAgain() {
+    void samplesBeforeACancellationAreNotEvaluatedAgain() {
         BitSet tiles = tilesOf(0.11, 0.3, -1.1);
         LevelBaking baking = new LevelBaking(GRID, NumberFormat.FLOAT, 1000);
         long all = baking.missing(tiles);

@@ -39,7 +39,7 @@ class NumberFormatTest {
     }
 
     @Test
-    void whatLiesBetweenTwoBecomesTheNearerAndInTheMiddleTheEvenOne() {
+    void roundsToTheNearestHalfAndTiesToEven() {
         SplittableRandom random = new SplittableRandom(3);
         for (int bits = 0; bits < 0x7bff; bits++) {
             double low = value((short) bits);
@@ -54,7 +54,7 @@ class NumberFormatTest {
     }
 
     @Test
-    void whatIsLargerThanAllBecomesTheLargestAndNotInfinity() {
+    void largerNumbersBecomeTheLargestHalf() {
         for (float large : new float[] {65504, 65519, 65520, 1e6f, Float.MAX_VALUE, Float.POSITIVE_INFINITY}) {
             assertThat(value(NumberFormat.half(large))).isEqualTo(65504);
             assertThat(value(NumberFormat.half(-large))).isEqualTo(-65504);

@@ -151,7 +151,7 @@ class TablePointsTest {
     }
 
     @Test
-    void whatATableTakesIsEstimatedFromAbove() {
+    void memoryIsEstimatedFromAbove() {
         for (TablePoints points : List.of(of(new Direction(0, 0, 1)), of(pairs(40)))) {
             int tiles = points.tiles(points.grid(DESIGN)).cardinality();
             assertThat(points.memory(DESIGN).largestTextureBytes())

@@ -110,7 +110,7 @@ class ValidatedTableTest {
     }
 
     @Test
-    void whereRootsHaveKinksStepsBecomeSmallerUntilTheToleranceIsKept() {
+    void kinksOfRootsMakeStepsSmallerUntilTheToleranceIsKept() {
         ValidatedTable made = oneLight(ValidatedTableTest::cancelling);
 
         assertThat(made.grid().design().step()).isLessThan(COARSE.step());
@@ -167,19 +167,19 @@ class ValidatedTableTest {
     }
 
     @Test
-    void whatIsTooDarkToCountIsNoReasonForAFinerTable() {
+    void darkDirectionsNeedNoFinerTable() {
         assertThat(oneLight(ValidatedTableTest::dark).grid().design()).isEqualTo(COARSE);
         assertThat(told).isEmpty();
     }
 
     @Test
-    void whereSmallerStepsDoNotHelpItSaysSo() {
+    void reportsThatSmallerStepsDoNotHelp() {
         oneLight(ValidatedTableTest::noisy);
         assertThat(told).last().asString().contains("smaller steps do not help");
     }
 
     @Test
-    void whatWouldNotFitIsRefusedBeforeItIsMade() {
+    void tablesWithoutRoomAreRefusedBeforehand() {
         assertThatThrownBy(() -> oneLight(ValidatedTableTest::cancelling, tiles -> false, design -> {
                     throw new IllegalStateException("no room for " + design.step());
                 }))
@@ -200,7 +200,7 @@ class ValidatedTableTest {
     }
 
     @Test
-    void whatIsNoNumberIsAnErrorAndEnds() {
+    void nanEndsRefinement() {
         ColorBaker broken = (uvw, token) -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
         oneLight(broken);
         assertThat(opened).isOne();
@@ -262,7 +262,7 @@ class ValidatedTableTest {
     }
 
     @Test
-    void whereAllLightsAreCachedAMapLooksIntoThemUnlessATileIsMissingOrTheyErr() {
+    void mapsUseCachedTilesOfAllLightsUnlessTilesAreMissingOrErr() {
         GaussianArea area = GaussianArea.STANDARD
                 .with(CoherenceWindow.ofCoherenceLength(6e-6))
                 .with(Average.ENSEMBLE);

@@ -35,7 +35,7 @@ class JsonObjectTest {
     }
 
     @Test
-    void readsWhatIsThere() throws IOException {
+    void readsPresentKeys() throws IOException {
         Choices choices = plan("\"window\": \"65 um\", \"terms\": 12, \"turn\": \"90 deg\", \"name\": \"7\"")
                 .choices(ALL);
         assertThat(choices.find(LENGTH)).contains(65e-6);
@@ -70,7 +70,7 @@ class JsonObjectTest {
     }
 
     @Test
-    void whatIsFoundOutLaterNamesTheLineToo() throws IOException {
+    void laterComplaintsNameTheLineToo() throws IOException {
         Choices choices = plan("\"terms\": 12,\n\"error\": 0.1").choices(ALL);
         assertThatThrownBy(() -> choices.located(() -> {
                     throw new SettingException(ERROR, "is too small for so few ", TERMS, " and this ", LENGTH);

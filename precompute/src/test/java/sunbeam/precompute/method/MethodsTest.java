@@ -58,7 +58,7 @@ class MethodsTest {
     }
 
     @Test
-    void refusesWhatBelongsToAnotherMethodNamingBoth() {
+    void refusesSettingsOfOtherMethodsAndNamesBoth() {
         assertThatThrownBy(() -> Methods.of(Choices.none().with(REPLICAS, 3)))
                 .isInstanceOf(SettingException.class)
                 .hasMessage("replicas 3 belongs to method pq or reference, not full; leave it out or use method pq");
@@ -70,14 +70,14 @@ class MethodsTest {
     }
 
     @Test
-    void pqHasOneAverageWhichMayBeSaidButNotChanged() {
+    void pqAcceptsItsSingleAverageOnly() {
         assertThat(Methods.of(PQ.with(AVERAGE, Average.COHERENT))).isEqualTo(Methods.of(PQ));
         assertThatThrownBy(() -> Methods.of(PQ.with(AVERAGE, Average.ENSEMBLE)))
                 .hasMessageStartingWith("average ensemble is not for method pq, which has coherent only; leave it out");
     }
 
     @Test
-    void thePresetIsTheThesisSInEachMethodAndGivesWayToWhatIsChosen() {
+    void thesisPresetAppliesToEachMethodUnderTheChoices() {
         PqMethod pq = (PqMethod) Methods.of(PQ.over(THESIS));
         assertThat(pq.interpolation()).isEqualTo(PeriodInterpolation.RING);
         assertThat(pq.fresnel()).isEqualTo(FresnelFactor.SQUARED);

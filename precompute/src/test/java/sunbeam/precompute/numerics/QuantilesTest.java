@@ -24,7 +24,7 @@ final class QuantilesTest {
     }
 
     @Test
-    void ofNothingThereIsNone() {
+    void emptySetsHaveNoStatistics() {
         assertThat(Quantiles.of(new double[0], 0)).isNaN();
         assertThat(Quantiles.of(new double[0], 0.5)).isNaN();
     }

@@ -43,7 +43,7 @@ class BadImageTest {
         "GIF89a, is a GIF",
         "'II+\0', is a damaged TIFF"
     })
-    void refusesWhatIsNoImage(String content, String complaint) throws IOException {
+    void refusesOtherFilesThanImages(String content, String complaint) throws IOException {
         assertRefused(Files.writeString(folder.resolve("scan.png"), content), complaint);
     }
 
@@ -119,7 +119,7 @@ class BadImageTest {
         TinyTiff.SAMPLE_FORMAT + ", 4, 8-bit samples of format 4",
         TinyTiff.SAMPLE_FORMAT + ", 3, 8-bit samples of format 3"
     })
-    void refusesATiffWhoseTagsWouldMislead(int tag, int value, String complaint) throws IOException {
+    void refusesATiffWithMisleadingTags(int tag, int value, String complaint) throws IOException {
         Path file = new TinyTiff(4, 4, 8, new byte[16]).with(tag, value).write(folder.resolve("odd.tif"));
 
         assertRefused(file, complaint);

@@ -37,7 +37,7 @@ class FileScaleTest {
     }
 
     @Test
-    void aFileThatKnowsItsScaleNeedsNothingSaid() throws IOException {
+    void filesWithAScaleNeedNoSettings() throws IOException {
         HeightMap map = load(file(HEADER + NUMBERS)).heights();
 
         assertThat(map.width()).isCloseTo(4e-6, within(1e-20));
@@ -46,7 +46,7 @@ class FileScaleTest {
     }
 
     @Test
-    void aMisspeltChannelIsAskedBackBesideTheList() throws IOException {
+    void misspeltChannelsHaveASuggestion() throws IOException {
         Path file = file(HEADER + NUMBERS);
 
         assertThatThrownBy(() -> load(file, PatchSettings.CHANNEL, "Hight"))
@@ -70,7 +70,7 @@ class FileScaleTest {
         "heightUnit, um, says 1 nm",
         "maxHeight, 2nm, says 1 nm"
     })
-    void whatAFileKnowsIsNotOverruled(String key, String word, String complaint) throws IOException {
+    void settingsMayNotContradictTheFile(String key, String word, String complaint) throws IOException {
         Path file = file(HEADER + NUMBERS);
         assertThatThrownBy(() -> load(file, setting(key), word))
                 .isInstanceOf(SettingException.class)
@@ -80,7 +80,7 @@ class FileScaleTest {
 
     @ParameterizedTest
     @CsvSource({"width, 4um", "height, 0.003 mm", "heightUnit, nm"})
-    void whatAFileKnowsMayBeSaidAgain(String key, String word) throws IOException {
+    void settingsMayRepeatTheFile(String key, String word) throws IOException {
         Path file = file(HEADER + NUMBERS);
         HeightMap map = load(file, setting(key), word).heights();
 
@@ -89,7 +89,7 @@ class FileScaleTest {
     }
 
     @Test
-    void whatIsWrongWithAFileIsNoChoiceOfTheUser() throws IOException {
+    void faultsOfAFileNameNoOption() throws IOException {
         Path tiny = file((HEADER + NUMBERS).replace("4.0 um", "4.0 fm").replace("3.0 um", "3.0 fm"));
         assertThatThrownBy(() -> load(tiny))
                 .isInstanceOf(PatchException.class)
@@ -103,7 +103,7 @@ class FileScaleTest {
     }
 
     @Test
-    void asksForWhatAFileDoesNotSay() throws IOException {
+    void namesTheMissingSettings() throws IOException {
         Path file = file(NUMBERS);
 
         assertThatThrownBy(() -> load(file))
@@ -159,7 +159,7 @@ class FileScaleTest {
     }
 
     @Test
-    void anImageHasSquarePixelsUntilItsHeightIsSaid() throws IOException {
+    void imagesHaveSquarePixelsUnlessTheHeightIsGiven() throws IOException {
         Path file = TestImages.write(TestImages.gray8(8, 4, (c, r, b) -> c == 7 ? 255 : 0), folder.resolve("grey.png"));
         Object[] scale = {PatchSettings.WIDTH, "8um", PatchSettings.MAX_HEIGHT, "375nm"};
         HeightMap square = load(file, scale).scan();

@@ -63,7 +63,7 @@ class HeightLevelsTest {
 
     /** The decision looks at 8192 samples: a scan's 4096 levels are not many, levels that few samples share are. */
     @Test
-    void sayWhetherTheyAreMany() {
+    void estimatesWhetherLevelsAreMany() {
         Random random = new Random(6);
         int side = 300;
         double[] samples = new double[side * side];

@@ -41,7 +41,7 @@ class ImageHeightsTest {
 
     @ParameterizedTest
     @CsvSource({"png, 8", "tiff, 8", "bmp, 8", "png, 16", "tiff, 16"})
-    void readsAllGreysAsStored(String format, int bits) throws IOException {
+    void readsAllGraysAsStored(String format, int bits) throws IOException {
         int side = 1 << (bits / 2);
         TestImages.Samples grays = (c, r, b) -> r * side + c;
         BufferedImage image = bits == 8 ? TestImages.gray8(side, side, grays) : TestImages.gray16(side, side, grays);

@@ -53,7 +53,7 @@ class ModelErrorTest {
     }
 
     @Test
-    void beyondTheRuleItSaysSo() {
+    void describesSlopesBeyondTheRule() {
         assertThat(rule(1.3).describe()).contains("beyond the rule");
         assertThat(rule(0.2).describe()).contains("9.6 %").contains("mean slope 0.20;");
     }

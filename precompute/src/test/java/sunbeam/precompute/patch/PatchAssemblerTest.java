@@ -47,7 +47,7 @@ class PatchAssemblerTest {
     }
 
     @Test
-    void spikesThatMakeTheReliefAreToldUntilTheyAreGone() throws IOException {
+    void spikesThatMakeTheReliefHaveAWarning() throws IOException {
         assertThat(scan(PatchAssemblerTest::withDust).warnings())
                 .anySatisfy(line -> assertThat(line)
                         .startsWith("2 samples stand alone, up to ")
@@ -59,7 +59,7 @@ class PatchAssemblerTest {
     }
 
     @Test
-    void aScanThatIsSaidToBeAPeriodAndIsNoneIsTold() throws IOException {
+    void scansWronglyDeclaredPeriodicHaveAWarning() throws IOException {
         assertThat(scan(PatchAssemblerTest::lines, PatchSettings.PERIODIC, "true")
                         .warnings())
                 .anySatisfy(line -> assertThat(line).contains("opposite borders differ by"));
@@ -70,14 +70,14 @@ class PatchAssemblerTest {
     }
 
     @Test
-    void drawnLinesAreAPieceUntilSomebodySaysMore() throws IOException {
+    void drawnLinesAreAPieceByDefault() throws IOException {
         Patch drawn = scan((x, y) -> x);
         assertThat(drawn.repetition()).isEqualTo(Patch.Repetition.NONE);
         assertThat(drawn.warnings()).anyMatch(line -> line.contains("period of a grating, say so (--periodic)"));
     }
 
     @Test
-    void eachFaultNamesWhatHelpsUntilItIsMended() throws IOException {
+    void faultsNameTheirRemedyUntilTheyAreMended() throws IOException {
         DoubleBinaryOperator stopped = (x, y) -> y < 72 ? lines(x, y) + (y < 24 ? 200 : 0) : 0;
         assertThat(scan(stopped).faults())
                 .extracting(ScanFault::line)

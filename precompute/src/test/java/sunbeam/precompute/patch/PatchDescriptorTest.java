@@ -100,7 +100,7 @@ class PatchDescriptorTest {
                 "{} x",
                 "// comment\n{}"
             })
-    void refusesWhatIsNoSingleJsonObject(String json) throws IOException {
+    void refusesTextsThatAreNoSingleJsonObject(String json) throws IOException {
         assertRefused(json, "scan.json");
     }
 
@@ -117,7 +117,7 @@ class PatchDescriptorTest {
                 "{\"width\": 1,, }",
                 "\ufeff\u0000{\"width\": 1}"
             })
-    void theParsersWordsAreNotShown(String json) throws IOException {
+    void parserMessagesAreNotShown(String json) throws IOException {
         Path file = Files.writeString(inside.resolve("scan.json"), json);
         assertThatThrownBy(() -> PatchDescriptor.read(file))
                 .isInstanceOf(JsonException.class)

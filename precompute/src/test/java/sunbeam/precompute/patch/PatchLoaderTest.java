@@ -120,7 +120,7 @@ class PatchLoaderTest {
     }
 
     @Test
-    void namesWhatThereIsWhenAPatchIsUnknown() {
+    void listsThePatchesWhenOneIsUnknown() {
         assertRefused(
                 PatchRequests.of("blase"), "--patch blase is no file that is there", "blaze", "descriptor", "image");
         assertRefused(PatchRequests.of(" "), "--patch", "is empty");
@@ -130,7 +130,7 @@ class PatchLoaderTest {
     }
 
     @Test
-    void refusesAnImageOfNothingButNan() throws IOException {
+    void refusesAnImageOfNanAlone() throws IOException {
         Path file = TestImages.write(TestImages.gray32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
 
         assertRefused(

@@ -15,7 +15,7 @@ class PlanChecksTest {
     }
 
     @Test
-    void aWindowOfFewSamplesIsToldHowLargeItMayBe() {
+    void windowsOfFewSamplesAreRefusedWithTheSmallestLength() {
         assertThatCode(() -> requireSamples(1.2e-6)).doesNotThrowAnyException();
         assertThatThrownBy(() -> requireSamples(2e-6))
                 .isInstanceOf(SettingException.class)

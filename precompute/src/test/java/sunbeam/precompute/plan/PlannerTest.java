@@ -98,7 +98,7 @@ class PlannerTest {
 
     @ParameterizedTest
     @ValueSource(longs = {32L << 20, 8L << 20})
-    void whatDoesNotFitIntoMemoryIsToldWithTheNeed(long heap) {
+    void plansBeyondTheMemoryAreRefusedWithTheirNeed(long heap) {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
         Planner planner = new Planner(map, HeightLevels.of(map), CIE, heap);
 
@@ -120,7 +120,7 @@ class PlannerTest {
     }
 
     @Test
-    void whatBreaksTheToleranceIsNamed() {
+    void warningsNameBrokenTolerances() {
         assertThat(warnings(request(Optional.empty(), 2, 3.2e-6, 0)))
                 .singleElement()
                 .asString()
@@ -132,7 +132,7 @@ class PlannerTest {
     }
 
     @Test
-    void whatFloat32KeepsInTheMedianOnlyIsToldOf() {
+    void tolerancesBelowFloat32sPercentileHaveAShortfall() {
         Request ordinary = request(Optional.empty(), 0, 65e-6, 0);
         assertThat(warnings(withTolerance(ordinary, 1e-5)))
                 .anySatisfy(line -> assertThat(line)
@@ -145,7 +145,7 @@ class PlannerTest {
     }
 
     @Test
-    void colorsOfWindowsThatFloat32CannotFollowAreToldOf() {
+    void windowsTooWideForFloat32HaveAShortfall() {
         Request wide = request(Optional.empty(), 0, 1e-3, 0);
         assertThat(warnings(withTolerance(wide, 1e-4)))
                 .singleElement()
@@ -218,7 +218,7 @@ class PlannerTest {
     }
 
     @Test
-    void aReliefWhosePhasesNoExpansionReachesIsRefused() {
+    void reliefsBeyondAnyExpansionAreRefused() {
         HeightMap tall = Surfaces.random(32, 32, 1e-6, 100e-6, 5);
 
         assertThatThrownBy(() -> new Planner(tall, HeightLevels.of(tall), CIE, MUCH_MEMORY)

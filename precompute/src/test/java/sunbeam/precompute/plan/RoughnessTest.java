@@ -18,7 +18,7 @@ class RoughnessTest {
     private static final double RELIEF = 100e-9;
 
     @Test
-    void whereLightGoesEverywhereAllDirectionsAreMeasured() {
+    void roughSurfacesAreMeasuredInAllDirections() {
         SplittableRandom random = new SplittableRandom(8);
         Roughness roughness = measured(RELIEF, sample -> random.nextGaussian(), WIDTH);
         assertTrue(roughness.isRough() && !roughness.areOrdersIsolated());
@@ -36,7 +36,7 @@ class RoughnessTest {
     }
 
     @Test
-    void aWindowOfFewDeviationsTellsNothing() {
+    void windowsOfFewDeviationsHaveNoRoughness() {
         SplittableRandom random = new SplittableRandom(8);
         Roughness narrow = measured(RELIEF, sample -> random.nextGaussian(), WIDTH / 4);
         assertEquals(Roughness.NONE, narrow);

@@ -21,14 +21,14 @@ final class CropTest {
                 "0:0,5um,0:10um|0:0.5um,0:10um",
                 "2,5 um:20um,0:1,25 um|2.5 um:20um,0:1.25 um",
             })
-    void aDecimalCommaIsToldFromThatBetweenTheLengths(String written, String meant) {
+    void decimalCommasDifferFromThoseBetweenLengths(String written, String meant) {
         assertThatThrownBy(() -> Crop.KIND.parse(written))
                 .hasMessage('"' + written + '"' + FORM + "; write a decimal point for the comma, \"" + meant + '"');
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", "10um", "10,10", "5um,25um,0um,10um", "0:5um", "10x10um"})
-    void tooFewLengthsAreToldTheForm(String written) {
+    void tooFewLengthsAreRefusedWithTheForm(String written) {
         assertThatThrownBy(() -> Crop.KIND.parse(written)).hasMessage('"' + written + '"' + FORM);
     }
 

@@ -29,7 +29,7 @@ class LevelingTest {
     }
 
     @Test
-    void meanSurvivesAnOffsetOfAMillimetre() {
+    void meanSurvivesAnOffsetOfAMillimeter() {
         Random random = new Random(3);
         double[] relief = random.doubles(200 * 100, 0, 400e-9).toArray();
         double mean = Arrays.stream(relief).average().orElseThrow();
@@ -46,7 +46,7 @@ class LevelingTest {
 
     @ParameterizedTest
     @CsvSource({"64, 48", "1, 37", "37, 1", "2, 2", "1, 2"})
-    void planeRemovesATiltUnderAMillimetreOfOffset(int columns, int rows) {
+    void planeRemovesATiltUnderAMillimeterOfOffset(int columns, int rows) {
         HeightMap tilted = map(columns, rows, (c, r) -> OFFSET + 3e-9 * c - 7e-9 * r);
 
         // The samples themselves are rounded by up to half a unit; the rest is a few operations on 1e-7 m.
@@ -54,7 +54,7 @@ class LevelingTest {
     }
 
     @Test
-    void planeKeepsWhatIsNoPlane() {
+    void planeLevelingLeavesTheRest() {
         // A product of two odd ramps has neither mean nor slope on a centered grid.
         Surfaces.Samples saddle = (c, r) -> 1e-9 * (c - 10) * (r - 7);
         HeightMap leveled = Leveling.PLANE.apply(map(21, 15, (c, r) -> saddle.at(c, r) + 5e-9 * c + 2e-9 * r));

@@ -98,12 +98,12 @@ class PreparationTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"5um", "1um:0.5um,0:1um", "-1um:1um,0:1um", "0:1,0:1um"})
-    void whatIsNoAreaIsSaid(String text) {
+    void textsThatAreNoAreaAreRefused(String text) {
         assertThatThrownBy(() -> Crop.KIND.parse(text)).isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test
-    void anAreaOutsideTheScanIsSaid() {
+    void areasOutsideTheScanAreRefused() {
         HeightMap scan = field(PreparationTest::rough);
         assertThatThrownBy(() -> Crop.KIND.parse("0:5um,0:1um").apply(scan))
                 .hasMessageContaining("which is 4 um x 3 um");
@@ -128,7 +128,7 @@ class PreparationTest {
     }
 
     @Test
-    void stepsAreToldInTheirOrderWithTheirFigures() {
+    void describesStepsInOrderWithNumbers() {
         HeightMap measured = field(i -> i == 2000 ? Double.NaN : i == 500 ? 2e-6 : rough(i) + 2e-9 * (i % COLUMNS));
         Preparation.Prepared prepared = new Preparation(
                         Optional.of(new Crop(0, 3e-6, 0, 3e-6)), Leveling.PLANE, true, Edges.BLEND)

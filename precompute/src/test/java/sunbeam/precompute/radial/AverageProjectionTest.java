@@ -56,7 +56,7 @@ class AverageProjectionTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 4})
-    void ofPolynomialsAnySequenceCountsWhatItShould(int stride) {
+    void anySequenceIntegratesPolynomialsExactly(int stride) {
         double[] sequence = new SplittableRandom(5).doubles(LENGTH).toArray();
         for (int degree = 0; degree <= 11; degree++) {
             double scale = CombinatoricsUtils.binomialCoefficientDouble(11, degree);

@@ -14,7 +14,7 @@ class ChoicesTest {
     private static final Origin OPTION = OptionWords.INSTANCE;
 
     @Test
-    void keepsWhatWasChosenAndNothingElse() {
+    void storesTheChosenValuesOnly() {
         Choices choices = Choices.at(OPTION).with(TERMS, 12);
         assertThat(choices.find(TERMS)).contains(12);
         assertThat(choices.find(LENGTH)).isEmpty();
@@ -46,7 +46,7 @@ class ChoicesTest {
     }
 
     @Test
-    void aComplaintAboutWhatNobodyChoseShowsTheValueThatHolds() {
+    void complaintsAboutADefaultShowItsValue() {
         Choices choices = Choices.at(OPTION).with(TERMS, 12);
         assertThatThrownBy(() -> choices.located(() -> {
                     throw SettingException.of(LENGTH, 65e-6, "is too long");
@@ -60,7 +60,7 @@ class ChoicesTest {
     }
 
     @Test
-    void aStandardValueHoldsWhereNothingIsChosen() {
+    void standardValuesApplyWithoutAChoice() {
         Setting<Double> length = LENGTH.withStandard(65e-6);
         assertThat(Choices.none().get(length)).isEqualTo(65e-6);
         assertThat(Choices.none().with(length, 20e-6).get(length)).isEqualTo(20e-6);
@@ -70,7 +70,7 @@ class ChoicesTest {
     }
 
     @Test
-    void whatLiesAboveHidesWhatLiesBelow() {
+    void choicesHideThoseBelow() {
         Choices scene = Choices.none().with(TERMS, 12).with(LENGTH, 65e-6);
         Choices options = Choices.at(OPTION).with(TERMS, 20);
         Choices both = options.over(scene);

@@ -84,7 +84,7 @@ class ShaderTablesFileTest {
     }
 
     @Test
-    void sayWhatTheyAreWhereNothingElseIsRead() throws IOException {
+    void labelsAreReadWithoutTheTables() throws IOException {
         assertThat(ShaderTablesFile.label(file)).isEqualTo(LABEL);
         // Whoever lists files does not read gigabytes.
         Files.write(file, Arrays.copyOf(good, good.length / 2));
@@ -131,7 +131,7 @@ class ShaderTablesFileTest {
     }
 
     @Test
-    void whatIsTooLongIsRefused() throws IOException {
+    void longTextsAreRefused() throws IOException {
         Files.write(file, Arrays.copyOf(good, good.length + 4));
 
         assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY)).hasMessageContaining("too long: ");

@@ -19,7 +19,7 @@ class TermsLayoutTest {
 
     @ParameterizedTest
     @CsvSource({"5000, 100, 8", "16384, 100, 8", "1400, 9000, 8", "300, 300, 100", "8192, 5, 3"})
-    void neitherRowsNorLayersOutgrowWhatIsBorneAndAllTexelsHaveAPlace(int samples, int rows, int texels) {
+    void rowsAndLayersStayWithinLimitsAndHoldAllTexels(int samples, int rows, int texels) {
         TermsLayout layout = TermsLayout.of("rays", samples, rows, texels, 2);
         assertEquals(samples, layout.samples());
         assertEquals(rows, layout.array().height());

@@ -18,7 +18,7 @@ class TableFileTest {
 
     /** What docs/conventions.md promises to other programs. */
     @Test
-    void aFileSaysAllThatItsTableIs() {
+    void filesDescribeTheirTableCompletely() {
         HeightLevels heights = HeightLevels.of(Surfaces.random(12, 10, 50e-9, 300e-9, 1));
         PatchIdentity patch = new PatchIdentity("test patch µ", 12, 10, 50e-9, 51e-9, "digest");
         HeightScale scale = HeightScale.midRange(heights);

@@ -11,7 +11,7 @@ class QuotedTest {
     }
 
     @Test
-    void replacesWhatWouldBreakTheLineOrColorTheTerminal() {
+    void replacesControlCharacters() {
         assertThat(Quoted.of("a\nb\r\u001b[1m\u2028c")).isEqualTo("\"a?b??[1m?c\"");
     }
 

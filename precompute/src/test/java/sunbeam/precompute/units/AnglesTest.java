@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 final class AnglesTest {
     @Test
-    void numbersAreDegreesUnlessTheySayRadians() {
+    void numbersWithoutUnitAreDegrees() {
         assertThat(Angles.parse("180")).isEqualTo(Math.PI);
         assertThat(Angles.parse("-90deg")).isEqualTo(-Math.PI / 2);
         assertThat(Angles.parse("90\u00b0")).isEqualTo(Math.PI / 2);

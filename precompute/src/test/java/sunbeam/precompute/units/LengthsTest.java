@@ -53,14 +53,14 @@ class LengthsTest {
     @ValueSource(
             strings = {"", "um", "NaN um", "Infinity m", "0,3 m", "1 2 um", "65 um wide", "0x10 m", "--1 m", "3e9999 m"
             })
-    void refusesWhatIsNoLength(String text) {
+    void refusesTextsThatAreNoLength(String text) {
         assertThatThrownBy(() -> Lengths.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining('"' + text + '"');
     }
 
     @Test
-    void aDecimalCommaIsToldAsOne() {
+    void decimalCommasHaveARemedy() {
         assertThatThrownBy(() -> Lengths.parse("20,5um"))
                 .hasMessage("\"20,5um\" is no length; write a decimal point for the comma, \"20.5um\"");
     }
@@ -93,7 +93,7 @@ class LengthsTest {
     }
 
     @Test
-    void readsBackWhatItWrites() {
+    void readsItsOwnOutput() {
         Random random = new Random(1);
         for (int i = 0; i < 1000; i++) {
             double meters = Math.pow(10, -20 + 40 * random.nextDouble());
@@ -105,7 +105,7 @@ class LengthsTest {
 
     /** A plane through a level scan leaves 1e-23 m, which nobody wants to read. */
     @Test
-    void whatRoundingLeavesIsNothing() {
+    void roundingErrorsAreZero() {
         assertThat(Lengths.rounded(1.32e-23, 3)).isEqualTo("0 m");
         assertThat(Lengths.rounded(2e-15, 3)).isEqualTo("0.002 pm");
     }

@@ -90,7 +90,7 @@ class HostileScansTest {
     }
 
     @Test
-    void anArchiveCannotNameWhatLiesOutside() throws IOException {
+    void archivesCannotNameFilesOutside() throws IOException {
         String xml = "<?xml version=\"1.0\"?><!DOCTYPE p [<!ENTITY e SYSTEM \"file:///etc/hostname\">]><p>&e;</p>";
         assertRefused(TestInstruments.zip(xml, new byte[4]), "export it again");
         String outside = "<p><Axes><CX><Increment>1e-7</Increment></CX><CY><Increment>1e-7</Increment></CY>"

@@ -76,7 +76,7 @@ class TextReaderTest {
     }
 
     @Test
-    void whoeverSaysTheMarkIsBelieved() throws IOException {
+    void chosenDecimalMarksDecide() throws IOException {
         assertThat(read("1,5 2,5\n3,5 4,5\n", Optional.of(DecimalMark.POINT))).containsExactly(1, 5, 2, 5, 3, 5, 4, 5);
         assertThat(read("1,5\n2,5\n", Optional.of(DecimalMark.COMMA))).containsExactly(1.5, 2.5);
         assertThatThrownBy(() -> read("1 2\n3 4,x\n"))
