@@ -2,6 +2,9 @@ package sunbeam.precompute.patch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.precompute.patch.PatchSettings.LEVEL;
+import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
@@ -31,8 +34,7 @@ class EmptyHeightsTest {
     }
 
     private static Patch load(Path file) {
-        return PatchLoader.load(
-                PatchRequests.parse(file.toString(), "100um", null, "1um", null, "none"), HeightCache.NONE);
+        return PatchRequests.load(file, WIDTH, "100um", MAX_HEIGHT, "1um", LEVEL, "none");
     }
 
     @Test

@@ -3,10 +3,19 @@ package sunbeam.precompute.patch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
+import static sunbeam.precompute.patch.PatchSettings.COLUMNS;
+import static sunbeam.precompute.patch.PatchSettings.HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.HEIGHT_UNIT;
+import static sunbeam.precompute.patch.PatchSettings.LEVEL;
+import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,11 +38,9 @@ class FileScaleTest {
 
     /** Settings and words in turn. */
     private static Patch load(Path file, Object... choices) {
-        PatchRequest request = PatchRequests.parse(file.toString(), null, null, null, null, "none");
-        for (int i = 0; i < choices.length; i += 2) {
-            request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
-        }
-        return PatchLoader.load(request, HeightCache.NONE);
+        Stream<Object> level = Stream.of(LEVEL, "none");
+        return PatchRequests.load(
+                file, Stream.concat(level, Arrays.stream(choices)).toArray());
     }
 
     @Test
@@ -49,11 +56,10 @@ class FileScaleTest {
     void misspeltChannelsHaveASuggestion() throws IOException {
         Path file = file(HEADER + NUMBERS);
 
-        assertThatThrownBy(() -> load(file, PatchSettings.CHANNEL, "Hight"))
+        assertThatThrownBy(() -> load(file, CHANNEL, "Hight"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("scan.txt, which has Height (did you mean \"Height\"?)");
-        assertThatThrownBy(() -> load(file, PatchSettings.CHANNEL, "Phase"))
-                .hasMessageEndingWith("scan.txt, which has Height");
+        assertThatThrownBy(() -> load(file, CHANNEL, "Phase")).hasMessageEndingWith("scan.txt, which has Height");
     }
 
     private static Setting<?> setting(String key) {
@@ -109,10 +115,10 @@ class FileScaleTest {
         assertThatThrownBy(() -> load(file))
                 .isInstanceOf(PatchException.class)
                 .hasMessageContaining("--width 20um and --height-unit nm");
-        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um"))
+        assertThatThrownBy(() -> load(file, WIDTH, "4um"))
                 .isInstanceOf(PatchException.class)
                 .hasMessageContaining("in which unit its heights are; add for example --height-unit nm");
-        assertThatThrownBy(() -> load(file, PatchSettings.HEIGHT_UNIT, "nm"))
+        assertThatThrownBy(() -> load(file, HEIGHT_UNIT, "nm"))
                 .isInstanceOf(PatchException.class)
                 .hasMessageContaining("how large the scan is; add for example --width 20um");
     }
@@ -121,16 +127,15 @@ class FileScaleTest {
     void numbersInOneRowNeedTheirColumns() throws IOException {
         Path file = file(NUMBERS.replace('\n', ' '));
 
-        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
+        assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
                 .isInstanceOf(PatchException.class)
                 .hasMessageContaining("--columns is missing")
                 .hasMessageContaining("12 numbers in one row");
-        HeightMap map = load(
-                        file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm", PatchSettings.COLUMNS, "4")
-                .heights();
+        HeightMap map =
+                load(file, WIDTH, "4um", HEIGHT_UNIT, "nm", COLUMNS, "4").heights();
         assertThat(map.rows()).isEqualTo(3);
         assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
-        assertThatThrownBy(() -> load(file, PatchSettings.COLUMNS, "5"))
+        assertThatThrownBy(() -> load(file, COLUMNS, "5"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--columns 5 does not divide the 12 numbers");
     }
@@ -139,7 +144,7 @@ class FileScaleTest {
     void aUnitThatIsTooSmallIsRefusedWithTheRemedy() throws IOException {
         Path meters = file("0 1e-7\n1e-7 0\n");
 
-        assertThatThrownBy(() -> load(meters, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
+        assertThatThrownBy(() -> load(meters, WIDTH, "4um", HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("less than a hundredth of an atom; check both units");
     }
@@ -149,11 +154,10 @@ class FileScaleTest {
         Path file =
                 TestImages.write(TestImages.gray32f(4, 4, (c, r, b) -> 534e-9 * c / 3), folder.resolve("metres.tiff"));
 
-        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.MAX_HEIGHT, "534nm"))
+        assertThatThrownBy(() -> load(file, WIDTH, "4um", MAX_HEIGHT, "534nm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--max-height 534 nm makes a relief of 0.285156 pm");
-        HeightMap map = load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "m")
-                .heights();
+        HeightMap map = load(file, WIDTH, "4um", HEIGHT_UNIT, "m").heights();
         // Seven digits of a float.
         assertThat(map.relief()).isCloseTo(534e-9, within(5e-14));
     }
@@ -161,10 +165,10 @@ class FileScaleTest {
     @Test
     void imagesHaveSquarePixelsUnlessTheHeightIsGiven() throws IOException {
         Path file = TestImages.write(TestImages.gray8(8, 4, (c, r, b) -> c == 7 ? 255 : 0), folder.resolve("grey.png"));
-        Object[] scale = {PatchSettings.WIDTH, "8um", PatchSettings.MAX_HEIGHT, "375nm"};
+        Object[] scale = {WIDTH, "8um", MAX_HEIGHT, "375nm"};
         HeightMap square = load(file, scale).scan();
-        HeightMap oblong = load(file, scale[0], "8um", scale[2], "375nm", PatchSettings.HEIGHT, "8um")
-                .scan();
+        HeightMap oblong =
+                load(file, scale[0], "8um", scale[2], "375nm", HEIGHT, "8um").scan();
 
         // Two roundings: of full scale and of the product.
         assertThat(square.relief() / 375e-9 - 1).isBetween(-3e-16, 3e-16);
@@ -182,7 +186,7 @@ class FileScaleTest {
     void refusesScalesThatCannotBe(String width, String maxHeight, String complaint) throws IOException {
         Path file = TestImages.write(TestImages.gray8(5, 4, (c, r, b) -> 63 * c + 3), folder.resolve("grey.png"));
 
-        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, width, PatchSettings.MAX_HEIGHT, maxHeight))
+        assertThatThrownBy(() -> load(file, WIDTH, width, MAX_HEIGHT, maxHeight))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining(complaint);
     }
@@ -196,16 +200,14 @@ class FileScaleTest {
     void warnsOfScalesThatHardlyAre(String width, String maxHeight, String warning) throws IOException {
         Path file = TestImages.write(TestImages.gray8(64, 64, (c, r, b) -> 4 * c + r % 4), folder.resolve("grey.png"));
 
-        assertThat(load(file, PatchSettings.WIDTH, width, PatchSettings.MAX_HEIGHT, maxHeight)
-                        .warnings())
-                .anyMatch(line -> line.contains(warning));
+        assertThat(load(file, WIDTH, width, MAX_HEIGHT, maxHeight).warnings()).anyMatch(line -> line.contains(warning));
     }
 
     @Test
     void wholeNumbersHaveNoUnit() throws IOException {
         Path file = TestImages.write(TestImages.gray8(4, 4, (c, r, b) -> c), folder.resolve("grey.png"));
 
-        assertThatThrownBy(() -> load(file, PatchSettings.WIDTH, "4um", PatchSettings.HEIGHT_UNIT, "nm"))
+        assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--height-unit nm is for numbers without unit")
                 .hasMessageContaining("--max-height");

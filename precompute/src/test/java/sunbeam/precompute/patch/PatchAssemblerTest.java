@@ -1,17 +1,21 @@
 package sunbeam.precompute.patch;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.precompute.patch.PatchSettings.DESPIKE;
+import static sunbeam.precompute.patch.PatchSettings.LEVEL;
+import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.fault.ScanFault;
-import sunbeam.precompute.setting.Setting;
 
 /** What a scan's user is told before anything is drawn. */
 class PatchAssemblerTest {
@@ -30,11 +34,9 @@ class PatchAssemblerTest {
         Path file = Files.writeString(
                 folder.resolve("scan.txt"),
                 "# Channel: Height\n# Width: 4.8 um\n# Height: 4.8 um\n# Value units: nm\n" + rows + "\n");
-        PatchRequest request = PatchRequests.parse(file.toString(), null, null, null, null, "plane");
-        for (int i = 0; i < choices.length; i += 2) {
-            request = PatchRequests.with(request, (Setting<?>) choices[i], (String) choices[i + 1]);
-        }
-        return PatchLoader.load(request, HeightCache.NONE);
+        Stream<Object> level = Stream.of(LEVEL, "plane");
+        return PatchRequests.load(
+                file, Stream.concat(level, Arrays.stream(choices)).toArray());
     }
 
     /** Lines 17.3 samples apart, 80 nm high, on a ground that wanders a little. */
@@ -52,18 +54,16 @@ class PatchAssemblerTest {
                 .anySatisfy(line -> assertThat(line)
                         .startsWith("2 samples stand alone, up to ")
                         .contains("despike"));
-        assertThat(scan(PatchAssemblerTest::withDust, PatchSettings.DESPIKE, "true")
-                        .warnings())
+        assertThat(scan(PatchAssemblerTest::withDust, DESPIKE, "true").warnings())
                 .noneMatch(line -> line.contains("stand alone"));
         assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("stand alone"));
     }
 
     @Test
     void scansWronglyDeclaredPeriodicHaveAWarning() throws IOException {
-        assertThat(scan(PatchAssemblerTest::lines, PatchSettings.PERIODIC, "true")
-                        .warnings())
+        assertThat(scan(PatchAssemblerTest::lines, PERIODIC, "true").warnings())
                 .anySatisfy(line -> assertThat(line).contains("opposite borders differ by"));
-        assertThat(scan((x, y) -> 40 * Math.sin(2 * Math.PI * x / 16), PatchSettings.PERIODIC, "true")
+        assertThat(scan((x, y) -> 40 * Math.sin(2 * Math.PI * x / 16), PERIODIC, "true")
                         .warnings())
                 .noneMatch(line -> line.contains("borders differ"));
         assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("borders differ"));
@@ -88,6 +88,6 @@ class PatchAssemblerTest {
                         jump -> assertThat(jump)
                                 .contains("between rows 24 and 25")
                                 .endsWith("; --level median-rows takes that away"));
-        assertThat(scan(stopped, PatchSettings.LEVEL, "median-rows").faults()).hasSize(1);
+        assertThat(scan(stopped, LEVEL, "median-rows").faults()).hasSize(1);
     }
 }

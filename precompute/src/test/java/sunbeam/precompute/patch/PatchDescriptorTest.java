@@ -35,13 +35,9 @@ class PatchDescriptorTest {
         return Files.writeString(inside.resolve("scan.json"), json);
     }
 
-    private static Patch load(Path file) {
-        return PatchLoader.load(PatchRequests.of(file.toString()), HeightCache.NONE);
-    }
-
     private void assertRefused(String json, String... complaints) throws IOException {
         Path file = descriptor(json);
-        assertThatThrownBy(() -> load(file))
+        assertThatThrownBy(() -> PatchRequests.load(file))
                 .isInstanceOfAny(PatchException.class, JsonException.class, SettingException.class)
                 .hasMessageContaining(file.toString())
                 .satisfies(e -> assertThat(e.getMessage())

@@ -2,6 +2,11 @@ package sunbeam.precompute.patch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
+import static sunbeam.precompute.patch.PatchSettings.HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.LEVEL;
+import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -30,13 +35,13 @@ class PatchLoaderTest {
     }
 
     private void assertRefused(PatchRequest request, String... complaints) {
-        assertThatThrownBy(() -> PatchLoader.load(request, HeightCache.NONE))
+        assertThatThrownBy(() -> PatchRequests.load(request))
                 .isInstanceOf(PatchException.class)
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }
 
     private void assertChoiceRefused(PatchRequest request, String... complaints) {
-        assertThatThrownBy(() -> PatchLoader.load(request, HeightCache.NONE))
+        assertThatThrownBy(() -> PatchRequests.load(request))
                 .isInstanceOf(SettingException.class)
                 .satisfies(e -> assertThat(((SettingException) e).place()).isEqualTo(Origin.Place.OPTION))
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
@@ -44,7 +49,7 @@ class PatchLoaderTest {
 
     @Test
     void findsABuiltInPatchAndLevelsIt() {
-        Patch patch = PatchLoader.load(PatchRequests.of("blaze"), HeightCache.NONE);
+        Patch patch = PatchRequests.load("blaze");
 
         assertThat(patch.name()).isEqualTo("blaze");
         assertThat(patch.source()).contains("built-in blaze", "128 x 32 samples", "levelling mean");
@@ -56,10 +61,8 @@ class PatchLoaderTest {
 
     @Test
     void readsAnImageWithItsScale() throws IOException {
-        Patch patch = PatchLoader.load(
-                PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, "none")
-                        .raw(true),
-                HeightCache.NONE);
+        Patch patch = PatchRequests.load(PatchRequests.of(ramp(), WIDTH, "12.8um", MAX_HEIGHT, "255nm", LEVEL, "none")
+                .raw(true));
 
         assertThat(patch.name()).isEqualTo("ramp");
         assertThat(patch.heights().columns()).isEqualTo(256);
@@ -74,7 +77,7 @@ class PatchLoaderTest {
 
     @Test
     void readsADescriptor() throws IOException {
-        Patch patch = PatchLoader.load(PatchRequests.of(descriptor(", \"levelling\": \"plane\"")), HeightCache.NONE);
+        Patch patch = PatchRequests.load(descriptor(", \"levelling\": \"plane\""));
 
         assertThat(patch.name()).isEqualTo("skin");
         // A ramp is a plane: the rounding of 255 nm is what remains.
@@ -83,11 +86,11 @@ class PatchLoaderTest {
 
     @Test
     void theScaleOfADescriptorAndOfTheOptionsGiveTheSamePatch() throws IOException {
-        Patch described = PatchLoader.load(PatchRequests.of(descriptor("")), HeightCache.NONE);
+        Patch described = PatchRequests.load(descriptor(""));
         // Without a descriptor, scans are leveled by their plane and blended, unless the thesis's preset takes them
         // raw.
-        Patch asked = PatchLoader.load(
-                PatchRequests.parse(ramp(), "12.8um", null, "255nm", null, null).raw(true), HeightCache.NONE);
+        Patch asked = PatchRequests.load(
+                PatchRequests.of(ramp(), WIDTH, "12.8um", MAX_HEIGHT, "255nm").raw(true));
 
         assertThat(described.digest()).isEqualTo(asked.digest());
     }
@@ -97,12 +100,12 @@ class PatchLoaderTest {
     void refusesAScaleForAPatchThatHasOne(String width, String extent, String maxHeight, String option, String given)
             throws IOException {
         assertChoiceRefused(
-                PatchRequests.parse(descriptor(""), width, extent, maxHeight, null, null),
+                PatchRequests.of(descriptor(""), WIDTH, width, HEIGHT, extent, MAX_HEIGHT, maxHeight),
                 option + " " + given + " contradicts",
                 "skin.json",
                 "leave it out");
         assertChoiceRefused(
-                PatchRequests.parse("blaze", width, extent, maxHeight, null, null),
+                PatchRequests.of("blaze", WIDTH, width, HEIGHT, extent, MAX_HEIGHT, maxHeight),
                 option + " " + given + " contradicts the built-in patch blaze");
     }
 
@@ -110,12 +113,9 @@ class PatchLoaderTest {
     void refusesOptionsThatContradictTheDescriptor() throws IOException {
         String file = descriptor(", \"levelling\": \"plane\", \"channel\": \"grey\"");
 
-        assertChoiceRefused(
-                PatchRequests.parse(file, null, null, null, null, "mean"), "--level mean contradicts", "says plane");
-        assertChoiceRefused(
-                PatchRequests.parse(file, null, null, null, "red", null), "--channel red contradicts", "says grey");
-        assertThat(PatchLoader.load(PatchRequests.parse(file, null, null, null, "gray", "plane"), HeightCache.NONE)
-                        .source())
+        assertChoiceRefused(PatchRequests.of(file, LEVEL, "mean"), "--level mean contradicts", "says plane");
+        assertChoiceRefused(PatchRequests.of(file, CHANNEL, "red"), "--channel red contradicts", "says grey");
+        assertThat(PatchRequests.load(file, CHANNEL, "gray", LEVEL, "plane").source())
                 .contains("levelling plane");
     }
 
@@ -124,19 +124,16 @@ class PatchLoaderTest {
         assertRefused(
                 PatchRequests.of("blase"), "--patch blase is no file that is there", "blaze", "descriptor", "image");
         assertRefused(PatchRequests.of(" "), "--patch", "is empty");
-        assertRefused(PatchRequests.of(folder.resolve("x.json").toString()), "no file that is there");
+        assertRefused(PatchRequests.of(folder.resolve("x.json")), "no file that is there");
         assertRefused(PatchRequests.of("a\0b"), "no file name");
-        assertRefused(PatchRequests.of(folder.toString()), folder.toString(), "is a folder");
+        assertRefused(PatchRequests.of(folder), folder.toString(), "is a folder");
     }
 
     @Test
     void refusesAnImageOfNanAlone() throws IOException {
         Path file = TestImages.write(TestImages.gray32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
 
-        assertRefused(
-                PatchRequests.parse(file.toString(), "1um", null, "1nm", null, null),
-                "nan.tiff",
-                "all 9 samples are missing");
+        assertRefused(PatchRequests.of(file, WIDTH, "1um", MAX_HEIGHT, "1nm"), "nan.tiff", "all 9 samples are missing");
     }
 
     @Test
@@ -144,8 +141,7 @@ class PatchLoaderTest {
         TestImages.Samples tilted = (c, r, b) -> c >= 12 && r >= 12 ? Double.NaN : 100 + 5 * c - 3 * r;
         Path file = TestImages.write(TestImages.gray32f(16, 16, tilted), folder.resolve("holes.tiff"));
 
-        Patch patch = PatchLoader.load(
-                PatchRequests.parse(file.toString(), "1um", null, "1nm", null, "plane"), HeightCache.NONE);
+        Patch patch = PatchRequests.load(file, WIDTH, "1um", MAX_HEIGHT, "1nm", LEVEL, "plane");
 
         assertThat(patch.warnings()).hasSize(2);
         assertThat(patch.warnings().get(0)).contains("16 of 256 samples are missing");

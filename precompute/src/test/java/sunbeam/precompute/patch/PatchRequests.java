@@ -1,41 +1,31 @@
 package sunbeam.precompute.patch;
 
-import java.util.List;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.OptionWords;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
-/** Patches asked for as a command line does. */
+/** Patches as options of a command line request them. */
 final class PatchRequests {
     private static final Origin OPTION = OptionWords.INSTANCE;
 
     private PatchRequests() {}
 
-    /** Null stands for an option that was not given. */
-    static PatchRequest parse(
-            String patch, String width, String height, String maxHeight, String channel, String level) {
-        List<Setting<?>> settings = List.of(
-                PatchSettings.PATCH,
-                PatchSettings.WIDTH,
-                PatchSettings.HEIGHT,
-                PatchSettings.MAX_HEIGHT,
-                PatchSettings.CHANNEL,
-                PatchSettings.LEVEL);
-        String[] words = {patch, width, height, maxHeight, channel, level};
-        Choices choices = Choices.at(OPTION);
-        for (int i = 0; i < words.length; i++) {
-            choices = words[i] == null ? choices : choices.parsed(settings.get(i), words[i], OPTION);
+    /** A patch's name or file, and settings and words in turn; settings whose word is null are not given. */
+    static PatchRequest of(Object patch, Object... settingsAndWords) {
+        Choices choices = Choices.at(OPTION).parsed(PatchSettings.PATCH, patch.toString(), OPTION);
+        for (int i = 0; i < settingsAndWords.length; i += 2) {
+            String word = (String) settingsAndWords[i + 1];
+            choices = word == null ? choices : choices.parsed((Setting<?>) settingsAndWords[i], word, OPTION);
         }
         return new PatchRequest(choices);
     }
 
-    /** The same request with one more choice. */
-    static PatchRequest with(PatchRequest request, Setting<?> setting, String word) {
-        return new PatchRequest(request.choices().parsed(setting, word, OPTION));
+    static Patch load(Object patch, Object... settingsAndWords) {
+        return load(of(patch, settingsAndWords));
     }
 
-    static PatchRequest of(String patch) {
-        return parse(patch, null, null, null, null, null);
+    static Patch load(PatchRequest request) {
+        return PatchLoader.load(request, HeightCache.NONE);
     }
 }

@@ -18,7 +18,7 @@ class SharedPatchesTest {
     private static Patch load(String name) {
         Path file = PATCHES.resolve(name + ".json");
         assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
-        return PatchLoader.load(PatchRequest.of(file.toString()), HeightCache.NONE);
+        return PatchRequests.load(file);
     }
 
     @ParameterizedTest

@@ -1,5 +1,9 @@
 package sunbeam.precompute.patch;
 
+import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
+import static sunbeam.precompute.patch.PatchSettings.MAX_HEIGHT;
+import static sunbeam.precompute.patch.PatchSettings.WIDTH;
+
 import java.awt.Transparency;
 import java.awt.color.ColorSpace;
 import java.awt.image.BandedSampleModel;
@@ -104,7 +108,7 @@ final class TestImages {
 
     /** What a channel of an image holds, as stored: heights of a full scale of 1 um, to the micrometer. */
     static double[] samples(Path file, String channel, double fullScale) {
-        PatchRequest request = PatchRequests.parse(file.toString(), "10um", null, "1um", channel, null);
+        PatchRequest request = PatchRequests.of(file, WIDTH, "10um", MAX_HEIGHT, "1um", CHANNEL, channel);
         return Arrays.stream(MeasuredHeights.read(file, request.choices()).map().heights())
                 .map(height -> height / 1e-6 * fullScale)
                 .toArray();
