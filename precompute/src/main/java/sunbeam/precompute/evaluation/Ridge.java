@@ -5,7 +5,7 @@ import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 
 /**
- * Ridge of a response: the angle of its peak at each wavelength.
+ * Peaks of a response: one angle at each wavelength.
  *
  * @param wavelengths wavelengths with a peak, meters, ascending
  * @param angles angles theta_r of the peaks, radians

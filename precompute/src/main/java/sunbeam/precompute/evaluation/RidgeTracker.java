@@ -12,7 +12,8 @@ import sunbeam.precompute.numerics.LogParabola;
 /**
  * Follows the ridge of a first order through a response. The frequency f = u / lambda = +-1 / d has the largest sum of the response along
  * its curve, the grating equation. Local maxima near that curve are candidates at each wavelength; dynamic programming (Viterbi) finds the
- * path through them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it jump.
+ * path through them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it jump. A peak's
+ * angle is the maximum of the parabola through the logarithms of the three samples around it.
  *
  * @param sigmaFrequency standard deviation of the coherence window's spectrum, cycles per meter
  */

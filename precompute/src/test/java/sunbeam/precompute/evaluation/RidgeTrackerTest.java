@@ -86,6 +86,27 @@ final class RidgeTrackerTest {
         Ridge ridge = new RidgeTracker(response, SIGMA).follow(-1 / 1.2e-6).orElseThrow();
         assertThat(ridge.wavelengths()).hasSize(WAVELENGTHS);
         assertThat(Arrays.stream(ridge.periods())).allMatch(period -> Math.abs(period - 1.2e-6) < 0.5e-9);
+        // Algorithm 4.1 of the thesis jumps to the second from 450 to 550 nm, as in its figure 4.9 (b).
+        Ridge maxima = Peaks.MAXIMUM
+                .of(response, FirstOrder.around(1.2e-6, 1.35), SIGMA)
+                .orElseThrow();
+        for (int i = 0; i < WAVELENGTHS; i++) {
+            boolean second = Math.abs(maxima.wavelengths()[i] - 500e-9) < 52e-9;
+            // Half a step of the grid's angles, 0.023 degrees, is 1.2 nm of the period at 380 nm.
+            assertThat(maxima.periods()[i]).isCloseTo(second ? 1.05e-6 : 1.2e-6, within(1.3e-9));
+        }
+    }
+
+    /** Algorithm 4.1 divides the range by C, equation 4.3 by C - 1: labels then end at 780 - 400 / 81 nm. */
+    @Test
+    void maximaByCountAreLabeledInSmallerSteps() {
+        FirstOrder order = FirstOrder.around(1.2e-6, 1.35);
+        ResponseMatrix response = ridges(light(75, 0), order, new double[] {-1 / 1.2e-6}, (each, wavelength) -> 1);
+        Ridge maxima = Peaks.MAXIMUM_BY_COUNT.of(response, order, SIGMA).orElseThrow();
+        double last = LONGEST - (LONGEST - SHORTEST) / WAVELENGTHS;
+        assertThat(maxima.wavelengths()[0]).isEqualTo(SHORTEST);
+        assertThat(maxima.wavelengths()[WAVELENGTHS - 1]).isCloseTo(last, within(1e-15));
+        assertThat(maxima.periods()[WAVELENGTHS - 1]).isCloseTo(1.2e-6 * last / LONGEST, within(1.3e-9));
     }
 
     @Test

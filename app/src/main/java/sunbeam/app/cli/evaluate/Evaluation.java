@@ -18,13 +18,14 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.FirstOrder;
+import sunbeam.precompute.evaluation.Peaks;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.Ridge;
-import sunbeam.precompute.evaluation.RidgeTracker;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -32,11 +33,17 @@ import sunbeam.precompute.units.Lengths;
  * A patch's response in the plane of incidence, and the period of its heights to compare it with (docs/evaluation.md).
  *
  * @param period period of the heights, searched among the periods and directions that the options allow
+ * @param peaks way in which the ridge was found
  * @param ridge ridge of the first order; empty if the orders overlap, or if none is found
  * @param noRidge reason why there is no ridge; empty if there is one
  */
 record Evaluation(
-        Patch patch, GratingPeriod period, ResponseMatrix response, Optional<Ridge> ridge, Optional<String> noRidge) {
+        Patch patch,
+        GratingPeriod period,
+        ResponseMatrix response,
+        Peaks peaks,
+        Optional<Ridge> ridge,
+        Optional<String> noRidge) {
     // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at distances
     // of 1 / period. At
     // three deviations 1 % of the mirror order's amplitude is left; at less, it shifts the ridge by some percent.
@@ -49,15 +56,19 @@ record Evaluation(
 
     /** @param order range of periods within which the first order is searched */
     static Evaluation of(
-            Patch patch, GratingPeriod period, FirstOrder order, ResponseMatrix response, CoherenceWindow window) {
+            Patch patch,
+            GratingPeriod period,
+            FirstOrder order,
+            ResponseMatrix response,
+            CoherenceWindow window,
+            Peaks peaks) {
         double orderPeriod = period.isSeen() ? period.period() : order.middle();
         boolean apart = 1 / orderPeriod >= APART * window.sigmaFrequency();
-        Optional<Ridge> ridge =
-                apart ? new RidgeTracker(response, window.sigmaFrequency()).follow(order) : Optional.empty();
+        Optional<Ridge> ridge = apart ? peaks.of(response, order, window.sigmaFrequency()) : Optional.empty();
         Optional<String> noRidge = ridge.isPresent()
                 ? Optional.empty()
                 : Optional.of(apart ? noneNear(order) : ordersRunTogether(patch, orderPeriod, window));
-        return new Evaluation(patch, period, response, ridge, noRidge);
+        return new Evaluation(patch, period, response, peaks, ridge, noRidge);
     }
 
     private static String noneNear(FirstOrder order) {
@@ -116,7 +127,8 @@ record Evaluation(
         ridge.map(Ridge::statistics).ifPresent(periods -> {
             // If the period is uncertain, two digits are enough.
             lines.add(Text.format(
-                    "ridge       %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
+                    "%-11s %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
+                    peaks == Peaks.RIDGE ? "ridge" : "maxima",
                     Lengths.rounded(periods.getMean(), period.isSure() ? RIDGE_DIGITS : 2),
                     area,
                     periods.getN(),
@@ -145,10 +157,11 @@ record Evaluation(
         tree.put("azimuth_deg", Math.toDegrees(grid.plane().azimuth()));
         tree.put("angles_deg", range(grid.angles(), Math.toDegrees(1)));
         tree.put("wavelengths_m", range(grid.wavelengths(), 1));
+        tree.put("peaks", Kinds.name(peaks));
         tree.put("ridge_left_out", noRidge.orElse(null));
         ridge.ifPresent(found -> {
             tree.put("order", found.order());
-            tree.put("peaks_interpolated", tree(found.statistics()));
+            tree.put(peaks == Peaks.RIDGE ? "peaks_interpolated" : "peaks_at_maxima", tree(found.statistics()));
         });
         return tree;
     }

@@ -11,9 +11,11 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.evaluation.FirstOrder;
 import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.evaluation.Peaks;
 import sunbeam.precompute.evaluation.ResponseGrid;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
@@ -44,6 +46,13 @@ public final class GratingOptions extends SettingOptions {
             MethodSettings.SPACING.kind(),
             "Look for the first order of this period, a fifth more or less, instead of the one that the heights' power"
                     + " spectrum shows.");
+    private static final Setting<Peaks> PEAKS = new Setting<>(
+                    "peaks",
+                    Kinds.word("HOW", Peaks.class),
+                    "Angle of the first order at each wavelength: ridge (default) follows the strongest; maximum takes the"
+                            + " largest value, as algorithm 4.1 of the thesis; maximum-by-count also labels C wavelengths in"
+                            + " steps of 1 / C of their range, as it is written, not 1 / (C - 1).")
+            .withStandard(Peaks.RIDGE);
 
     @Option(
             names = "--azimuth",
@@ -72,7 +81,7 @@ public final class GratingOptions extends SettingOptions {
     private Range wavelengths;
 
     public GratingOptions() {
-        super(List.of(THETA_I, PHI_I, PERIOD));
+        super(List.of(THETA_I, PHI_I, PERIOD, PEAKS));
     }
 
     /**
@@ -130,6 +139,10 @@ public final class GratingOptions extends SettingOptions {
     /** Returns the given period, meters; empty to derive it from the heights. */
     OptionalDouble period() {
         return choices().find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+    }
+
+    Peaks peaks() {
+        return choices().get(PEAKS);
     }
 
     GratingPlane plane(double azimuthRadians) {

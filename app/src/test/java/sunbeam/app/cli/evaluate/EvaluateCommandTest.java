@@ -107,6 +107,21 @@ final class EvaluateCommandTest {
         assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Plan", plan);
     }
 
+    /** Text 000's Table 4.1 has 2500.34 nm and 0.16 nm2; steps of 0.01 degrees are 1.3 nm apart, whose square / 12 is 0.14. */
+    @Test
+    void theMaximaOfABlazedGratingHaveTheThesissMeanAndVariance() throws IOException {
+        String[] options = "--preset thesis --azimuth 0 --wavelengths 380:780:20 --angles=-56:-40:0.01".split(" ");
+        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--peaks", "maximum"), Stream.of(options))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("maxima      2.500");
+        // The standard error of 21 samples is 0.09 nm.
+        assertThat(1e9 * report().at("/peaks_at_maxima/mean_m").doubleValue()).isCloseTo(2500.34, within(0.3));
+        assertThat(1e18 * report().at("/peaks_at_maxima/variance_m2").doubleValue()).isCloseTo(0.16, within(0.1));
+        assertThat(report().has("peaks_interpolated")).isFalse();
+    }
+
     /** The shader's tolerance of 1e-3 in power moves a peak by thousandths of its width. */
     @ParameterizedTest
     @ValueSource(strings = {"full", "nmm", "pq", "reference"})

@@ -136,11 +136,11 @@ class FiguresCommandTest {
     void aTableHasTheThesissNumbersOursAndTheDifference() throws IOException {
         Files.writeString(
                 folder.resolve("table-4.1-elaphe.json"),
-                "{\"peaks_interpolated\": {\"mean_m\": 1144.11e-9, \"variance_m2\": 0.08e-18}}");
+                "{\"peaks_at_maxima\": {\"mean_m\": 1144.11e-9, \"variance_m2\": 0.08e-18}}");
 
         assertThat(figures("--only", "table-4.1")).isZero();
 
-        assertThat(out.toString()).contains("Elaphe, mean nm: thesis 1144.28, here 1144.11, difference -0.17");
+        assertThat(out.toString()).contains("FLSS, Elaphe, mean nm: thesis 1144.28, here 1144.11, difference -0.17");
         assertThat(Files.readString(folder.resolve("index.html")))
                 .contains("<td>variance nm2</td><td>0.15</td><td>0.08</td><td>-0.07</td>");
     }
