@@ -10,7 +10,7 @@ vec4 exactBin;
 // Power of one coherence area: amplitudes add up and are squared last (thesis algorithm 3.3).
 float coherentPower(vec3 uvw, float wavelength);
 
-// Mean power over all positions of the window, Stam's angle brackets: squares add up (in the spirit of thesis eq. 2.29).
+// Mean power over all positions of the window, Stam's angle brackets: squares add up (in the spirit of thesis eq. 2.57).
 float ensemblePower(vec3 uvw, float wavelength);
 
 const bool ENSEMBLE = AVERAGE == AVERAGE_ENSEMBLE;

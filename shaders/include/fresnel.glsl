@@ -1,6 +1,6 @@
 // Schlick's approximation of Fresnel's reflectance (Schlick 1994), R0 + (1 - R0) s with s = (1 - cos theta_d)^5.
 
-// R0, the reflectance along the normal, ((n - 1) / (n + 1))^2 of keratin, n = 1.5 (thesis section 2.5). The thesis's gain has the square of
+// R0, the reflectance along the normal, ((n - 1) / (n + 1))^2 of keratin, n = 1.5 (thesis section 3.3.2). The thesis's gain has the square of
 // the whole reflectance.
 const float KERATIN_REFLECTANCE = 0.04;
 #ifdef FRESNEL_SQUARED

@@ -83,7 +83,7 @@ Anchored anchored(vec2 uv, float wavelength) {
 struct Powers {
     // Square of the sum of amplitudes: one coherence area.
     float coherent;
-    // Sum of the amplitudes' squares: Stam's angle brackets (in the spirit of thesis eq. 2.29).
+    // Sum of the amplitudes' squares: Stam's angle brackets (in the spirit of thesis eq. 2.57).
     float ensemble;
 };
 

@@ -3,7 +3,7 @@
 #include "include/wavelengths.glsl"
 #include "method/nmm_bins.glsl"
 
-// Sums only the wavelengths at which the ray f = (u, v) / lambda meets a DFT bin (thesis section 3.5.1). There is one per order, weighted
+// Sums only the wavelengths at which the ray f = (u, v) / lambda meets a DFT bin (thesis section 3.5). There is one per order, weighted
 // by the order's width.
 //
 // The ray f = s (u, v), s = 1 / lambda, has its least distance d from bin f_j at s_j = f_j . (u, v) / |(u, v)|^2; for a bin on the ray that

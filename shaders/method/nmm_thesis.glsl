@@ -3,7 +3,7 @@
 #include "include/wavelengths.glsl"
 #include "method/nmm_bins.glsl"
 
-// The thesis's own form of nmm (section 3.5.1, algorithm 3.4): wavelengths L |u| / n and L |v| / n for a patch of side L, all with the
+// The thesis's own form of nmm (section 3.5): wavelengths L |u| / n and L |v| / n for a patch of side L, all with the
 // weight of one step of wavelength. This treats all orders as equally wide. Blue orders are narrower and so get too much weight, which
 // gives a purple cast.
 

@@ -6,7 +6,7 @@
 #endif
 
 // The patch repeated Q times along x and along y, evenly lit, with sharp edges instead of the Gaussian window: the spectrum
-// of one period, interpolated, times the array factor of its replicas (thesis section 3.5.2, eq. 2.62).
+// of one period, interpolated, times the array factor of its replicas (thesis section 2.4.1, eq. 2.62).
 
 // PERIOD_RING: set for the thesis's interpolation, a sinc over a bin and the ring of its eight neighbors.
 

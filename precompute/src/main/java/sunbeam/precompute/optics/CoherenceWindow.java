@@ -6,7 +6,7 @@ package sunbeam.precompute.optics;
  * @param sigmaMeters standard deviation sigma in space, meters; a quarter of the coherence length
  */
 public record CoherenceWindow(double sigmaMeters) {
-    /** Sunlight's coherence length, meters (thesis section 2.2.2). */
+    /** Sunlight's coherence length, meters (thesis, draft 001, section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
     // Meters.

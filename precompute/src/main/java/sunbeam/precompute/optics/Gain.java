@@ -2,7 +2,7 @@ package sunbeam.precompute.optics;
 
 /**
  * Factors from diffracted power to radiance: Schlick's reflectance, the V-cavity mask and the Kirchhoff factors (Stam 1999 eq. 12; thesis
- * section 2.5).
+ * section 2.3.2).
  */
 public final class Gain {
     /** Refractive index of keratin, as in the thesis. */

@@ -8,7 +8,7 @@ import sunbeam.precompute.units.Decimals;
 
 /** Refractive index n + i k of a material in air, constant or tabulated over wavelengths. Immutable. */
 public final class RefractiveIndex {
-    /** Index of keratin (thesis section 2.5). */
+    /** Index of keratin (thesis section 3.3.2). */
     public static final RefractiveIndex KERATIN = constant(1.5, 0);
 
     private static final double LARGEST = 100;

@@ -10,7 +10,7 @@ import sunbeam.precompute.optics.WindowOrigin;
  *
  * <pre>|1/(Qx Qy N M) sum over all samples of all replicas of exp(i k w h) exp(i k (u x + v y))|^2</pre>
  *
- * for N x M samples and Qx x Qy replicas. Method {@code pq} has this sum in closed form, as an array factor (thesis section 3.5.2).
+ * for N x M samples and Qx x Qy replicas. Method {@code pq} has this sum in closed form, as an array factor (thesis section 2.4.1).
  * Immutable and safe for use by several threads.
  */
 public final class ReplicaEvaluator {

@@ -3,7 +3,7 @@ package sunbeam.precompute.resample;
 import sunbeam.precompute.numerics.KaiserBessel;
 
 /**
- * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5.2), p_n being one of the N samples, at x_n:
+ * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5), p_n being one of the N samples, at x_n:
  *
  * <pre>P_1(f) = 1/N sum_n p_n exp(2 pi i f x_n), x = 0 in the middle of the period</pre>
  */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
+import org.apache.commons.math3.distribution.NormalDistribution;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
@@ -99,6 +100,81 @@ class ThesisCorrectionsTest {
                         first.getReal() * second.getImaginary() + first.getImaginary() * second.getReal(),
                         within(ROUNDING));
         assertThat(squared(product)).isCloseTo(squared(first) * squared(second), within(ROUNDING));
+    }
+
+    /** Eq. 2.69 has q = (b c + a d) / (c^2 + d^2) for the quotient (a + i b) / (c + i d). */
+    @Test
+    void aQuotientsImaginaryPartHasADifference() {
+        Complex first = new Complex(0.3, -1.2);
+        Complex second = new Complex(0.7, 0.4);
+        double difference = first.getImaginary() * second.getReal() - first.getReal() * second.getImaginary();
+        assertThat(first.divide(second).getImaginary())
+                .isCloseTo(difference / squared(second), within(ROUNDING));
+    }
+
+    /** Eq. 2.11 integrates f(t) g(t - x), which is f(t) times a constant; two Gaussians convolved have the sum of both variances. */
+    @Test
+    void aConvolutionIntegratesOverTheShift() {
+        double t = 1.3;
+        double step = 0.01;
+        double sum = 0;
+        for (double x = -10; x < 10; x += step) {
+            sum += step * gauss(x, 0.6) * gauss(t - x, 0.8);
+        }
+        // The trapezoidal rule of a Gaussian is exact up to exp(-2 (pi 0.48 / 0.01)^2).
+        assertThat(sum).isCloseTo(gauss(t, 1), within(ROUNDING));
+    }
+
+    private static double gauss(double x, double sigma) {
+        return Math.exp(-x * x / (2 * sigma * sigma)) / (sigma * Math.sqrt(2 * Math.PI));
+    }
+
+    /** Draft 001, section 2.2.2, says 99.99 % of four deviations, which is the share of eight. */
+    @Test
+    void fourDeviationsOfTheWindowHold95Percent() {
+        NormalDistribution window = new NormalDistribution();
+        assertThat(window.probability(-2, 2)).isCloseTo(0.954, within(0.001));
+        assertThat(window.probability(-4, 4)).isCloseTo(0.9999, within(0.0001));
+    }
+
+    /** Eq. 2.57 sums the squares of the terms n; the expansion of exp(-i k w h) adds up before it is squared. */
+    @Test
+    void termsAddUpBeforeTheyAreSquared() {
+        double phase = 1.5 * Math.PI;
+        Complex term = Complex.ONE;
+        Complex sum = Complex.ZERO;
+        double squares = 0;
+        for (int n = 0; n < 30; n++) {
+            sum = sum.add(term);
+            squares += squared(term);
+            term = term.multiply(new Complex(0, phase)).divide(n + 1.0);
+        }
+        assertThat(squared(sum)).isCloseTo(1, within(1e-9));
+        assertThat(squares).isGreaterThan(100);
+    }
+
+    /** Of a patch as wide as the coherence length: what the floor-anchored 3 x 3 bins of the shader leave out. */
+    @Test
+    void threeByThreeBinsMissAFortiethOfThePowerAndASixthOfTheAmplitude() {
+        double sigma = CoherenceWindow.ofCoherenceLength(65e-6).sigmaFrequency() * 65e-6;
+        double all = 0;
+        double near = 0;
+        double worst = 1;
+        int steps = 1000;
+        for (int step = 0; step < steps; step++) {
+            double shift = (step + 0.5) / steps;
+            double[] weights = new double[17];
+            Arrays.setAll(weights, i -> Math.exp(-Math.pow((i - 8 - shift) / sigma, 2)));
+            double here = Arrays.stream(weights).sum();
+            double inside = weights[7] + weights[8] + weights[9];
+            worst = Math.min(worst, inside / here);
+            all += here;
+            near += inside;
+        }
+        double missed = 1 - near / all * (near / all);
+        assertThat(missed).isCloseTo(0.026, within(0.001));
+        assertThat(Math.sqrt(missed)).isCloseTo(0.16, within(0.005));
+        assertThat(1 - worst * worst).isCloseTo(0.14, within(0.005));
     }
 
     private static Complex turn(double angle) {
