@@ -152,6 +152,7 @@ final class SkinSurface implements AutoCloseable {
                 (blend.hasBody() ? scene.effectiveSurroundings().sky() : 0));
         program.set("ambientWeight", (float) blend.ambient());
         program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
+        program.set("unlitTexture", scene.bodyAlpha() == BodyAlpha.DRAFT ? 1f : 0f);
         setReflection(program, scene);
     }
 

@@ -4,6 +4,9 @@ package sunbeam.app.scene;
 public enum BodyAlpha {
     /** Luminance of the diffracted light, relative to white. */
     LIGHT,
-    /** Fresnel's reflectance, independent of the diffracted light (thesis algorithm 3.5). */
-    FRESNEL
+    /** Fresnel's reflectance, independent of the diffracted light, as in the thesis's program. */
+    FRESNEL,
+    /** None: the texture is added without light, as far as |F| / |F(0)| > 1, which is everywhere but in the mirror direction (thesis
+     * algorithm 3.4). */
+    DRAFT
 }

@@ -86,7 +86,7 @@ public final class SceneSettings {
             "tone",
             Kinds.word("CURVE", Tone.class),
             "What becomes of light brighter than the screen: compress (default) keeps its hue, clip cuts each channel, as the"
-                    + " thesis does.");
+                    + " thesis does, gamma also has the exponent 1 / 2.5 of its program.");
 
     public static final String PRIMARIES_HELP =
             "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
@@ -101,7 +101,8 @@ public final class SceneSettings {
                     "bodyAlpha",
                     Kinds.word("WHAT", BodyAlpha.class),
                     "What hides the body below diffracted light: light (default), as far as it is as bright as white; fresnel,"
-                            + " the reflectance, as the thesis does and --preset thesis by default.")
+                            + " the reflectance, as the thesis's program does and --preset thesis by default; draft, nothing:"
+                            + " the texture is added without light, as by algorithm 3.4 of its text 000.")
             .inFiles("alpha");
 
     public static final Setting<Double> DIFFRACTION = weight("diffraction", "Factor of the diffracted light.", 1);

@@ -124,6 +124,21 @@ class SceneMethodsTest {
         }
     }
 
+    /** (1 - w) D + (1 + w) texture, whatever the light's angle; the texture is white. */
+    @Test
+    void theDraftsAlphaAddsTheTextureWithoutLight() {
+        Scene scene = with(FullMethod.TYPE);
+        int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
+        try (RenderContext context = RenderContext.offscreen()) {
+            float lit = draw(context, scene.withBlend(new Blend(0, 1, 1, 0, Optional.empty())))[middle];
+            float diffracted = draw(context, scene.withBlend(new Blend(1, 0, 0, 0, Optional.empty())))[middle];
+            float draft = draw(context, scene.withBlend(new Blend(1, 1, 1, 0.2, Optional.of(BodyAlpha.DRAFT))))[middle];
+            assertThat(lit).isLessThan(0.95f);
+            // All are float32.
+            assertThat(draft).isCloseTo(0.8f * diffracted + 1.2f, within(1e-5f));
+        }
+    }
+
     @Test
     void whatAMethodCannotDoIsRefused() {
         Choices replicated = Choices.none().with(METHOD, PqMethod.TYPE).with(AVERAGE, Average.ENSEMBLE);

@@ -12,7 +12,13 @@ public enum Tone {
     COMPRESS(0.5),
 
     /** Clips each channel at 1, as in the thesis. */
-    CLIP(Float.MAX_VALUE);
+    CLIP(Float.MAX_VALUE),
+
+    /** Clips and raises to 2.4 / 2.5, so that the exponent of sRGB's curve is 1 / 2.5, as in the thesis's program. */
+    GAMMA(Float.MAX_VALUE);
+
+    // Exponent of sRGB's curve over that of the thesis's program.
+    private static final double PROGRAM_GAMMA = 2.4 / 2.5;
 
     // Light at a hundred times white loses a third of its saturation.
     private static final double DESATURATION = 0.005;
@@ -40,6 +46,9 @@ public enum Tone {
      * inverse.
      */
     public double before(double shown) {
+        if (this == GAMMA) {
+            return Math.pow(shown, 1 / PROGRAM_GAMMA);
+        }
         if (shown <= start) {
             return shown;
         }
@@ -62,6 +71,7 @@ public enum Tone {
         }
         for (int c = 0; c < 3; c++) {
             rgb[c] = Math.min(1, rgb[c]);
+            rgb[c] = this == GAMMA ? Math.pow(rgb[c], PROGRAM_GAMMA) : rgb[c];
         }
     }
 }

@@ -36,7 +36,9 @@ public enum Peaks {
     private static double[] byCount(double[] wavelengths) {
         int count = wavelengths.length;
         double step = (wavelengths[count - 1] - wavelengths[0]) / count;
-        return IntStream.range(0, count).mapToDouble(i -> wavelengths[0] + step * i).toArray();
+        return IntStream.range(0, count)
+                .mapToDouble(i -> wavelengths[0] + step * i)
+                .toArray();
     }
 
     private static int largest(double[] row) {

@@ -2,6 +2,7 @@ package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
+import static sunbeam.precompute.plan.MethodSettings.GEM_FORM;
 import static sunbeam.precompute.plan.MethodSettings.ORDERS;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.SPACING;
@@ -15,6 +16,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.GemForm;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
@@ -27,12 +29,13 @@ import sunbeam.precompute.units.Lengths;
  * Grating formula of GPU Gems, chapter 8, which uses only a spacing of the surface; for comparison only.
  *
  * @param spacing distance of the lines in meters; empty for the patch's width, if that is one period
- * @param orders number of orders on each side of the mirror's
+ * @param orders number of orders on each side of the mirror's; empty for the form's
  */
-public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow window, FresnelFactor fresnel)
+public record GemMethod(
+        Optional<Double> spacing, Optional<Integer> orders, GemForm form, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
-    private static final int GEM_ORDERS = 8;
-    private static final int THESIS_ORDERS = 1;
+    // Default number of orders of Stam's form.
+    private static final int STAM_ORDERS = 8;
 
     // Widest patch that may be one period of a grating with visible colors, meters.
     private static final double WIDEST_PERIOD = 10e-6;
@@ -40,16 +43,17 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
     public static final MethodType TYPE = new MethodType(
             "gem",
             "a grating's spacing alone, for comparison only.",
-            List.of(PRESET, SPACING, ORDERS, COHERENCE_LENGTH, FRESNEL),
+            List.of(PRESET, SPACING, ORDERS, GEM_FORM, COHERENCE_LENGTH, FRESNEL),
             choices -> new GemMethod(
                     choices.find(SPACING),
-                    choices.get(ORDERS, Preset.isThesis(choices) ? THESIS_ORDERS : GEM_ORDERS),
+                    choices.find(ORDERS),
+                    choices.get(GEM_FORM, Preset.isThesis(choices) ? GemForm.THESIS : GemForm.STAM),
                     GaussianArea.windowOf(choices),
                     FresnelFactor.of(choices)));
 
     public GemMethod {
         spacing.ifPresent(SPACING.kind()::check);
-        ORDERS.kind().check(orders);
+        orders.ifPresent(ORDERS.kind()::check);
     }
 
     @Override
@@ -78,8 +82,9 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
                             + " wide is no single period; give the grating's, for example 1um");
         }
         double period = spacing.orElse(width);
+        int count = orders.orElse(form == GemForm.STAM ? STAM_ORDERS : visibleOrders(period));
         return new MethodPlan(
-                "gem: lines " + Lengths.format(period) + " apart, " + orders + (orders == 1 ? " order" : " orders")
+                "gem: lines " + Lengths.format(period) + " apart, " + count + (count == 1 ? " order" : " orders")
                         + " on each side, for comparison only",
                 () -> List.of("nothing of the surface is used"),
                 Optional.empty(),
@@ -89,13 +94,19 @@ public record GemMethod(Optional<Double> spacing, int orders, CoherenceWindow wi
                 // The formula has no power at a single wavelength.
                 EnumSet.of(MethodUse.COLOR),
                 () -> String.join("|", "gem", Double.toString(period), toString()),
-                (use, sources) -> tables(period));
+                (use, sources) -> tables(period, count));
     }
 
-    private ShaderTables tables(double period) {
+    /** Returns the largest n of a visible wavelength spacing |u| / n; |u| is 2 at most. */
+    private static int visibleOrders(double period) {
+        return Math.max(1, (int) (2 * period / CieTable.MINIMUM_WAVELENGTH));
+    }
+
+    private ShaderTables tables(double period, int count) {
         ShaderTables.Builder tables = new ShaderTables.Builder("gem");
         Average.COHERENT.defineIn(tables);
-        return fresnel.applyTo(tables.define("GEM_ORDERS", orders)
+        return fresnel.applyTo(tables.define("GEM_ORDERS", count)
+                .define("THESIS_FORM", form == GemForm.THESIS ? 1 : 0)
                 .reals("gemSpacing", period)
                 .build(window.sigmaMeters(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
     }

@@ -22,7 +22,7 @@ public final class MethodSettings {
             Kinds.word("PRESET", Preset.class),
             "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window on the corner,"
                     + " coherent; Fresnel's factor squared, CIE RGB, clipped highlights, on a mesh body seen by Fresnel's"
-                    + " factor; pq by ring, gem with one order. Other options override it one by one.");
+                    + " factor; pq by ring, gem in its form. Other options override it one by one.");
 
     public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
             "fresnel",
@@ -107,7 +107,15 @@ public final class MethodSettings {
     public static final Setting<Integer> ORDERS = new Setting<>(
             "orders",
             Kinds.integer("N", 1, 100),
-            "For gem: orders of the grating beside the mirror's, 8 (default, GPU Gems) or 1 (thesis).");
+            "For gem: orders of the grating beside the mirror's, 8 (default, GPU Gems); all visible ones in the thesis's"
+                    + " form.");
+
+    /** Form of the grating formula. */
+    public static final Setting<GemForm> GEM_FORM = new Setting<>(
+            "gemForm",
+            Kinds.word("FORM", GemForm.class),
+            "For gem: stam (default, GPU Gems), or thesis, as its program draws maps: within |v| < 0.01, fading by"
+                    + " exp(-(1.5 u / w)^2).");
 
     private MethodSettings() {}
 }

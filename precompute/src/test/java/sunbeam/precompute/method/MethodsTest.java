@@ -22,6 +22,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.GemForm;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
 import sunbeam.precompute.plan.Preset;
@@ -82,8 +83,8 @@ class MethodsTest {
         assertThat(pq.interpolation()).isEqualTo(PeriodInterpolation.RING);
         assertThat(pq.fresnel()).isEqualTo(FresnelFactor.SQUARED);
         GemMethod gem = (GemMethod) Methods.of(GEM.over(THESIS));
-        assertThat(gem.orders()).isEqualTo(1);
-        assertThat(((GemMethod) Methods.of(GEM)).orders()).isEqualTo(8);
+        assertThat(gem.form()).isEqualTo(GemForm.THESIS);
+        assertThat(((GemMethod) Methods.of(GEM)).form()).isEqualTo(GemForm.STAM);
 
         Choices once = THESIS.with(FRESNEL, FresnelFactor.ONCE);
         FullMethod full = (FullMethod) Methods.of(once);

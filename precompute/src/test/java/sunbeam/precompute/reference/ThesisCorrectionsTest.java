@@ -108,8 +108,7 @@ class ThesisCorrectionsTest {
         Complex first = new Complex(0.3, -1.2);
         Complex second = new Complex(0.7, 0.4);
         double difference = first.getImaginary() * second.getReal() - first.getReal() * second.getImaginary();
-        assertThat(first.divide(second).getImaginary())
-                .isCloseTo(difference / squared(second), within(ROUNDING));
+        assertThat(first.divide(second).getImaginary()).isCloseTo(difference / squared(second), within(ROUNDING));
     }
 
     /** Eq. 2.11 integrates f(t) g(t - x), which is f(t) times a constant; two Gaussians convolved have the sum of both variances. */

@@ -154,7 +154,8 @@ public final class EvaluateCommand extends ReportingCommand {
         ResponseMatrix power = plan.isPresent()
                 ? Responses.byShader(setup, plan.get(), grid)
                 : Responses.exact(setup, Methods.of(choices), grid);
-        Evaluation evaluation = Evaluation.of(patch, period, order, power.toRelativeRadiance(), area.window(), grating.peaks());
+        Evaluation evaluation =
+                Evaluation.of(patch, period, order, power.toRelativeRadiance(), area.window(), grating.peaks());
 
         String averaged =
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";

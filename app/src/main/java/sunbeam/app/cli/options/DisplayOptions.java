@@ -38,7 +38,8 @@ public final class DisplayOptions {
             names = "--tone",
             paramLabel = "CURVE",
             description = "Display of light brighter than the screen: compress (default) keeps its hue; clip cuts each"
-                    + " channel, as the thesis does (default with --preset thesis).")
+                    + " channel, as the thesis does (default with --preset thesis); gamma also has the exponent 1 / 2.5 of"
+                    + " the thesis's program.")
     private String tone;
 
     @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)

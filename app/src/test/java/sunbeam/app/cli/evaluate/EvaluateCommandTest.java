@@ -118,7 +118,8 @@ final class EvaluateCommandTest {
         assertThat(out.toString()).contains("maxima      2.500");
         // The standard error of 21 samples is 0.09 nm.
         assertThat(1e9 * report().at("/peaks_at_maxima/mean_m").doubleValue()).isCloseTo(2500.34, within(0.3));
-        assertThat(1e18 * report().at("/peaks_at_maxima/variance_m2").doubleValue()).isCloseTo(0.16, within(0.1));
+        assertThat(1e18 * report().at("/peaks_at_maxima/variance_m2").doubleValue())
+                .isCloseTo(0.16, within(0.1));
         assertThat(report().has("peaks_interpolated")).isFalse();
     }
 

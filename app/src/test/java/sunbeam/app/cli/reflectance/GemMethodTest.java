@@ -9,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
@@ -37,6 +38,38 @@ class GemMethodTest {
         assertThat(xyz.get(2)[0]).isGreaterThan(xyz.get(2)[1]).isGreaterThan(xyz.get(2)[2]);
         assertThat(xyz.get(3)).startsWith(0, 0, 0);
         assertThat(xyz.get(4)[1]).isCloseTo(1, within(1e-5f));
+    }
+
+    /** The bumps as X, Y and Z, of all orders whose wavelength is visible, along the grating alone. */
+    @Test
+    @EnabledIfEnvironmentVariable(
+            named = "DISPLAY",
+            matches = ".+",
+            disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+    void theThesissFormIsALineOfAllVisibleOrders() {
+        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        double u = 0.75;
+        double angle = Math.toDegrees(Math.asin(u));
+        List<DirectionPair> directions = List.of(
+                MethodProbe.inPlane(0, angle),
+                new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDegrees(angle, 1)),
+                MethodProbe.inPlane(0, 0));
+        List<float[]> xyz = probe.colors(directions, "--method", "gem", "--preset", "thesis");
+        double slope = 1.5 * u / (1 + Math.sqrt(1 - u * u));
+        double[] white = {0.95047, 1, 1.08883};
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            for (int order = 1; order <= 13; order++) {
+                double place = (2500 * u / order - 380) / 400;
+                sum += Math.max(0, 1 - Math.pow(4 * place - 3 + c, 2));
+            }
+            // Behind a curve of exponent 1 / 2.4 the light is exp(-slope^2) times as bright; float32.
+            double expected = 0.1 * white[c] * sum * Math.exp(-2.4 * slope * slope);
+            assertThat((double) xyz.get(0)[c]).isCloseTo(expected, within(1e-4 * white[c]));
+        }
+        assertThat(xyz.get(0)[1]).isGreaterThan(0.01f);
+        assertThat(xyz.get(1)).startsWith(0, 0, 0);
+        assertThat(xyz.get(2)[1]).isCloseTo(1, within(1e-5f));
     }
 
     @Test
