@@ -27,5 +27,5 @@ void main() {
     view = vec4(viewDirection(frame), patchColorHere() == patchColor ? THIS_PATCH : OTHER_PATCH);
     normal = vec4(frame[2], frameHandedness());
     tangent = vec4(frame[0], min(abs(worldTangent.w), 1.0));
-    albedo = vec4(relief.w * texture(bodyTexture, surfaceCoordinate).rgb, visibility(worldPosition, normalize(worldNormal)));
+    albedo = vec4(skinAlbedo(relief, texture(bodyTexture, surfaceCoordinate).rgb), visibility(worldPosition, normalize(worldNormal)));
 }

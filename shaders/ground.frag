@@ -8,11 +8,13 @@
 #include "jrtr/view_rays.glsl"
 #include "include/blend.glsl"
 #include "include/shadow.glsl"
+#include "include/sky.glsl"
 #if SCREEN == 1
 #include "include/display.glsl"
 #endif
 
-// An opaque plane under a mesh, with the mesh's shadow and occlusion of the sky; the plane fades to black with distance.
+// An opaque plane under a mesh, with the mesh's shadow and occlusion of the sky; the plane fades to the horizon's color with
+// distance, and that color to the background with height.
 
 // SCREEN: 1 to write sRGB for pictures drawn while something moves, 0 to write linear XYZ.
 
@@ -37,6 +39,9 @@ uniform vec3 behind;
 // Linear XYZ and coverage, 1 or 0; with SCREEN opaque sRGB.
 layout(location = 0) out vec4 color;
 
+// One over the sine of the elevation at which 37 % of the horizon's light is left.
+const float GLOW = 8.0;
+
 // Smooth noise of sand, -1 to 1.
 float noise(vec2 at) {
     vec2 cell = floor(at);
@@ -57,8 +62,10 @@ vec4 ground() {
     vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
+    vec3 horizon = skyWeight * lightRadiances[0].y * HORIZON;
     if (height <= 0.0 || slant <= 1e-4) {
-        return vec4(0.0);
+        float glow = height > 0.0 && skyWeight > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
+        return glow * vec4(horizon, 1.0);
     }
     vec3 at = eye - height / slant * towards;
     vec2 place = vec2(
@@ -73,8 +80,8 @@ vec4 ground() {
         light += groundLight(number, 1.0);
     }
     float grain = 1.0 + 0.06 * noise(9.0 * place) + 0.05 * noise(41.0 * place) + 0.05 * noise(170.0 * place);
-    float lit = fade * grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y);
-    return vec4(lit * (LINEAR_SRGB_TO_XYZ * groundColor), 1.0);
+    float lit = grain * (ambientWeight * sky * light.x + diffuseWeight * (0.4 + 0.6 * sky) * light.y);
+    return vec4(mix(horizon, lit * (LINEAR_SRGB_TO_XYZ * groundColor), fade), 1.0);
 }
 
 void main() {

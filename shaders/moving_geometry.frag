@@ -16,6 +16,6 @@ layout(location = 0) out vec4 surface;
 
 void main() {
     vec4 relief = reliefTexel();
-    vec3 albedo = relief.w * texelAt(bodyTexture, surfaceCoordinate).rgb;
+    vec3 albedo = skinAlbedo(relief, texelAt(bodyTexture, surfaceCoordinate).rgb);
     surface = packedSkin(reliefNormal(relief.xy), worldTangent, patchTurn(), albedo, abs(worldTangent.w));
 }

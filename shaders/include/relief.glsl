@@ -15,7 +15,8 @@ vec4 texelAt(sampler2D image, vec2 at) {
 #endif
 }
 
-// Scales of a skin (sunbeam.app.scene.texture.ScaleRelief): red and green are slopes along u and v, alpha a factor of the albedo.
+// Relief of a skin (sunbeam.app.scene.texture.ScaleRelief), the head's below HEAD_SHARE of the height: red and green are slopes along u and
+// v, blue is the share of pale pigment, alpha a factor of the albedo.
 uniform sampler2D skinRelief;
 // Repetitions of the relief per unit of u; u at which scales begin, behind the head; slope that a channel of 255 encodes, 0 for no scales;
 // albedo factor that an alpha of 1 encodes.
@@ -37,11 +38,28 @@ vec2 patchTurn() {
     return vec2(along.x * tangentCosine - along.y * tangentSine, along.y * tangentCosine + along.x * tangentSine);
 }
 
-// Slopes of the relief along u and v (xy) and factor of the albedo (w); 0 and 1 on the head, where scales fade out within 1 / 60 of u.
+const float HEAD_SHARE = 0.2;
+// Linear sRGB of pale pigment.
+const vec3 PALE = vec3(0.61, 0.52, 0.39);
+
+// Slopes of the relief along u and v (xy), share of pale pigment (z) and factor of the albedo (w). Both reliefs fade out within 1 / 120 of u
+// where the head ends.
 vec4 reliefTexel() {
-    vec4 texel = texelAt(skinRelief, vec2(reliefPerUnit * surfaceCoordinate.x, surfaceCoordinate.y));
-    float share = clamp(60.0 * (surfaceCoordinate.x - reliefBegin) + 0.5, 0.0, 1.0);
-    return vec4(share * reliefSteepest * (255.0 * texel.xy - 128.0) / 127.0, 0.0, mix(1.0, texel.w * reliefLightest, share));
+    float u = surfaceCoordinate.x;
+    float v = surfaceCoordinate.y;
+    bool onHead = u < reliefBegin;
+    vec2 at = vec2(
+            onHead ? u / reliefBegin : reliefPerUnit * u,
+            onHead ? HEAD_SHARE * v : HEAD_SHARE + (1.0 - HEAD_SHARE) * v);
+    vec4 texel = texelAt(skinRelief, at);
+    float share = min(120.0 * abs(u - reliefBegin), 1.0);
+    vec2 slopes = share * reliefSteepest * (255.0 * texel.xy - 128.0) / 127.0;
+    return vec4(slopes, share * texel.z, mix(1.0, texel.w * reliefLightest, share));
+}
+
+// Albedo of a skin with that relief over a body's color, linear sRGB.
+vec3 skinAlbedo(vec4 relief, vec3 color) {
+    return relief.w * mix(color, PALE, relief.z);
 }
 
 // World-space normal of the relief with slopes along tangent and bitangent; not normalized.

@@ -148,6 +148,7 @@ final class Ground implements AutoCloseable {
         to.set("groundNormal", toWorld.transformDirection(new Vector3f(0, 0, 1)));
         double[] color = scene.effectiveSurroundings().ground().orElseThrow().light();
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
+        to.set("skyWeight", (float) scene.effectiveSurroundings().sky());
         to.set("ambientWeight", (float) scene.blend().ambient());
         to.set("diffuseWeight", (float) scene.blend().diffuse());
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(to);

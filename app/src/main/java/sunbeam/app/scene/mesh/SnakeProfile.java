@@ -12,12 +12,12 @@ final class SnakeProfile {
     static final double NECK = 0.045;
 
     // Squared half width of the head over the place, in RADIUS^2. It grows linearly from the snout, which makes a
-    // round end.
+    // round end. The neck has 80 % of the width of the wedge-shaped head.
     private final Curve squaredHead = new Curve(
-            -0.0035, -0.24, 0, 0, 0.0035, 0.24, 0.0105, 0.46, 0.021, 0.7, 0.0275, 0.64, 0.0345, 0.36, NECK, 0.23);
+            -0.0035, -0.22, 0, 0, 0.0035, 0.22, 0.0105, 0.44, 0.021, 0.64, 0.0275, 0.61, 0.0345, 0.49, NECK, 0.41);
     // Half width over the place, in RADIUS. The point beyond the tip keeps the tail a cone.
     private final Curve body = new Curve(
-            NECK, 0.48, 0.11, 0.6, 0.25, 0.88, 0.42, 1, 0.58, 0.98, 0.76, 0.72, 0.9, 0.34, 1, 0.05, 1.1, -0.24);
+            NECK, 0.64, 0.11, 0.68, 0.25, 0.88, 0.42, 1, 0.58, 0.98, 0.76, 0.72, 0.9, 0.34, 1, 0.05, 1.1, -0.24);
     // Ratio of height to width over the place: a flat head, a round neck, a body that sags a little.
     private final Curve flatness = new Curve(0, 0.72, 0.0225, 0.62, NECK, 0.86, 0.2, 0.9, 0.8, 0.92, 1, 1);
 

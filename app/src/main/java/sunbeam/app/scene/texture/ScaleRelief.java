@@ -6,8 +6,9 @@ import sunbeam.app.files.cache.BlobCache;
 /**
  * Relief of a snake's scales: convex plates in rows along the body, neighboring rows offset by half a scale. Each scale covers the front of
  * the next; the belly has shields across its whole width, one per length of a scale. The relief is a texture that repeats along the body
- * and goes once around it, v from belly to belly. Red and green encode slopes along u and v, {@link #STEEPEST} times -1 to 1; alpha encodes
- * a factor of the skin's lightness, 0 to {@link #LIGHTEST}.
+ * and goes once around it, v from belly to belly; below it lies the relief of the head, {@link #HEAD_SHARE} of the texture's height. Red and
+ * green encode slopes along u and v, {@link #STEEPEST} times -1 to 1; blue the share of pale pigment; alpha a factor of the skin's
+ * lightness, 0 to {@link #LIGHTEST}.
  */
 public final class ScaleRelief {
     /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
@@ -28,15 +29,23 @@ public final class ScaleRelief {
     /** Lightness that alpha 1 encodes. */
     public static final double LIGHTEST = 1.25;
 
-    // Texels along each side of the texture.
+    /** Share of the texture's height that the head's relief takes, from v = 0 on. */
+    public static final double HEAD_SHARE = 0.2;
+
+    // Texels along the body's relief and around it, and around the head.
     private static final int TEXELS = 1024;
+    private static final int HEAD_ROWS = 256;
     // Heights in widths of a row: of a scale's dome, of its rise over its own length towards the rear, of the drop at
     // its rim.
     private static final double DOME = 0.085;
     private static final double TILT = 0.22;
-    private static final double RIM = 0.035;
+    private static final double RIM = 0.0175;
     // Half width of the keel, as a share of half a scale's width.
-    private static final double KEEL = 0.3;
+    private static final double KEEL = 0.5;
+    // Rows of a smooth snake's scales with pale rims, above the lowest row, which is pale.
+    private static final int PALE_RIMS = 2;
+    // Half the girth of the head in its lengths.
+    private static final double HALF_GIRTH = 0.5;
     // Largest random variation of the scales' slopes, and of their lightness relative to 1.
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
@@ -47,6 +56,8 @@ public final class ScaleRelief {
     private static final double HALF_WIDTH = 1.04;
     // Step of numerical derivatives, in lengths of a scale along and in widths of a row around.
     private static final double STEP = 1e-3;
+    // Offset that makes all rows' numbers positive.
+    private static final int FIRST_ROW = 64;
     // Points averaged in a texel, along each axis.
     private static final int POINTS_PER_AXIS = 2;
 
@@ -71,18 +82,36 @@ public final class ScaleRelief {
         ScaleRelief relief = new ScaleRelief(scales);
         return new BodyTexture(
                 TEXELS,
-                TEXELS,
-                cache.get("relief of " + scales.rows() + " rows of scales", 4 * TEXELS * TEXELS, relief::texels));
+                TEXELS + HEAD_ROWS,
+                cache.get(
+                        "relief of head and " + scales.rows() + " rows of scales",
+                        4 * TEXELS * (TEXELS + HEAD_ROWS),
+                        relief::texels));
     }
 
     private byte[] texels() {
-        byte[] rgba = new byte[4 * TEXELS * TEXELS];
-        IntStream.range(0, TEXELS).parallel().forEach(row -> {
+        byte[] rgba = new byte[4 * TEXELS * (TEXELS + HEAD_ROWS)];
+        IntStream.range(0, TEXELS + HEAD_ROWS).parallel().forEach(row -> {
             for (int column = 0; column < TEXELS; column++) {
-                texel(column, row, rgba, 4 * (row * TEXELS + column));
+                int at = 4 * (row * TEXELS + column);
+                if (row < TEXELS) {
+                    texel(column, row, rgba, at);
+                } else {
+                    headTexel(column, row - TEXELS, rgba, at);
+                }
             }
         });
         return rgba;
+    }
+
+    private static void headTexel(int column, int row, byte[] rgba, int at) {
+        double along = (column + 0.5) / TEXELS;
+        double around = 1 - 2 * (row + 0.5) / HEAD_ROWS;
+        double ahead = SnakeHead.height(along + STEP, around) - SnakeHead.height(along - STEP, around);
+        double beside = SnakeHead.height(along, around + STEP) - SnakeHead.height(along, around - STEP);
+        rgba[at] = slope(ahead / (2 * STEP), noise(2 * at));
+        rgba[at + 1] = slope(beside / (2 * STEP * HALF_GIRTH), noise(2 * at + 1));
+        rgba[at + 3] = code(1 / LIGHTEST);
     }
 
     /**
@@ -98,7 +127,7 @@ public final class ScaleRelief {
 
     /** Computes a texel's bytes as means over several points, which smooths rims. */
     private void texel(int column, int row, byte[] rgba, int at) {
-        double[] sum = new double[3];
+        double[] sum = new double[4];
         for (int i = 0; i < POINTS_PER_AXIS; i++) {
             double around = 1 - 2 * (row + (i + 0.5) / POINTS_PER_AXIS) / TEXELS;
             for (int j = 0; j < POINTS_PER_AXIS; j++) {
@@ -109,11 +138,12 @@ public final class ScaleRelief {
         double share = 1.0 / (POINTS_PER_AXIS * POINTS_PER_AXIS);
         rgba[at] = slope(share * sum[0], noise(2 * at));
         rgba[at + 1] = slope(share * sum[1], noise(2 * at + 1));
+        rgba[at + 2] = code(share * sum[3]);
         rgba[at + 3] = code(share * sum[2] / LIGHTEST);
     }
 
     /**
-     * Adds slopes along u and v and lightness at a point.
+     * Adds slopes along u and v, lightness and share of pale pigment at a point.
      *
      * @param x along the body, in lengths of a scale
      * @param y around the body from the middle of the back, in widths of a row
@@ -160,12 +190,22 @@ public final class ScaleRelief {
         sum[0] += slopeAlong + unevenAlong;
         sum[1] += slopeAround + unevenAround;
         sum[2] += lightness;
+        sum[3] += pale(top);
+    }
+
+    private double pale(Plate plate) {
+        int aboveLowest = outermostRow - Math.abs(plate.number / SCALES_ALONG - FIRST_ROW);
+        if (scales != Scales.SMOOTH || plate.isShield || aboveLowest > PALE_RIMS) {
+            return 0;
+        }
+        return aboveLowest == 0 ? 1 : 0.8 * BodyColors.step(0.5, 0.95, plate.edge);
     }
 
     private Plate scale(int row, int scale, double along, double beside) {
         double ahead = along / (along > 0 ? REAR_LENGTH : FRONT_LENGTH);
         double edge = ahead * ahead + beside * beside;
-        return new Plate(Math.floorMod(scale, SCALES_ALONG) + SCALES_ALONG * (row + 64), along, beside, edge, false);
+        return new Plate(
+                Math.floorMod(scale, SCALES_ALONG) + SCALES_ALONG * (row + FIRST_ROW), along, beside, edge, false);
     }
 
     /** Returns the belly's shield at a point; its rear edge bends towards the tail in the middle. */

@@ -7,7 +7,7 @@ public enum Scales {
     /** A sunbeam snake's scales: broad and smooth, in 15 rows. */
     SMOOTH(15, 0),
     /** A rat snake's scales: narrower, in 21 rows, keeled on the back. */
-    KEELED(21, 0.035);
+    KEELED(21, 0.03);
 
     private final int rows;
     private final double keel;

@@ -3,7 +3,7 @@ package sunbeam.app.scene.texture;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Drawing on a snake's head over the color of its skin: eyes, the line of the mouth, and seams of its shields. */
+/** Eyes, line of the mouth and shields of a snake's head: their drawing over the color of the skin, and their relief. */
 public final class SnakeHead {
     /** Center of the eyes along the head: snout 0, neck 1. */
     public static final double EYE_ALONG = 0.27;
@@ -20,6 +20,9 @@ public final class SnakeHead {
     private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
     private static final double SEAM_WIDTH = 0.009;
     private static final double DARKEST_SEAM = 0.72;
+    // Depths of a seam and of the shields' round edges, in lengths of the head: a tenth of a millimeter each.
+    private static final double GROOVE_DEPTH = 0.0022;
+    private static final double ROUNDING = 0.002;
     // Lower edge of the top's shields, and half width of the frontal shield; top 0, bottom 1.
     private static final double TOP_EDGE = 0.27;
     private static final double FRONTAL_HALF_WIDTH = 0.1;
@@ -35,7 +38,7 @@ public final class SnakeHead {
 
     /** Returns the color of a place: {@code along} from snout 0 to neck 1, {@code side} from top 0 to bottom 1. */
     Vector3dc at(double along, double side, Vector3dc skin) {
-        Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side), new Vector3d());
+        Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side, 1), new Vector3d());
         double mouth = line(side - MOUTH + 0.07 * (along - 0.4) * (along - 0.4), 0.013)
                 * (1 - BodyColors.step(0.6, 0.7, along));
         color.lerp(PUPIL, 0.85 * mouth);
@@ -47,23 +50,36 @@ public final class SnakeHead {
         return color;
     }
 
-    private static double seam(double along, double side) {
+    /**
+     * Returns the height of the shields, whose edges sink to the seams, in lengths of the head.
+     *
+     * @param along from snout 0 to neck 1
+     * @param around from the top to either side: top 0, bottom 1 and -1
+     */
+    static double height(double along, double around) {
+        double side = Math.abs(around);
+        return -GROOVE_DEPTH * seam(along, side, 2.2) - ROUNDING * seam(along, side, 6);
+    }
+
+    /** @param widening factor of the seams' width */
+    private static double seam(double along, double side, double widening) {
+        double width = widening * SEAM_WIDTH;
         double seam = 0;
         for (double at : SEAMS) {
             seam = Math.max(
                     seam,
-                    line(along - at - 0.12 * side * (0.5 - at), SEAM_WIDTH)
+                    line(along - at - 0.12 * side * (0.5 - at), width)
                             * (1 - BodyColors.step(TOP_EDGE, TOP_EDGE + 0.03, side)));
         }
         boolean isFrontal = along > SEAMS[2] && along < SEAMS[3];
         double end = 1 - BodyColors.step(SEAMS[4], SEAMS[4] + 0.01, along);
-        seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL_HALF_WIDTH : 0), 2 * SEAM_WIDTH));
-        seam = Math.max(seam, end * line(side - TOP_EDGE, 2 * SEAM_WIDTH));
+        seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL_HALF_WIDTH : 0), 2 * width));
+        seam = Math.max(seam, end * line(side - TOP_EDGE, 2 * width));
         // Seams between the shields of the lips.
         double lip = BodyColors.step(MOUTH - LIP_WIDTH, MOUTH - LIP_WIDTH + 0.02, side)
                 * (1 - BodyColors.step(MOUTH + LIP_WIDTH, MOUTH + LIP_WIDTH + 0.02, side));
         double shields = along / 0.085;
-        return Math.max(seam, 0.7 * lip * line((shields - Math.rint(shields)) * 0.085, SEAM_WIDTH));
+        return Math.max(seam, 0.7 * lip * line((shields - Math.rint(shields)) * 0.085, width));
     }
 
     /** Returns 1 on a line, 0 at its width or more from it. */

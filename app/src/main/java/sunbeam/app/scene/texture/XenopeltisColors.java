@@ -4,8 +4,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A sunbeam snake (Xenopeltis unicolor): nearly black brown without markings, so that only diffraction colors it; paler flanks and a pale
- * belly.
+ * A sunbeam snake (Xenopeltis unicolor): nearly black brown without markings, so that only diffraction colors it; paler flanks, a pale
+ * belly and pale lips. {@link ScaleRelief} has the pale scales above the belly.
  */
 final class XenopeltisColors implements BodyColors {
     private static final Vector3dc BACK = BodyColors.ofSrgb(0x33231b);
@@ -22,7 +22,9 @@ final class XenopeltisColors implements BodyColors {
         Vector3dc skin = BACK.lerp(FLANK, BodyColors.step(0.3, 0.7, side), new Vector3d());
         double mottled = mottle.at(along, around);
         Vector3dc uneven = skin.mul(1 + 0.12 * grain.at(along, around) + 0.12 * mottled, new Vector3d());
-        Vector3dc pale = uneven.lerp(BELLY, BodyColors.step(0.72, 0.84, side + 0.03 * mottled), new Vector3d());
+        // The upper lip is pale; behind the head the edge sinks to that of the belly's shields.
+        double edge = 0.52 + 0.2 * BodyColors.step(0.6, 1, along / ScaleRelief.BEGIN);
+        Vector3dc pale = uneven.lerp(BELLY, BodyColors.step(edge, edge + 0.04, side), new Vector3d());
         return along < ScaleRelief.BEGIN ? head.at(along / ScaleRelief.BEGIN, side, pale) : pale;
     }
 }

@@ -1,5 +1,7 @@
 package sunbeam.app.scene.mesh.output;
 
+import static sunbeam.app.scene.texture.ScaleRelief.HEAD_SHARE;
+
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -23,8 +25,10 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // Numbers of points averaged in a texel, along the body and across: as dense as the texels of the relief texture.
     private static final int POINTS_ALONG = 5;
     private static final int POINTS_ACROSS = 2;
-    // Relief of smooth skin: no slopes along u and v, lightness 1.
-    private static final double[] SMOOTH = {0, 0, 1};
+    // Relief of smooth skin: no slopes along u and v, lightness 1, no pale pigment.
+    private static final double[] SMOOTH = {0, 0, 1, 0};
+    // PALE of shaders/include/relief.glsl, linear.
+    private static final double[] PALE = {0.61, 0.52, 0.39};
 
     public static SkinMaps of(Body body) {
         return body.scales() == Scales.NONE
@@ -49,7 +53,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 double u = (column + 0.5) / width;
                 double[] relief =
                         isSmooth ? SMOOTH : relief(body.relief(), reliefsPerU, u, v, 1.0 / width, 1.0 / height);
-                albedo[column] = rgb(color(body.colors(), u, v), relief[2]);
+                albedo[column] = rgb(color(body.colors(), u, v), relief[2], relief[3]);
                 normals[column] = normal(relief);
             }
             // Threads may write rows in parallel, because these do not overlap in the image's array.
@@ -76,33 +80,37 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         };
     }
 
-    /** Returns means over a texel of size (du, dv): slopes along u and v, and lightness of the skin. */
+    /** Returns means over a texel of size (du, dv): slopes along u and v, lightness of the skin and share of pale pigment. */
     private static double[] relief(BodyTexture relief, double reliefsPerU, double u, double v, double du, double dv) {
-        // The relief fades in over 1/60 of u where the head ends.
-        double scaleShare = Math.max(0, Math.min(1, 60 * (u - ScaleRelief.BEGIN) + 0.5));
-        double[] sum = new double[3];
+        // Both reliefs fade out over 1/120 of u where the head ends.
+        double share = Math.min(1, 120 * Math.abs(u - ScaleRelief.BEGIN));
+        double[] sum = new double[4];
         byte[] rgba = relief.rgba();
         for (int i = 0; i < POINTS_ALONG; i++) {
             for (int j = 0; j < POINTS_ACROSS; j++) {
                 double along = u + ((i + 0.5) / POINTS_ALONG - 0.5) * du;
                 double across = v + ((j + 0.5) / POINTS_ACROSS - 0.5) * dv;
-                int at = byteIndex(relief, reliefsPerU * along, across);
+                double inside = Math.max(0, Math.min(1, across));
+                int at = u < ScaleRelief.BEGIN
+                        ? byteIndex(relief, along / ScaleRelief.BEGIN, HEAD_SHARE * inside)
+                        : byteIndex(relief, reliefsPerU * along, HEAD_SHARE + (1 - HEAD_SHARE) * inside);
                 sum[0] += (Byte.toUnsignedInt(rgba[at]) - 128) / 127.0;
                 sum[1] += (Byte.toUnsignedInt(rgba[at + 1]) - 128) / 127.0;
                 sum[2] += Byte.toUnsignedInt(rgba[at + 3]) / 255.0;
+                sum[3] += Byte.toUnsignedInt(rgba[at + 2]) / 255.0;
             }
         }
         double each = 1.0 / (POINTS_ALONG * POINTS_ACROSS);
-        double slope = scaleShare * ScaleRelief.STEEPEST * each;
-        double light = 1 + scaleShare * (ScaleRelief.LIGHTEST * each * sum[2] - 1);
-        return new double[] {slope * sum[0], slope * sum[1], light};
+        double slope = share * ScaleRelief.STEEPEST * each;
+        double light = 1 + share * (ScaleRelief.LIGHTEST * each * sum[2] - 1);
+        return new double[] {slope * sum[0], slope * sum[1], light, share * each * sum[3]};
     }
 
-    private static int rgb(int[] color, double light) {
+    private static int rgb(int[] color, double light, double pale) {
         int rgb = 0;
-        for (int channel : color) {
-            int value = light == 1 ? channel : Srgb.channel(light * Srgb.linear(channel));
-            rgb = rgb << 8 | value;
+        for (int c = 0; c < 3; c++) {
+            double linear = light * ((1 - pale) * Srgb.linear(color[c]) + pale * PALE[c]);
+            rgb = rgb << 8 | (light == 1 && pale == 0 ? color[c] : Srgb.channel(linear));
         }
         return rgb;
     }

@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -95,9 +96,42 @@ class MeshWritersTest {
         // Scales rise towards the tail, which is +u: by a tenth, their tilt over their length. Normals lean to the
         // head.
         assertThat(red[red.length / 2] / 127.5 - 1).isBetween(-0.15, -0.05);
-        // On the head there are none.
-        assertThat(normals.getRGB(50, 32) & 0xffffff).isEqualTo(0x8080ff);
-        assertThat(maps.albedo().getRGB(50, 32) & 0xffffff).isEqualTo(0x646464);
+        // On the head there are none: the middle of the frontal shield leans by a few degrees, and a groove surrounds
+        // it.
+        assertThat(slope(normals, 65)).isLessThan(0.08);
+        assertThat(IntStream.range(65, 90)
+                        .mapToDouble(column -> slope(normals, column))
+                        .max()
+                        .orElseThrow())
+                .isBetween(0.1, ScaleRelief.STEEPEST);
+        assertThat(maps.albedo().getRGB(65, 32) & 0xffffff).isEqualTo(0x646464);
+    }
+
+    @Test
+    void onlyASmoothSnakesLowestScalesAndTheRimsAboveThemArePale() {
+        BodyTexture black = new BodyTexture(1, 1, new byte[] {0, 0, 0, -1});
+        for (Scales scales : new Scales[] {Scales.SMOOTH, Scales.KEELED}) {
+            BufferedImage albedo = SkinMaps.of(
+                            new Body(black, scales, ScaleRelief.of(scales, BlobCache.NONE)), 2048, 64)
+                    .albedo();
+            // The lowest of 15 rows is centered 7 of 15 times 0.76 of the girth away from the back.
+            int lowest = (int) (64 * (0.5 + 0.76 * 7 / 15));
+            double[] reds = IntStream.of(32, lowest)
+                    .mapToDouble(row -> IntStream.range(1000, 1100)
+                            .map(column -> albedo.getRGB(column, row) >> 16 & 255)
+                            .average()
+                            .orElseThrow())
+                    .toArray();
+            assertThat(reds[0]).as("back of %s", scales).isZero();
+            assertThat(reds[1]).as("lowest row of %s", scales).isBetween(scales == Scales.SMOOTH ? 100.0 : 0, 255.0);
+            assertThat(reds[1] > 0).isEqualTo(scales == Scales.SMOOTH);
+        }
+    }
+
+    /** Magnitude of the slope in a column of the middle of the back. */
+    private static double slope(BufferedImage normals, int column) {
+        int rgb = normals.getRGB(column, normals.getHeight() / 2);
+        return Math.hypot((rgb >> 16 & 255) / 127.5 - 1, (rgb >> 8 & 255) / 127.5 - 1);
     }
 
     @Test
