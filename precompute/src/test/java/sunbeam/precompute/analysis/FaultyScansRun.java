@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /**
- * What is told of scans that a scanner has spoiled and of surfaces that are no gratings: makes a table of
+ * Estimated periods of faulty scans and of surfaces without a grating: makes a table of
  * docs/evaluation.md. Not among the tests: {@code ./sunbeam test -Dtest=FaultyScansRun}, with {@code -Dsunbeam.seed=N} for
  * other draws, {@code -Dsunbeam.draws=N} for more of each kind and {@code -Dsunbeam.kind=K} for one kind.
  */
@@ -29,12 +29,12 @@ class FaultyScansRun {
         int missed = 0;
         for (long seed = FIRST_SEED; seed < FIRST_SEED + DRAWS; seed++) {
             FaultyScan scan = FaultyScan.draw(kind, seed);
-            Optional<GratingPeriod> told = scan.estimate();
-            if (told.filter(scan::holdsTruth).isPresent()) {
+            Optional<GratingPeriod> estimate = scan.estimate();
+            if (estimate.filter(scan::holdsTruth).isPresent()) {
                 held++;
-            } else if (told.isPresent()) {
+            } else if (estimate.isPresent()) {
                 missed++;
-                System.out.println("  missed: " + scan.words() + ": " + told.get());
+                System.out.println("  missed: " + scan.words() + ": " + estimate.get());
             }
         }
         System.out.printf(Locale.ROOT, "%-14s %7d %8d %9d%n", kind, held, missed, DRAWS - held - missed);

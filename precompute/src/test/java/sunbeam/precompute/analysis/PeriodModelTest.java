@@ -10,9 +10,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 
-/** The period of pieces of surfaces: right where it is told, and refused where it is not. */
+/** The period of pieces of surfaces: right where there is an estimate, and without one elsewhere. */
 class PeriodModelTest {
-    private static Optional<GratingPeriod> told(HeightMap map) {
+    private static Optional<GratingPeriod> estimate(HeightMap map) {
         return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isSure);
     }
 
@@ -23,7 +23,7 @@ class PeriodModelTest {
         double x1 = Math.cos(Math.toRadians(degrees)) / micrometers * 1e6;
         double y1 = Math.sin(Math.toRadians(degrees)) / micrometers * 1e6;
         HeightMap map = Surfaces.of(128, 110, 80e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * (x1 * x + y1 * y)));
-        GratingPeriod period = told(map).orElseThrow();
+        GratingPeriod period = estimate(map).orElseThrow();
         assertThat(1e-6 * micrometers).isBetween(period.low(), period.high());
         // Nothing disturbs it: an exact wave is known to a hundredth of a line over the scan, 1.5 % of seven periods.
         assertThat(period.high() - period.low()).isLessThan(0.03e-6 * micrometers);
@@ -36,31 +36,31 @@ class PeriodModelTest {
     @Test
     void estimatedIntervalsHoldTheTruth() {
         int held = 0;
-        int told = 0;
+        int answers = 0;
         for (long seed = 9000; seed < 9003; seed++) {
             for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
                 SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
                 Optional<GratingPeriod> period = grating.estimate();
-                told += period.isPresent() ? 1 : 0;
+                answers += period.isPresent() ? 1 : 0;
                 held += period.filter(grating::holdsTruth).isPresent() ? 1 : 0;
             }
             for (FaultyScan.Kind kind : FaultyScan.Kind.values()) {
                 FaultyScan scan = FaultyScan.draw(kind, seed);
                 Optional<GratingPeriod> period = scan.estimate();
-                told += period.isPresent() ? 1 : 0;
+                answers += period.isPresent() ? 1 : 0;
                 held += period.filter(scan::holdsTruth).isPresent() ? 1 : 0;
             }
         }
         // Of some 40 answers at 95 %, six or more are wrong once in 70 such tests; most of the 72 draws are answered.
-        assertThat(told).isGreaterThan(32);
-        assertThat(told - held).isLessThan(6);
+        assertThat(answers).isGreaterThan(32);
+        assertThat(answers - held).isLessThan(6);
     }
 
     @ParameterizedTest
     @EnumSource
     void surfacesWithoutPeriodAreRefused(PeriodlessSurface surface) {
         for (long seed = 0; seed < 4; seed++) {
-            assertThat(told(surface.draw(seed))).as(surface + " " + seed).isEmpty();
+            assertThat(estimate(surface.draw(seed))).as(surface + " " + seed).isEmpty();
         }
     }
 

@@ -56,7 +56,7 @@ class SimulatedGratingsRun {
                 directions.words());
     }
 
-    /** How often and how well directions are told. */
+    /** How often and how exactly directions are found. */
     private static final class Directions {
         private int held;
         private final List<Double> halfWidths = new ArrayList<>();

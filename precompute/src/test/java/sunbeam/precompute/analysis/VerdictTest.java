@@ -21,19 +21,35 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Crop;
 
 class VerdictTest {
-    private static Patch piece(HeightMap map, List<ScanFault> faults) {
-        return new Patch("piece", map, map, "a test", List.of(), List.of(), List.of(), faults, Patch.Repetition.NONE);
+    private static Patch scan(HeightMap map, Patch.Repetition repetition, ScanFault... faults) {
+        return new Patch("scan", map, map, "a test", List.of(), List.of(), List.of(), List.of(faults), repetition);
+    }
+
+    private static Patch piece(HeightMap map, ScanFault... faults) {
+        return scan(map, Patch.Repetition.NONE, faults);
+    }
+
+    /** 15 um in samples of 100 nm. */
+    private static Patch piece(DoubleBinaryOperator heights) {
+        return piece(Surfaces.of(150, 150, 100e-9, heights));
+    }
+
+    private static double sine(double position, double period) {
+        return 50e-9 * Math.sin(2 * Math.PI * position / period);
     }
 
     private static String verdict(Patch patch) {
-        return Verdict.of(patch, GratingPeriod.of(patch)).sentence();
+        return verdict(patch, 0);
+    }
+
+    private static String verdict(Patch patch, double lightDegrees) {
+        return Verdict.of(patch, GratingPeriod.of(patch), lightDegrees).sentence();
     }
 
     /** sin theta = lambda / d, of 400 and 700 nm: 19.5 and 35.7 degrees for 1.2 um, of which the interval is a thousandth. */
     @Test
     void aGratingHasItsIntervalAndItsAngles() {
-        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * y / 1.2e-6));
-        assertThat(verdict(piece(map, List.of())))
+        assertThat(verdict(piece((x, y) -> sine(y, 1.2e-6))))
                 .matches(
                         "A grating of 1\\.(1999|20)[0-9]* um \\(1\\.(19|20)[0-9]* to 1\\.20[0-9]*\\) across 90 degrees:"
                                 + " first-order colors at 19 to 36 degrees under light from above");
@@ -42,25 +58,20 @@ class VerdictTest {
     /** sin theta = +-lambda / d - 1/2: -9.6 and 4.8, -56.4 and beyond -90 degrees for 1.2 um. */
     @Test
     void obliqueLightHasAnglesOnEitherSideOfItsMirrorDirection() {
-        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 1.2e-6));
-        Patch patch = piece(map, List.of());
-        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 30).sentence())
+        assertThat(verdict(piece((x, y) -> sine(x, 1.2e-6)), 30))
                 .endsWith("first-order colors at -10 to 5 degrees and from -56 degrees on under light at 30 degrees");
     }
 
     /** sin theta = +-lambda / d - 0.17: 2.1 to 11.2 degrees for 1.9 um, and -22.6 to -32.8 on the other side. */
     @Test
     void anglesOnEitherSideOfTheMirrorDirectionAscend() {
-        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 1.9e-6));
-        Patch patch = piece(map, List.of());
-        assertThat(Verdict.of(patch, GratingPeriod.of(patch), 10).sentence())
+        assertThat(verdict(piece((x, y) -> sine(x, 1.9e-6)), 10))
                 .contains("first-order colors at 2 to 11 degrees and at -33 to -23 degrees under light");
     }
 
     @Test
     void directionsHaveTenthsOfADegree() {
-        HeightMap map = Surfaces.of(150, 150, 100e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * y / 1.2e-6));
-        assertThat(GratingPeriod.of(piece(map, List.of())).describe())
+        assertThat(GratingPeriod.of(piece((x, y) -> sine(y, 1.2e-6))).describe())
                 .contains(", in direction 90.0 +- 0.1 degrees; seen 12.5 times");
     }
 
@@ -78,47 +89,40 @@ class VerdictTest {
 
     @Test
     void aProfileOfOneRowHasItsPeriod() {
-        HeightMap row = Surfaces.of(512, 1, 40e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.1e-6));
-        HeightMap column = Surfaces.of(1, 512, 40e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * y / 1.1e-6));
-        assertThat(verdict(piece(row, List.of()))).startsWith("A grating of 1.1");
-        assertThat(verdict(piece(column, List.of()))).startsWith("A grating of 1.1");
+        HeightMap row = Surfaces.of(512, 1, 40e-9, (x, y) -> sine(x, 1.1e-6));
+        HeightMap column = Surfaces.of(1, 512, 40e-9, (x, y) -> sine(y, 1.1e-6));
+        assertThat(verdict(piece(row))).startsWith("A grating of 1.1");
+        assertThat(verdict(piece(column))).startsWith("A grating of 1.1");
     }
 
     @Test
     void aPeriodBelowAWavelengthHasNoColorFromAbove() {
-        HeightMap map = Surfaces.of(150, 150, 20e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * x / 0.3e-6));
-        assertThat(verdict(piece(map, List.of()))).endsWith("light from above has no first-order colors");
+        HeightMap map = Surfaces.of(150, 150, 20e-9, (x, y) -> sine(x, 0.3e-6));
+        assertThat(verdict(piece(map))).endsWith("light from above has no first-order colors");
     }
 
     @Test
     void flatAndNoisySurfacesHaveNoOrder() {
-        HeightMap flat = Surfaces.of(50, 50, 100e-9, (x, y) -> 0);
-        assertThat(verdict(piece(flat, List.of()))).startsWith("A mirror: ");
-        assertThat(verdict(piece(PeriodlessSurface.WHITE.draw(3), List.of())))
+        assertThat(verdict(piece((x, y) -> 0))).startsWith("A mirror: ");
+        assertThat(verdict(piece(PeriodlessSurface.WHITE.draw(3))))
                 .startsWith("No order found: a white gloss without color");
     }
 
     /** The lines end in the middle of the scan: the part that was measured has its period. */
     @Test
     void rowsThatHoldNoMeasurementAreLeftOut() {
-        HeightMap stopped = Surfaces.of(
-                150, 150, 100e-9, (x, y) -> y < -10e-6 ? 0 : 50e-9 * Math.sin(2 * Math.PI * (x + 0.2 * y) / 1.2e-6));
+        HeightMap stopped = Surfaces.of(150, 150, 100e-9, (x, y) -> y < -10e-6 ? 0 : sine(x + 0.2 * y, 1.2e-6));
         Crop above = new Crop(0, 15e-6, 5e-6, 15e-6);
         ScanFault fault =
                 new ScanFault("rows 101 to 150 hold no measurement", Optional.of(above), Optional.empty(), 0.33, "");
-        GratingPeriod period = GratingPeriod.of(piece(stopped, List.of(fault)));
+        GratingPeriod period = GratingPeriod.of(piece(stopped, fault));
         assertThat(period.isSure()).isTrue();
         assertThat(1.2e-6 / Math.hypot(1, 0.2)).isBetween(period.low(), period.high());
     }
 
     @Test
     void twoCrossedGratingsAreBothNamed() {
-        HeightMap crossed = Surfaces.of(
-                150,
-                150,
-                100e-9,
-                (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * y / 1.2e-6) + Math.sin(2 * Math.PI * x / 1.7e-6)));
-        assertThat(verdict(piece(crossed, List.of())))
+        assertThat(verdict(piece((x, y) -> sine(y, 1.2e-6) + sine(x, 1.7e-6))))
                 .matches(
                         "A grating of 1\\.[27].* across (0|90) degrees, crossed by lines of about 1\\.[27] um across (90|0)"
                                 + " degrees: .*");
@@ -133,7 +137,7 @@ class VerdictTest {
                 .mapToDouble(i -> Math.toRadians(5 + step * i))
                 .map(angle -> 40e-9 * Math.cos(2 * Math.PI / 1.2e-6 * (x * Math.cos(angle) + y * Math.sin(angle))))
                 .sum();
-        Patch patch = piece(Surfaces.of(150, 150, 100e-9, waves), List.of());
+        Patch patch = piece(waves);
         Verdict verdict = Verdict.of(patch, GratingPeriod.of(patch));
         assertThat(verdict.code()).isEqualTo(Verdict.Code.LATTICE);
         assertThat(verdict.sentence())
@@ -166,20 +170,19 @@ class VerdictTest {
     @Test
     void tooLittleIsNotNoOrder() {
         HeightMap few = Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y));
-        assertThat(verdict(piece(few, List.of()))).startsWith("Too little to judge: 7 x 4 samples");
+        assertThat(verdict(piece(few))).startsWith("Too little to judge: 7 x 4 samples");
         HeightMap narrow = Surfaces.of(64, 64, 327e-9 / 64, (x, y) -> 10e-9 * Math.sin(2e7 * x + 1e7 * y));
-        assertThat(verdict(piece(narrow, List.of()))).startsWith("Too little to judge: a side of 327 nm");
+        assertThat(verdict(piece(narrow))).startsWith("Too little to judge: a side of 327 nm");
     }
 
-    /** Two spectra of smoothed noise, as descriptors and as scans name them: the strongest wave is one of chance. */
+    /** Two spectra of smoothed noise, as descriptors and as scans name them: the strongest wave is noise. */
     @ParameterizedTest
     @EnumSource(value = Patch.Repetition.class, names = "PERIODIC", mode = EnumSource.Mode.EXCLUDE)
     void shapelessSurfacesHaveNoOrder(Patch.Repetition repetition) {
         int probable = 0;
         for (long seed = 0; seed < 12; seed++) {
             HeightMap map = PeriodlessSurface.CORRELATED.draw(seed);
-            Patch patch =
-                    new Patch("noise", map, map, "a test", List.of(), List.of(), List.of(), List.of(), repetition);
+            Patch patch = scan(map, repetition);
             Verdict.Code code = Verdict.of(patch, GratingPeriod.of(patch)).code();
             assertThat(code).isIn(Verdict.Code.NONE, Verdict.Code.PROBABLE_GRATING);
             probable += code == Verdict.Code.NONE ? 0 : 1;
@@ -188,12 +191,12 @@ class VerdictTest {
         assertThat(probable).isLessThan(2);
     }
 
-    /** A spectrum whose bins beside one axis are empty: only those on the axis tell how far a wave of chance stands out. */
+    /** A spectrum whose bins beside one axis are empty: the noise is estimated from those on the axis alone. */
     @Test
     void noiseAlongOneAxisIsNoGrating() {
         int probable = 0;
         for (long seed = 0; seed < 40; seed++) {
-            GratingPeriod period = GratingPeriod.of(piece(PeriodlessSurface.COLUMNS.draw(seed), List.of()));
+            GratingPeriod period = GratingPeriod.of(piece(PeriodlessSurface.COLUMNS.draw(seed)));
             assertThat(period.isSure()).as("seed " + seed).isFalse();
             probable += period.isSeen() ? 1 : 0;
         }
@@ -201,7 +204,7 @@ class VerdictTest {
         assertThat(probable).isLessThan(5);
     }
 
-    /** 8.8 periods in a descriptor's patch, which is drawn as a period of 12 um, each edge astray by 5 %. */
+    /** 8.8 periods in a descriptor's patch, which is drawn as a period of 12 um, each edge displaced by 5 %. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void disorderedGratingsHaveAPeriodUnderAnyRepetition(long seed) {
@@ -216,11 +219,9 @@ class VerdictTest {
                 12e-6 / 256,
                 (x, y) -> 1e-7 * (Arrays.stream(edges).filter(edge -> edge < x).count() % 2));
         for (Patch.Repetition repetition : Patch.Repetition.values()) {
-            Patch patch =
-                    new Patch("lines", map, map, "a test", List.of(), List.of(), List.of(), List.of(), repetition);
-            GratingPeriod found = GratingPeriod.of(patch);
+            GratingPeriod found = GratingPeriod.of(scan(map, repetition));
             assertThat(found.isSeen()).as(repetition + ": " + found).isTrue();
-            // What the edges' straying may add to 8.8 periods.
+            // What the displaced edges may add to 8.8 periods.
             assertThat(found.period()).isBetween(0.93 * period, 1.07 * period);
         }
     }
@@ -228,12 +229,8 @@ class VerdictTest {
     /** Two waves as strong as each other, one of half the period: the surface repeats after the longer one. */
     @Test
     void aStrongOvertoneIsNoPeriod() {
-        HeightMap map = Surfaces.of(
-                150,
-                150,
-                100e-9,
-                (x, y) -> 50e-9 * (Math.sin(2 * Math.PI * x / 1.2e-6) + Math.sin(4 * Math.PI * x / 1.2e-6 + 1)));
-        assertThat(verdict(piece(map, List.of()))).startsWith("A grating of 1.20");
+        assertThat(verdict(piece((x, y) -> sine(x, 1.2e-6) + sine(x + 0.1e-6, 0.6e-6))))
+                .startsWith("A grating of 1.20");
     }
 
     /** Lines 120 nm apart, of which the waves that light sees (190 nm and longer) hold nothing. */
@@ -241,8 +238,7 @@ class VerdictTest {
     void linesFinerThanLightAreNoGrating() {
         HeightMap map =
                 Surfaces.of(200, 200, 20e-9, (x, y) -> 100e-9 * Math.abs(Math.sin(Math.PI * (x + 0.03 * y) / 0.12e-6)));
-        assertThat(verdict(piece(map, List.of())))
-                .startsWith("No order found: most of the relief is finer than light sees");
+        assertThat(verdict(piece(map))).startsWith("No order found: most of the relief is finer than light sees");
     }
 
     /** A line that is seen few times is wide: its own flanks are no second grating. */
@@ -254,13 +250,11 @@ class VerdictTest {
             double y = periods / 20e-6 * Math.sin(Math.toRadians(degrees));
             HeightMap map = Surfaces.of(
                     128, 128, 20e-6 / 128, (east, north) -> 75e-9 * Math.sin(2 * Math.PI * (x * east + y * north)));
-            assertThat(verdict(piece(map, List.of())))
-                    .startsWith("A grating of ")
-                    .doesNotContain("crossed");
+            assertThat(verdict(piece(map))).startsWith("A grating of ").doesNotContain("crossed");
         }
     }
 
-    /** Waves of one length in all directions: no direction is told by chance. */
+    /** Waves of one length in all directions: noise must not make one direction stand out. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
     void aSurfaceThatIsAlikeInAllDirectionsIsNoGrating(int seed) {
@@ -279,7 +273,7 @@ class VerdictTest {
                 (x, y) -> Arrays.stream(waves)
                         .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
                         .sum());
-        assertThat(verdict(piece(ring, List.of()))).startsWith("No grating found: what repeats after about 1.1 um");
+        assertThat(verdict(piece(ring))).startsWith("No grating found: what repeats after about 1.1 um");
     }
 
     @Test

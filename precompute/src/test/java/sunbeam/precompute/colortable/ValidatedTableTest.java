@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -32,7 +33,7 @@ class ValidatedTableTest {
 
     private static final TablePoints ONE_LIGHT = new TablePoints(new Reach.OneLight(LIGHT));
 
-    private final List<String> told = new ArrayList<>();
+    private final List<String> messages = new ArrayList<>();
     private int opened;
 
     private static void neverRefused(TableDesign design) {
@@ -69,27 +70,30 @@ class ValidatedTableTest {
         return xyz;
     }
 
-    private ValidatedTable.Diagnostics diagnostics() {
-        return new ValidatedTable.Diagnostics(told::add, told::add);
-    }
-
-    private ValidatedTable oneLight(ColorBaker baker, Predicate<MemoryNeed> room, Consumer<TableDesign> refused) {
+    private ValidatedTable make(
+            double tolerance,
+            TablePoints points,
+            TableDesign coarsest,
+            ColorBaker baker,
+            Predicate<MemoryNeed> room,
+            Consumer<TableDesign> refused) {
+        Function<TableDesign, ColorBaker> bakers = design -> {
+            opened++;
+            return baker;
+        };
         return ValidatedTable.make(
-                TOLERANCE,
-                ONE_LIGHT,
-                COARSE,
-                design -> {
-                    opened++;
-                    return baker;
-                },
+                tolerance,
+                points,
+                coarsest,
+                bakers,
                 samples -> BakeToken.NONE,
                 room,
                 refused,
-                diagnostics());
+                new ValidatedTable.Diagnostics(messages::add, messages::add));
     }
 
     private ValidatedTable oneLight(ColorBaker baker) {
-        return oneLight(baker, tiles -> true, ValidatedTableTest::neverRefused);
+        return make(TOLERANCE, ONE_LIGHT, COARSE, baker, need -> true, ValidatedTableTest::neverRefused);
     }
 
     @Test
@@ -105,7 +109,7 @@ class ValidatedTableTest {
         ValidatedTable made = oneLight(ValidatedTableTest::smooth);
         assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(opened).isOne();
-        assertThat(told).isEmpty();
+        assertThat(messages).isEmpty();
         assertThat(made.words(TOLERANCE)).contains("tried at ", " directions: errs by ");
     }
 
@@ -114,7 +118,7 @@ class ValidatedTableTest {
         ValidatedTable made = oneLight(ValidatedTableTest::cancelling);
 
         assertThat(made.grid().design().step()).isLessThan(COARSE.step());
-        assertThat(told).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
+        assertThat(messages).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
         List<Double> errors = new ArrayList<>();
         Random random = new Random(11);
         while (errors.size() < 1000) {
@@ -148,15 +152,8 @@ class ValidatedTableTest {
         }
         ColorBaker deep = (uvw, token) -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
 
-        ValidatedTable made = ValidatedTable.make(
-                TOLERANCE,
-                new TablePoints(new Reach.Pairs(pairs)),
-                COARSE,
-                design -> deep,
-                samples -> BakeToken.NONE,
-                tiles -> true,
-                ValidatedTableTest::neverRefused,
-                diagnostics());
+        TablePoints points = new TablePoints(new Reach.Pairs(pairs));
+        ValidatedTable made = make(TOLERANCE, points, COARSE, deep, need -> true, ValidatedTableTest::neverRefused);
 
         assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
@@ -169,23 +166,25 @@ class ValidatedTableTest {
     @Test
     void darkDirectionsNeedNoFinerTable() {
         assertThat(oneLight(ValidatedTableTest::dark).grid().design()).isEqualTo(COARSE);
-        assertThat(told).isEmpty();
+        assertThat(messages).isEmpty();
     }
 
     @Test
     void reportsThatSmallerStepsDoNotHelp() {
         oneLight(ValidatedTableTest::noisy);
-        assertThat(told).last().asString().contains("smaller steps do not help");
+        assertThat(messages).last().asString().contains("smaller steps do not help");
     }
 
     @Test
     void tablesWithoutRoomAreRefusedBeforehand() {
-        assertThatThrownBy(() -> oneLight(ValidatedTableTest::cancelling, tiles -> false, design -> {
-                    throw new IllegalStateException("no room for " + design.step());
-                }))
+        Consumer<TableDesign> refused = design -> {
+            throw new IllegalStateException("no room for " + design.step());
+        };
+        ColorBaker baker = ValidatedTableTest::cancelling;
+        assertThatThrownBy(() -> make(TOLERANCE, ONE_LIGHT, COARSE, baker, need -> false, refused))
                 .hasMessageContaining("no room for");
         assertThat(opened).isOne();
-        assertThat(told).isEmpty();
+        assertThat(messages).isEmpty();
     }
 
     @Test
@@ -193,10 +192,11 @@ class ValidatedTableTest {
         // Its errors lie between what is asked of a table and what is promised.
         ColorBaker nearly = (uvw, token) -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
 
-        ValidatedTable made = oneLight(nearly, tiles -> false, ValidatedTableTest::neverRefused);
+        ValidatedTable made =
+                make(TOLERANCE, ONE_LIGHT, COARSE, nearly, need -> false, ValidatedTableTest::neverRefused);
 
         assertThat(made.grid().design()).isEqualTo(COARSE);
-        assertThat(told).singleElement().asString().contains("there is no room");
+        assertThat(messages).singleElement().asString().contains("there is no room");
     }
 
     @Test
@@ -204,22 +204,15 @@ class ValidatedTableTest {
         ColorBaker broken = (uvw, token) -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
         oneLight(broken);
         assertThat(opened).isOne();
-        assertThat(told).singleElement().asString().contains("smaller steps do not help");
+        assertThat(messages).singleElement().asString().contains("smaller steps do not help");
     }
 
     @Test
     void lightWhereThereShouldBeNoneCounts() {
         // A lone sharp order on black: beside it a spline through its root rings.
         ColorBaker lone = (uvw, token) -> colors(uvw, ValidatedTableTest::order);
-        ValidatedTable made = ValidatedTable.make(
-                1e9,
-                ONE_LIGHT,
-                new TableDesign(0.1, 11),
-                design -> lone,
-                samples -> BakeToken.NONE,
-                need -> true,
-                ValidatedTableTest::neverRefused,
-                diagnostics());
+        TableDesign coarser = new TableDesign(0.1, 11);
+        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, need -> true, ValidatedTableTest::neverRefused);
         long bright = ONE_LIGHT.samples().stream()
                 .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)
                 .count();
@@ -230,8 +223,14 @@ class ValidatedTableTest {
         return Math.exp(-400 * (place[0] * place[0] + place[1] * place[1]));
     }
 
+    /** The table of one light from cached tiles of {@link #smooth}, checked against a baker. */
+    private static Optional<ValidatedTable> lookUp(ColorTable levels, BitSet missing, ColorBaker baker) {
+        CachedTiles tiles = cached(levels, missing);
+        return ValidatedTable.cached(levels, ONE_LIGHT, tiles, design -> baker, samples -> BakeToken.NONE);
+    }
+
     /** Tiles of all lights in memory. */
-    private static CachedTiles cached(ColorTable levels, BitSet missing, ColorBaker baker) {
+    private static CachedTiles cached(ColorTable levels, BitSet missing) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         return new CachedTiles() {
             @Override
@@ -243,7 +242,8 @@ class ValidatedTableTest {
 
             @Override
             public Map<Integer, byte[]> read(int level, BitSet tiles) {
-                List<byte[]> made = new LevelBaking(grid, levels.numbers()).bake(tiles, baker, BakeToken.NONE);
+                List<byte[]> made =
+                        new LevelBaking(grid, levels.numbers()).bake(tiles, ValidatedTableTest::smooth, BakeToken.NONE);
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
@@ -273,26 +273,12 @@ class ValidatedTableTest {
         BitSet one = new BitSet();
         one.set(tiles.nextSetBit(tiles.length() / 2));
 
-        ValidatedTable found = ValidatedTable.cached(
-                        levels,
-                        ONE_LIGHT,
-                        cached(levels, new BitSet(), smooth),
-                        design -> smooth,
-                        samples -> BakeToken.NONE)
-                .orElseThrow();
+        ValidatedTable found = lookUp(levels, new BitSet(), smooth).orElseThrow();
         assertThat(found.grid().slices()).isEqualTo(levels.slices());
         DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
         double exact = smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, BakeToken.NONE)[0];
         assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
-        assertThat(ValidatedTable.cached(
-                        levels, ONE_LIGHT, cached(levels, one, smooth), design -> smooth, samples -> BakeToken.NONE))
-                .isEmpty();
-        assertThat(ValidatedTable.cached(
-                        levels,
-                        ONE_LIGHT,
-                        cached(levels, new BitSet(), smooth),
-                        design -> other,
-                        samples -> BakeToken.NONE))
-                .isEmpty();
+        assertThat(lookUp(levels, one, smooth)).isEmpty();
+        assertThat(lookUp(levels, new BitSet(), other)).isEmpty();
     }
 }

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.fault.ScanFault;
 
-/** What a scan's user is told before anything is drawn. */
+/** Warnings about scans. */
 class PatchAssemblerTest {
     private static final int SAMPLES = 96;
 

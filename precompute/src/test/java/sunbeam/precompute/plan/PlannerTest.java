@@ -28,13 +28,13 @@ class PlannerTest {
             new Request(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD);
     private static final Request THESIS = new Request(TableChoices.THESIS, GaussianArea.THESIS);
 
-    /** What is fixed of a plan. */
+    /** Fixed parts of a plan. */
     private record Request(TableChoices table, GaussianArea area) {}
 
     @Test
     void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
         // 3.2 um under a window of 65 um: 0.03 bins.
-        SpectrumPlan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 65e-6, 0));
+        SpectrumPlan plan = plan(400e-9, request(65e-6));
 
         assertThat(((OrderSampling) plan.sampling()).resolved()).isPresent();
     }
@@ -42,7 +42,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowBlursAreResampled() {
         // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
-        SpectrumPlan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 3.2e-6, 0));
+        SpectrumPlan plan = plan(400e-9, request(3.2e-6));
 
         assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
     }
@@ -50,7 +50,7 @@ class PlannerTest {
     @Test
     void ordersThatTheWindowNeitherResolvesNorBlursAreSummed() {
         // 3.2 um under a window of 10 um: 0.2 bins.
-        SpectrumPlan plan = plan(planner(64, 400e-9), request(Optional.empty(), 0, 10e-6, 0));
+        SpectrumPlan plan = plan(400e-9, request(10e-6));
 
         OrderSampling orders = (OrderSampling) plan.sampling();
         assertThat(orders.resolved()).isEmpty();
@@ -59,7 +59,7 @@ class PlannerTest {
 
     @Test
     void theThesisStaysAsItIs() {
-        SpectrumPlan plan = planner(64, 400e-9).plan(THESIS.table(), THESIS.area(), MAP);
+        SpectrumPlan plan = plan(400e-9, THESIS);
 
         BinSampling bins = (BinSampling) plan.sampling();
         assertThat(bins.neighborhood()).isEqualTo(new Neighborhood(1, Neighborhood.Anchor.FLOOR));
@@ -72,7 +72,7 @@ class PlannerTest {
 
     @Test
     void aWindowNeedsSamples() {
-        assertThatThrownBy(() -> plan(planner(64, 400e-9), request(Optional.empty(), 0, 120e-9, 0)))
+        assertThatThrownBy(() -> plan(400e-9, request(120e-9)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 120 nm")
                 .hasMessageContaining("give 200 nm or more");
@@ -82,16 +82,14 @@ class PlannerTest {
     void taylorIsRefusedWhereItCancelsInFloat32() {
         Optional<ExpansionKind> taylor = Optional.of(ExpansionKind.TAYLOR);
 
-        assertThat(plan(planner(64, 250e-9), request(taylor, 0, 65e-6, 0))
-                        .expansion()
-                        .terms())
+        assertThat(plan(250e-9, request(taylor, 0, 65e-6, 0)).expansion().terms())
                 .as("16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
                 .isBetween(16, 24);
-        assertThatThrownBy(() -> plan(planner(64, 2e-6), request(taylor, 0, 65e-6, 0)))
+        assertThatThrownBy(() -> plan(2e-6, request(taylor, 0, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor reaches only")
                 .hasMessageContaining("use lowrank");
-        assertThatThrownBy(() -> plan(planner(64, 5e-6), request(taylor, 37, 65e-6, 0)))
+        assertThatThrownBy(() -> plan(5e-6, request(taylor, 37, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor with 37 terms leaves the range of float32");
     }
@@ -112,7 +110,7 @@ class PlannerTest {
     @Test
     void aPlannedPlanBreaksNoPromise() {
         for (double coherenceLength : new double[] {1e-6, 3.2e-6, 10e-6, 65e-6, 1e-3}) {
-            assertThat(warnings(request(Optional.empty(), 0, coherenceLength, 0)))
+            assertThat(warnings(request(coherenceLength)))
                     .as("coherence length %s", coherenceLength)
                     .isEmpty();
         }
@@ -133,7 +131,7 @@ class PlannerTest {
 
     @Test
     void tolerancesBelowFloat32sPercentileHaveAShortfall() {
-        Request ordinary = request(Optional.empty(), 0, 65e-6, 0);
+        Request ordinary = request(65e-6);
         assertThat(warnings(withTolerance(ordinary, 1e-5)))
                 .anySatisfy(line -> assertThat(line)
                         .contains("tolerance 1e-5 in the median", "4.2e-5 at the 95th percentile", "method reference"));
@@ -146,7 +144,7 @@ class PlannerTest {
 
     @Test
     void windowsTooWideForFloat32HaveAShortfall() {
-        Request wide = request(Optional.empty(), 0, 1e-3, 0);
+        Request wide = request(1e-3);
         assertThat(warnings(withTolerance(wide, 1e-4)))
                 .singleElement()
                 .asString()
@@ -158,20 +156,23 @@ class PlannerTest {
         return new Request(TableChoices.within(tolerance), request.area());
     }
 
-    private static SpectrumPlan plan(Planner planner, Request request) {
-        return planner.plan(request.table(), request.area(), MAP);
+    private static SpectrumPlan plan(double relief, Request request) {
+        return planner(relief).plan(request.table(), request.area(), MAP);
     }
 
     private static List<String> warnings(Request request) {
-        Planner planner = planner(64, 400e-9);
-        return plan(planner, request).warnings().stream()
+        return plan(400e-9, request).warnings().stream()
                 .map(line -> line.in(Origin.PROGRAM))
                 .toList();
     }
 
-    private static Planner planner(int side, double relief) {
-        HeightMap map = Surfaces.of(
-                side, side, PITCH, (x, y) -> relief / 2 * Math.sin(2 * Math.PI * (3 * x + y) / (side * PITCH)));
+    /** Of a sine on 3.2 um. */
+    private static Planner planner(double relief) {
+        return planner(Surfaces.of(
+                64, 64, PITCH, (x, y) -> relief / 2 * Math.sin(2 * Math.PI * (3 * x + y) / (64 * PITCH))));
+    }
+
+    private static Planner planner(HeightMap map) {
         return new Planner(map, HeightLevels.of(map), CIE, MUCH_MEMORY);
     }
 
@@ -179,15 +180,15 @@ class PlannerTest {
     void moreStepsThanDriversTakeAreRefusedBeforeAnythingIsComputed() {
         Request asked = request(Optional.empty(), 0, 1e-6, 0.05e-9);
 
-        assertThatThrownBy(() -> planner(64, 400e-9).plan(asked.table(), asked.area(), VisibleRange.all()))
+        assertThatThrownBy(() -> planner(400e-9).plan(asked.table(), asked.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("steps a pixel")
                 .hasMessageContaining("more than 60,000");
         // Colors along rays are summed by no loop of a shader.
-        Planner ofTables = planner(64, 400e-9).ofTables(Average.ENSEMBLE);
+        Planner ofTables = planner(400e-9).ofTables(Average.ENSEMBLE);
         SpectrumPlan plan = ofTables.plan(asked.table(), asked.area().with(Average.ENSEMBLE), VisibleRange.all());
         assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(PlanChecks.MOST_LOOP_STEPS);
-        Planner ofShaders = planner(64, 400e-9);
+        Planner ofShaders = planner(400e-9);
         assertThat(ofShaders.ofTables(Average.COHERENT)).isSameAs(ofShaders);
     }
 
@@ -196,8 +197,7 @@ class PlannerTest {
         HeightMap line = Surfaces.random(64, 1, 50e-9, 400e-9, 5);
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
 
-        SpectrumPlan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
-                .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
+        SpectrumPlan plan = planner(line).plan(STANDARD.table(), area, VisibleRange.all());
 
         Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
         // The next order along y lies far beyond the window's spectrum.
@@ -211,8 +211,7 @@ class PlannerTest {
         HeightMap line = Surfaces.random(8192, 1, width / 8192, 400e-9, 5);
         GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(coherenceLength));
 
-        SpectrumPlan plan = new Planner(line, HeightLevels.of(line), CIE, MUCH_MEMORY)
-                .plan(TableChoices.within(ErrorBudget.STANDARD), area, VisibleRange.all());
+        SpectrumPlan plan = planner(line).plan(STANDARD.table(), area, VisibleRange.all());
 
         assertThat(plan.sampling()).isInstanceOf(OrderSampling.class);
     }
@@ -221,13 +220,16 @@ class PlannerTest {
     void reliefsBeyondAnyExpansionAreRefused() {
         HeightMap tall = Surfaces.random(32, 32, 1e-6, 100e-6, 5);
 
-        assertThatThrownBy(() -> new Planner(tall, HeightLevels.of(tall), CIE, MUCH_MEMORY)
-                        .plan(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD, VisibleRange.all()))
+        assertThatThrownBy(() -> planner(tall).plan(STANDARD.table(), GaussianArea.STANDARD, VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("rad, more than 800; method reference");
     }
 
-    /** Zero or empty for what is not fixed. */
+    private static Request request(double coherenceLength) {
+        return request(Optional.empty(), 0, coherenceLength, 0);
+    }
+
+    /** Zero or empty where the planner chooses. */
     private static Request request(
             Optional<ExpansionKind> expansion, int terms, double coherenceLength, double wavelengthStep) {
         TableChoices table = new TableChoices(

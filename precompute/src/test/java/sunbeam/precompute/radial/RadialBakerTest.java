@@ -77,9 +77,9 @@ class RadialBakerTest {
 
     private static double[] errors(
             HeightMap map, GaussianArea area, PowerSpectrum spectrum, float[] places, double step) {
-        AtomicLong told = new AtomicLong();
-        float[] xyz = baker(spectrum, area, step, 0.15).bake(places, told::addAndGet);
-        assertThat(told.get()).isEqualTo(places.length / 3);
+        AtomicLong done = new AtomicLong();
+        float[] xyz = baker(spectrum, area, step, 0.15).bake(places, done::addAndGet);
+        assertThat(done.get()).isEqualTo(places.length / 3);
         ReferenceColor reference = new ReferenceColor(
                 new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE),
                 area.window(),
