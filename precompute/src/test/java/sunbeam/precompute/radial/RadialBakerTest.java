@@ -33,9 +33,19 @@ import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 
 class RadialBakerTest {
-    private static final GaussianArea ENSEMBLE =
-            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(10e-6)).with(Average.ENSEMBLE);
+    private static final GaussianArea ENSEMBLE = ensemble(10e-6);
     private static final double STEP = 0.0018 * 65 / 10;
+
+    private static GaussianArea ensemble(double coherenceLength) {
+        return GaussianArea.STANDARD
+                .with(CoherenceWindow.ofCoherenceLength(coherenceLength))
+                .with(Average.ENSEMBLE);
+    }
+
+    private static RadialBaker smallBaker() {
+        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
+        return baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+    }
 
     private static PowerSpectrum spectrum(HeightMap map, GaussianArea shortest) {
         return spectrum(map, shortest, 1e-4);
@@ -102,14 +112,22 @@ class RadialBakerTest {
         return errors;
     }
 
+    private static double median(double[] sorted) {
+        return sorted[sorted.length / 2];
+    }
+
+    private static double percentile95(double[] sorted) {
+        return sorted[sorted.length * 95 / 100];
+    }
+
     @Test
     void colorsAreThoseOfTheReference() {
         HeightMap map = Surfaces.random(30, 24, 250e-9, 500e-9, 4);
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60));
         // STEP is 1e-3's by TableDesign: quintic splines take a tenth of that in the median, and less than the 3e-3 of
         // its 95th percentile, which are dark places between orders.
-        assertThat(errors[errors.length / 2]).isLessThan(1e-4);
-        assertThat(errors[errors.length * 95 / 100]).isLessThan(2e-3);
+        assertThat(median(errors)).isLessThan(1e-4);
+        assertThat(percentile95(errors)).isLessThan(2e-3);
     }
 
     /** However sharp orders are, colors change along a ray only as fast as color matching functions do. */
@@ -117,9 +135,7 @@ class RadialBakerTest {
     @ParameterizedTest
     @ValueSource(doubles = {5e-5, 5e-4, 5e-3})
     void fewPlacesOnARayAreEnough(double tolerance) {
-        GaussianArea area = GaussianArea.STANDARD
-                .with(CoherenceWindow.ofCoherenceLength(40e-6))
-                .with(Average.ENSEMBLE);
+        GaussianArea area = ensemble(40e-6);
         HeightMap map = Surfaces.of(160, 8, 250e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
         // In the plane of the orders, a degree wide.
         float[] places = places(400);
@@ -130,19 +146,17 @@ class RadialBakerTest {
         }
         double[] errors = errors(map, area, spectrum(map, area, tolerance), places, 0.0029);
         // Measured 2e-6, 1.7e-5 and 1.9e-5; places a quarter as far from each other as the finest of these err by 1e-6.
-        assertThat(errors[errors.length / 2]).isLessThan(tolerance / 10);
+        assertThat(median(errors)).isLessThan(tolerance / 10);
         // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out count (7.8 at
         // 5e-3): as much with one place a step, to four digits.
-        assertThat(errors[errors.length * 95 / 100]).isLessThan(9 * tolerance);
+        assertThat(percentile95(errors)).isLessThan(9 * tolerance);
     }
 
     /** Orders of a small scan under a long window are sharp: beyond where they end in the ultraviolet there is next to nothing. */
     @ParameterizedTest
     @ValueSource(doubles = {5e-4, 5e-3})
     void noLightLeaksBeyondTheEndOfAnOrder(double tolerance) {
-        GaussianArea area = GaussianArea.STANDARD
-                .with(CoherenceWindow.ofCoherenceLength(130e-6))
-                .with(Average.ENSEMBLE);
+        GaussianArea area = ensemble(130e-6);
         HeightMap map = Surfaces.of(32, 8, 156.25e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.25e-6));
         float[] places = new float[3 * 40];
         for (int i = 0; i < 40; i++) {
@@ -178,29 +192,28 @@ class RadialBakerTest {
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, 5e-5), places);
         // With places as close as sharp orders need 3.3e-5; where they were 0.014 apart 6.6e-5. The dark between orders
         // has 2.2e-3 either way.
-        assertThat(errors[errors.length / 2]).isLessThan(5e-5);
-        assertThat(errors[errors.length * 95 / 100]).isLessThan(3e-3);
+        assertThat(median(errors)).isLessThan(5e-5);
+        assertThat(percentile95(errors)).isLessThan(3e-3);
     }
 
     @Test
     void ordersOfAGratingKeepTheirSkirts() {
         HeightMap map = Surfaces.of(64, 8, 100e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60));
-        assertThat(errors[errors.length / 2]).isLessThan(2e-4);
-        assertThat(errors[errors.length * 95 / 100]).isLessThan(1e-2);
+        assertThat(median(errors)).isLessThan(2e-4);
+        assertThat(percentile95(errors)).isLessThan(1e-2);
     }
 
     /** Between slices colors are interpolated; each place by itself is a sum over wavelengths. */
     @Test
     void colorsAtAnyDepthAreThoseOfSinglePlaces() {
-        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
         float[] places = new float[3 * 300];
         for (int i = 0; i < 300; i++) {
             places[3 * i] = 0.5f;
             places[3 * i + 1] = 0.2f + 0.002f * i;
             places[3 * i + 2] = -0.5f - 4e-3f * i;
         }
-        RadialBaker colors = baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+        RadialBaker colors = smallBaker();
         float[] exact = colors.direct().bake(places, BakeToken.NONE);
         float[] xyz = colors.bake(places, BakeToken.NONE);
         double[] errors = new double[places.length / 3];
@@ -212,14 +225,13 @@ class RadialBakerTest {
         }
         Arrays.sort(errors);
         // As beside the reference, above; on this line more places are as dark as 1e-6.
-        assertThat(errors[errors.length / 2]).isLessThan(1e-4);
-        assertThat(errors[errors.length * 95 / 100]).isLessThan(5e-3);
+        assertThat(median(errors)).isLessThan(1e-4);
+        assertThat(percentile95(errors)).isLessThan(5e-3);
     }
 
     @Test
     void aRepeatableColorDoesNotDependOnItsBatch() {
-        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
-        RadialBaker colors = baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+        RadialBaker colors = smallBaker();
         float[] samples = places(40);
         float[] together = colors.bakeRepeatably(samples, BakeToken.NONE);
         for (int i = 0; i < samples.length; i += 3) {
@@ -230,8 +242,7 @@ class RadialBakerTest {
 
     @Test
     void aCanceledBatchEnds() {
-        HeightMap map = Surfaces.random(12, 12, 150e-9, 100e-9, 4);
-        RadialBaker colors = baker(spectrum(map, ENSEMBLE), ENSEMBLE, STEP, 0.1);
+        RadialBaker colors = smallBaker();
         BakeToken canceled = samples -> {
             throw new CancellationException();
         };

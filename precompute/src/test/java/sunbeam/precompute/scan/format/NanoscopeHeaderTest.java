@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,13 +71,9 @@ class NanoscopeHeaderTest {
         return ScanBytes.open(Files.write(folder.resolve("scan.spm"), file.array()));
     }
 
-    private static ChannelList channels(ScanBytes bytes) throws IOException {
-        return ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
-    }
-
     private ChannelList read(UnaryOperator<String> change) throws IOException {
         try (ScanBytes bytes = open(change)) {
-            ChannelList channels = channels(bytes);
+            ChannelList channels = TestScans.channels(bytes);
             ScanChannel heights = channels.channels().get(channels.heights().orElseThrow());
             // 65.536 V over 65536 steps, 10 nm/V; the last line of the file is the top.
             assertThat(heights.samples().read()[0]).isCloseTo(0.01 * COLUMNS * (heights.rows() - 1), within(1e-12));
@@ -130,7 +125,7 @@ class NanoscopeHeaderTest {
     void onlyValidLinesAreRead(int first, int lines) throws IOException {
         String valid = "len Y: " + lines + "\n\\Valid data start Y: " + first;
         try (ScanBytes bytes = open(text -> text.replace("len Y: 4", valid))) {
-            ScanChannel heights = channels(bytes).channels().get(0);
+            ScanChannel heights = TestScans.channels(bytes).channels().get(0);
             double[] samples = heights.samples().read();
 
             assertThat(samples).hasSize(COLUMNS * lines);

@@ -41,8 +41,7 @@ class ScanFormatsTest {
     @MethodSource("formats")
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(TestScans.all().get(format)))) {
-            ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElseThrow();
-            ChannelList channels = reader.open(bytes);
+            ChannelList channels = TestScans.channels(bytes);
             ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
 
             assertThat(channel.columns()).isEqualTo(TestField.COLUMNS);

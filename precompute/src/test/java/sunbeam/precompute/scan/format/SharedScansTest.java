@@ -15,7 +15,6 @@ import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.scan.ChannelList;
@@ -59,8 +58,7 @@ class SharedScansTest {
     void agreesWithOtherPrograms(String name) throws IOException {
         JsonNode expected = expected(name);
         try (ScanBytes bytes = ScanBytes.open(SCANS.resolve(name))) {
-            ChannelList channels =
-                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+            ChannelList channels = TestScans.channels(bytes);
             assertThat(channels.count()).isEqualTo(expected.get("channels").size());
             Map<String, Integer> seen = new HashMap<>();
             for (JsonNode heights : expected.get("heights")) {

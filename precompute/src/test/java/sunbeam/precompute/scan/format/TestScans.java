@@ -1,13 +1,21 @@
 package sunbeam.precompute.scan.format;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
+import sunbeam.precompute.scan.ChannelList;
+import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.text.Text;
 
 /** {@link TestField} in every format that is read, as its describers say it is written. */
 final class TestScans {
     private TestScans() {}
+
+    static ChannelList channels(ScanBytes bytes) throws IOException {
+        return ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+    }
 
     /** Content by name of the format. */
     static Map<String, byte[]> all() {

@@ -10,7 +10,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -74,8 +73,7 @@ class TiffPictureTest {
             })
     void readsEveryWayOfWritingASurface(String name) throws Exception {
         try (ScanBytes bytes = ScanBytes.open(file(name))) {
-            ChannelList channels =
-                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+            ChannelList channels = TestScans.channels(bytes);
 
             assertThat(channels.label(channels.heights().orElseThrow())).isEqualTo("grey");
             assertSurface(channels.channels().get(0), 1);
@@ -87,11 +85,7 @@ class TiffPictureTest {
     @ValueSource(strings = {"imagej-micron", "imagej-escaped-micrometers"})
     void takesTheSizeFromImageJsResolutionAndUnit(String name) throws Exception {
         try (ScanBytes bytes = ScanBytes.open(file(name))) {
-            ScanChannel channel = ScanFormats.find(bytes, Optional.empty())
-                    .orElseThrow()
-                    .open(bytes)
-                    .channels()
-                    .get(0);
+            ScanChannel channel = TestScans.channels(bytes).channels().get(0);
 
             assertSurface(channel, 1);
             // Resolutions are fractions of 32-bit integers.
@@ -104,8 +98,7 @@ class TiffPictureTest {
     @Test
     void readsTheFirstWholePageAndNamesTheOthers() throws Exception {
         try (ScanBytes bytes = ScanBytes.open(file("pages"))) {
-            ChannelList channels =
-                    ScanFormats.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+            ChannelList channels = TestScans.channels(bytes);
 
             assertThat(channels.labels()).containsExactly("page 2 grey", "page 3 grey");
             assertThat(channels.heights()).contains(0);
