@@ -2,6 +2,7 @@ package sunbeam.app.viewer;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import java.awt.AWTError;
+import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Optional;
@@ -33,17 +34,18 @@ public final class ViewerStart {
 
     private ViewerStart() {}
 
-    /** Shows a scene and waits until its window is closed. */
-    public static void show(Scene scene, Environment environment, Consumer<String> warning)
+    /** Shows a scene and waits until its window is closed; without a size of the picture, the window has its own. */
+    public static void show(Scene scene, Environment environment, Consumer<String> warning, Dimension pictureSize)
             throws InterruptedException {
-        Viewer viewer = open(scene, environment, warning);
+        Viewer viewer = open(scene, environment, warning, pictureSize);
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
     /** Shows a scene, drags its light and its model for the given seconds each, closes the window and returns the measurements as text. */
-    public static String measure(Scene scene, Environment environment, Consumer<String> warning, double seconds)
+    public static String measure(
+            Scene scene, Environment environment, Consumer<String> warning, Dimension pictureSize, double seconds)
             throws InterruptedException {
-        Viewer viewer = open(scene, environment, warning);
+        Viewer viewer = open(scene, environment, warning, pictureSize);
         try {
             viewer.awaitPicture();
             viewer.awaitFinalByTable(LONGEST_WAIT_MILLISECONDS);
@@ -54,7 +56,8 @@ public final class ViewerStart {
         }
     }
 
-    static Viewer open(Scene scene, Environment environment, Consumer<String> warning) throws InterruptedException {
+    static Viewer open(Scene scene, Environment environment, Consumer<String> warning, Dimension pictureSize)
+            throws InterruptedException {
         if (GraphicsEnvironment.isHeadless()) {
             throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
         }
@@ -86,7 +89,7 @@ public final class ViewerStart {
                         RecentFiles.of(environment)));
                 KeyControls.install(viewer.get());
                 MouseControls.install(viewer.get());
-                viewer.get().start();
+                viewer.get().start(pictureSize);
             });
         } catch (InvocationTargetException failure) {
             if (failure.getCause() instanceof AWTError || failure.getCause() instanceof LinkageError) {

@@ -84,7 +84,7 @@ public abstract class ViewerInAWindow {
         robot = new Robot();
         robot.setAutoDelay(10);
         arrivals = new Arrivals();
-        viewer = ViewerStart.open(scene(), environment(), line -> {});
+        viewer = ViewerStart.open(scene(), environment(), line -> {}, null);
         onEvents(() -> {
             viewer.window().showPanel(true);
             viewer.window().picture().hideHint();

@@ -33,7 +33,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     },
                     new StartJournal(),
                     RecentFiles.of(environment()));
-            made.start();
+            made.start(null);
             return made;
         });
         assertThatThrownBy(blind::awaitPicture).hasMessageContaining("no OpenGL 3.3 here");

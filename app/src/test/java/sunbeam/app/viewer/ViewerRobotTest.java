@@ -58,7 +58,10 @@ final class ViewerRobotTest {
         long end = System.nanoTime() + (long) (MINUTES * 60e9);
         while (System.nanoTime() < end) {
             viewer = ViewerStart.open(
-                    Scenes.load("elaphe"), new Environment(Map.of("XDG_CACHE_HOME", "" + folder), folder), line -> {});
+                    Scenes.load("elaphe"),
+                    new Environment(Map.of("XDG_CACHE_HOME", "" + folder), folder),
+                    line -> {},
+                    null);
             int actions = random.nextInt(5, 60);
             for (int i = 0; i < actions && System.nanoTime() < end; i++) {
                 act();

@@ -3,6 +3,7 @@ package sunbeam.app.viewer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static sunbeam.app.viewer.Pictures.different;
 
+import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.event.InputEvent;
 import java.awt.image.BufferedImage;
@@ -34,9 +35,10 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
 
     @Test
     void aNarrowWindowOpensWithoutThePanel() throws Exception {
-        Viewer narrow = ViewerStart.open(scene(), environment(), line -> {});
+        Viewer narrow = ViewerStart.open(scene(), environment(), line -> {}, new Dimension(480, 320));
         onEvents(() -> {
-            assertThat(narrow.window().isPanelShown()).isEqualTo(narrow.window().getWidth() >= 900);
+            assertThat(narrow.window().isPanelShown()).isFalse();
+            assertThat(narrow.window().picture().getSize()).isEqualTo(new Dimension(480, 320));
             narrow.window().setSize(700, 500);
             return null;
         });

@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
+import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.LinearFile;

@@ -19,6 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;

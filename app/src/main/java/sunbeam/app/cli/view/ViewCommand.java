@@ -1,9 +1,11 @@
 package sunbeam.app.cli.view;
 
+import java.awt.Dimension;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
@@ -43,6 +45,14 @@ public final class ViewCommand extends ReportingCommand {
                             + " mouse and keyboard alone meanwhile.")
     private Double measure;
 
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = PictureSize.Converter.class,
+            description =
+                    "Width and height of the picture in the window, in pixels. Default: what a window of 1180x880 leaves for it.")
+    private PictureSize size;
+
     @Override
     public Integer call() throws InterruptedException {
         if (measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT)) {
@@ -53,10 +63,11 @@ public final class ViewCommand extends ReportingCommand {
             err().println(line);
             err().flush();
         };
+        Dimension pictureSize = size == null ? null : new Dimension(size.width(), size.height());
         if (measure == null) {
-            ViewerStart.show(first, environment(), warning);
+            ViewerStart.show(first, environment(), warning, pictureSize);
         } else {
-            out().println(ViewerStart.measure(first, environment(), warning, measure));
+            out().println(ViewerStart.measure(first, environment(), warning, pictureSize, measure));
         }
         return ExitCode.OK.code();
     }

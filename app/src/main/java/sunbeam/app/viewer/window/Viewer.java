@@ -1,6 +1,7 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.AWTEvent;
+import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.event.AWTEventListener;
 import java.awt.event.ComponentAdapter;
@@ -103,7 +104,11 @@ public final class Viewer {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 
-    public void start() {
+    /** Shows the window, with a picture of the given size if there is one. */
+    public void start(Dimension pictureSize) {
+        if (pictureSize != null) {
+            window.fitPicture(pictureSize);
+        }
         window.setVisible(true);
         journal.reached(StartJournal.Stage.WINDOW);
         window.picture().requestFocusInWindow();

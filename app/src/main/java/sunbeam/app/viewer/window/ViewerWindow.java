@@ -78,6 +78,13 @@ public final class ViewerWindow extends JFrame {
         });
     }
 
+    /** Sizes the window so that the picture has the given size. */
+    void fitPicture(Dimension size) {
+        picture.setPreferredSize(size);
+        panel.setVisible(size.width + panel.getPreferredSize().width >= NARROW);
+        pack();
+    }
+
     /** Shows or hides the panel; before the first call, a narrow window has none. */
     public void showPanel(boolean shown) {
         panelFollowsWidth = false;

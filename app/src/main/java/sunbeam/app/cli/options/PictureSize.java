@@ -1,4 +1,4 @@
-package sunbeam.app.cli.render;
+package sunbeam.app.cli.options;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
