@@ -40,9 +40,9 @@ class Sunbeam(mi.BSDF):
         self.step = [float(axes[name]["step"]) for name in "uvw"]
         self.count = [axes[name]["count"] for name in "uvw"]
         self.extent = [self.step[i] * (self.count[i] - 1) for i in range(2)]
-        self.least_cosine = np.cos(np.radians(metadata["largest_angle_degrees"]))
+        self.least_cosine = np.cos(np.radians(metadata["largest_angle_deg"]))
         # BRDF of docs/theory.md; a table of colors has no wavelength, so this takes the middle one.
-        sigma = metadata["coherence_length_asked_metres"] / 4
+        sigma = metadata["coherence_length_asked_m"] / 4
         self.scale = props.get("scale", 1.0) * REFLECTANCE * 4 * np.pi * sigma**2 / WAVELENGTH**2
         self.roots = mi.Float((np.sign(table) * np.sqrt(np.abs(table))).ravel())
         self.directions = self.tabulated(table)

@@ -196,7 +196,7 @@ class CompareTest {
         // Two tables of a hundredth each, and four samples of Sunbeam's pixels at this size.
         assertThat(report.get("exposure").asDouble()).isCloseTo(1, within(0.02));
         // A hundredth of light is half a step of lightness at most; most of the sphere is dark.
-        assertThat(report.get("ciede2000_p95").asDouble()).isBetween(0.001, 0.5);
+        assertThat(report.get("ciede2000_percentile_95").asDouble()).isBetween(0.001, 0.5);
         assertThat(report.get("luminance_correlation").asDouble()).isGreaterThan(0.999);
         assertThat(report.get("hue_correlation").asDouble()).isGreaterThan(0.99);
     }

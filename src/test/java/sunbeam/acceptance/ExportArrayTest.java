@@ -48,7 +48,7 @@ class ExportArrayTest {
     void aBandHoldsTheMeanOfPowerUnderItsTriangle() throws Exception {
         workplace = made;
         NpzFile file = NpzFile.read(workplace.resolve("bands.npz"));
-        assertThat(file.metadata().get("wavelengths_nm").toString()).isEqualTo("[500.0,525.0,550.0,575.0,600.0]");
+        assertThat(file.metadata().get("wavelengths_m").toString()).isEqualTo("[5.0E-7,5.25E-7,5.5E-7,5.75E-7,6.0E-7]");
         assertThat(file.channels()).isEqualTo(5);
         Place place = brightest(file);
         // The middle one's triangle in steps of 1 nm, which orders under 10 um are 20 times as wide as.

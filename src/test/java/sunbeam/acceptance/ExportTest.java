@@ -63,7 +63,7 @@ class ExportTest {
 
         JsonNode metadata = archived("b.npz");
         assertThat(metadata.path("patch").asText()).isEqualTo("blaze");
-        assertThat(metadata.path("coherence_length_metres").asDouble()).isCloseTo(16e-6, offset());
+        assertThat(metadata.path("coherence_length_m").asDouble()).isCloseTo(16e-6, offset());
         assertThat(metadata.path("power_scale").asDouble()).isEqualTo(1);
         assertThat(metadata.path("axes")).hasSize(3);
         JsonNode error = metadata.path("error").path("beside_reference");
@@ -98,7 +98,7 @@ class ExportTest {
         workplace.succeedHere(words("export blaze --format npz --output b.npz --samples 0 --size 2MB"));
 
         JsonNode metadata = archived("b.npz");
-        double length = metadata.path("coherence_length_metres").asDouble();
+        double length = metadata.path("coherence_length_m").asDouble();
         assertThat(length).isLessThan(65e-6);
         assertThat(metadata.path("power_scale").asDouble()).isCloseTo(Math.pow(length / 65e-6, 2), offset());
         assertThat(Files.size(workplace.resolve("b.npz"))).isLessThan(2_000_000);

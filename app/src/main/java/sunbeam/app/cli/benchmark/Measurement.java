@@ -38,14 +38,14 @@ record Measurement(
         fields.put("patch", patch);
         fields.put("method", method);
         fields.put("pixels", timing.pixels());
-        fields.put("makingSeconds", makingSeconds);
-        fields.put("frameSeconds", frameSeconds());
-        fields.put("microsecondsPerPixel", microsecondsPerPixel());
+        fields.put("making_s", makingSeconds);
+        fields.put("frame_s", frameSeconds());
+        fields.put("pixel_s", 1e-6 * microsecondsPerPixel());
         fields.put("bytes", bytes);
         fields.put("views", errors.count());
-        fields.put("medianErrorOfXyz", errors.median());
-        fields.put("percentile95ErrorOfXyz", errors.percentile95());
-        fields.put("maximumErrorOfXyz", errors.maximum());
+        fields.put("median_error_of_xyz", errors.median());
+        fields.put("percentile_95_error_of_xyz", errors.percentile95());
+        fields.put("maximum_error_of_xyz", errors.maximum());
         fields.put("plan", plan);
         return fields;
     }

@@ -34,7 +34,7 @@ import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
-import sunbeam.app.cli.report.SurfaceReport;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
@@ -193,9 +193,8 @@ public final class BrdfMapCommand extends ReportingCommand {
         List<MaterialMap> materials = planned(setups, choices, material, towards);
         MaterialMap firstMap = materials.get(0);
         Map<String, Object> report = new LinkedHashMap<>();
-        if (json.isAsked()) {
-            report.put("surfaces", surfaces(setups, choices));
-        }
+        List<Map<String, Object>> surfaces = json.isAsked() ? surfaces(setups, choices) : List.of();
+        report.put("surfaces", surfaces);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
@@ -238,9 +237,13 @@ public final class BrdfMapCommand extends ReportingCommand {
                             asked)
                     : sheet.plain();
             written = write(picture, image, text, first);
+            surfaces.stream()
+                    .limit(1)
+                    .forEach(surface ->
+                            surface.put("thumbnail_px", List.of(0, 0, image.getWidth(), image.getWidth())));
             report.put("exposure", factor);
             report.put("renderer", context.info().renderer());
-            certificate.ifPresent(stated -> report.put("certificate", stated.summary()));
+            certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));
             if (viewer != null) {
                 maps.forEach(map -> show(map, viewer));
             }
@@ -309,7 +312,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         for (int i = 0; i < setups.size(); i++) {
             Patch patch = setups.get(i).patch();
             GratingPeriod period = GratingPeriod.of(patch).turned(choices.get(i).get(ROTATE_PATCH));
-            Map<String, Object> surface = SurfaceReport.fields(patch, period, Verdict.of(patch, period, theta));
+            Map<String, Object> surface = ReportFields.of(patch, period, Verdict.of(patch, period, theta));
             surface.put("theta_i_deg", theta);
             surface.put("phi_i_deg", Double.parseDouble(light.written(LightOptions.PHI_I)));
             surface.put("method", choices.get(i).get(METHOD).label());

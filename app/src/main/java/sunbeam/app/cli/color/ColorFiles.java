@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import sunbeam.app.cli.report.SurfaceReport;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.FileGroup;
@@ -118,7 +118,7 @@ final class ColorFiles {
     }
 
     private static Map<String, Object> surface(ColorReport report) {
-        Map<String, Object> surface = SurfaceReport.fields(report.patch(), report.period(), report.verdict());
+        Map<String, Object> surface = ReportFields.of(report.patch(), report.period(), report.verdict());
         surface.put("theta_i_deg", report.colors().get(0).view().thetaIDegrees());
         surface.put("has_color", report.colored());
         surface.put("plane_azimuth_deg", report.azimuthDegrees());

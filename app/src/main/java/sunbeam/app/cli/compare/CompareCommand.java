@@ -28,7 +28,6 @@ import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.render.LoadingScene;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneLoader;
@@ -142,8 +141,10 @@ public final class CompareCommand extends ReportingCommand {
         Path written = PngWriter.write(target, force.overwrite(output), sheet, text);
         Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
         values.putAll(comparison.values());
-        values.put("picture", StandardOutput.name(written));
-        report(values, "photograph: " + sizes, comparison.lines(), List.of(written));
+        PrintWriter out = out(output);
+        json.text(out).println("photograph: " + sizes);
+        comparison.lines().forEach(json.text(out)::println);
+        json.print(out, values, List.of(written));
         if (comparison.lit().areTooFew()) {
             err().println(Messages.warning(comparison.lit().complaint()));
             return ExitCode.TOLERANCE_MISSED.code();
@@ -153,18 +154,6 @@ public final class CompareCommand extends ReportingCommand {
 
     private OptionalDouble given() {
         return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
-    }
-
-    /** Prints the report as JSON or as lines of text. */
-    private void report(Map<String, Object> values, String compared, List<String> findings, List<Path> written) {
-        PrintWriter out = out(output);
-        if (json.isAsked()) {
-            JsonOption.print(out, values);
-        } else {
-            out.println(compared);
-            findings.forEach(out::println);
-            written.forEach(file -> out.println(StandardOutput.name(file)));
-        }
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {

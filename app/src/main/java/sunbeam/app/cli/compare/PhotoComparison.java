@@ -179,7 +179,7 @@ record PhotoComparison(
         values.put("covered_pixels", covered);
         values.put("clipped_share", (double) clipped / covered);
         values.put("ciede2000_median", median);
-        values.put("ciede2000_p95", high);
+        values.put("ciede2000_percentile_95", high);
         values.put("luminance_correlation", luminance);
         values.put("hue_correlation", hue.correlation());
         values.put("hue_turn_deg", hue.turnDegrees());

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
-import sunbeam.app.cli.report.SurfaceReport;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.terminal.OptionOrigin;
@@ -151,7 +151,7 @@ record Evaluation(
     /** Returns the results by name, for JSON. */
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
-        Map<String, Object> tree = SurfaceReport.fields(patch, period, verdict());
+        Map<String, Object> tree = ReportFields.of(patch, period, verdict());
         tree.put("theta_i_deg", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_deg", Math.toDegrees(grid.plane().phiI()));
         tree.put("azimuth_deg", Math.toDegrees(grid.plane().azimuth()));

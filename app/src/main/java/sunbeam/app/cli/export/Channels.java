@@ -57,8 +57,8 @@ record Channels(Kind kind, SpectralBands bands) {
             fields.put("observer", "none");
             fields.put("unit", "1: a flat mirror in specular direction under the asked window, at each wavelength");
             fields.put(
-                    "wavelengths_nm",
-                    DoubleStream.of(bands.nanometers()).boxed().toList());
+                    "wavelengths_m",
+                    DoubleStream.of(bands.nanometers()).map(nanometers -> nanometers / 1e9).boxed().toList());
         }
         return fields;
     }

@@ -12,11 +12,11 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.terminal.ByteSize;
@@ -57,6 +57,9 @@ public final class ExportCommand extends ReportingCommand {
     private final TableOptions table = new TableOptions(Map.of(
             TOLERANCE,
             "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
+
+    @Mixin
+    private JsonOption json;
 
     @Mixin
     private ForceOption force;
@@ -135,10 +138,11 @@ public final class ExportCommand extends ReportingCommand {
         TableMetadata metadata = new TableMetadata(setup, choices, read, errors(setup, baker, read, writer));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, metadata);
         PrintWriter out = out(output);
-        out.println(metadata.summary());
-        out.println(metadata.error());
-        writer.notes().forEach(out::println);
-        written.forEach(file -> out.println(StandardOutput.name(file)));
+        PrintWriter text = json.text(out);
+        text.println(metadata.summary());
+        text.println(metadata.error());
+        writer.notes().forEach(text::println);
+        json.print(out, metadata.fields(), written);
         ErrorStatistics errors = writer.errors(metadata);
         Certificate.Limits limits = Certificate.Limits.ofExport(tolerance);
         if (limits.hold(errors)) {

@@ -8,6 +8,7 @@ import java.util.OptionalInt;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.terminal.ProgressDisplay;
@@ -134,19 +135,8 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("of", quantity + ": largest difference by the largest of them, where power exceeds 1e-9");
         fields.put("directions", "random pairs, half of them uniform on the hemisphere, half aimed at orders");
-        fields.put("beside_reference", fields(reference));
-        fields.put("beside_sums_over_wavelengths", fields(sums));
-        return fields;
-    }
-
-    private static Map<String, Object> fields(ErrorStatistics errors) {
-        Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("count", errors.count());
-        if (errors.count() > 0) {
-            fields.put("median", errors.median());
-            fields.put("percentile_95", errors.percentile95());
-            fields.put("maximum", errors.maximum());
-        }
+        fields.put("beside_reference", ReportFields.of(reference));
+        fields.put("beside_sums_over_wavelengths", ReportFields.of(sums));
         return fields;
     }
 }

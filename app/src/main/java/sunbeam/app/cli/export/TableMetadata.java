@@ -60,26 +60,36 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 
-    /** @param quantity description of the numbers in the file */
+    /**
+     * Returns the metadata of a file.
+     *
+     * @param quantity description of the numbers in the file
+     */
     Map<String, Object> fields(String quantity, String interpolation) {
+        Map<String, Object> fields = fields();
+        fields.put("quantity", quantity);
+        fields.put("interpolation", interpolation);
+        return fields;
+    }
+
+    Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("program", "sunbeam " + Version.number());
         fields.put("patch", setup.patch().name());
         fields.put("patch_sha256", setup.patch().digest());
         fields.put("average", "ensemble: mean over all positions of the coherence window");
         fields.put("window", "Gaussian, standard deviation a quarter of the coherence length");
-        fields.put("coherence_length_metres", coherenceLength());
-        fields.put("coherence_length_asked_metres", requestedCoherenceLength());
+        fields.put("coherence_length_m", coherenceLength());
+        fields.put("coherence_length_asked_m", requestedCoherenceLength());
         fields.put("power_scale", grid.level().scale());
-        fields.put("power_scale_is", "C by power under coherence_length_metres: a mean over wider orders is lower");
-        fields.put("order_width_degrees", resolutionDegrees());
+        fields.put("power_scale_is", "C by power under coherence_length_m: a mean over wider orders is lower");
+        fields.put("order_width_deg", resolutionDegrees());
         fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
         fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
         fields.put("observer", choices.get(LightSettings.OBSERVER).label());
         EnergyBalance energy = EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
         fields.put("light_sent_out_from_above_by_mirrors", energy.ratio());
-        fields.put("light_sent_out_at_metres", energy.wavelength());
-        fields.put("quantity", quantity);
+        fields.put("light_sent_out_at_m", energy.wavelength());
         fields.put(
                 "unit",
                 "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");
@@ -87,8 +97,7 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
         fields.put(
                 "directions",
                 "(u, v, w) = -(wi + wr), unit vectors to light and viewer; x tangent, y bitangent, z normal");
-        fields.put("largest_angle_degrees", Math.toDegrees(grid.shape().range().largest()));
-        fields.put("interpolation", interpolation);
+        fields.put("largest_angle_deg", Math.toDegrees(grid.shape().range().largest()));
         fields.put(
                 "radiance",
                 "rho = F(c)/F(1) K^2 / ((cos_i + cos_r)^2 cos_r) G C, c = |wi + wr| / 2, K = 2 c^2, F Schlick of 0.04, G = min(1, 2 (cos_i + cos_r) min(cos_i, cos_r) / K)");

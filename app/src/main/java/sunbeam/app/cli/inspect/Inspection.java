@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
-import sunbeam.app.cli.report.SurfaceReport;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -157,7 +157,7 @@ record Inspection(
     /** Returns all properties by name, for JSON. */
     Map<String, Object> fields() {
         HeightMap map = patch.scan();
-        Map<String, Object> fields = SurfaceReport.fields(patch, period, verdict());
+        Map<String, Object> fields = ReportFields.of(patch, period, verdict());
         fields.put("theta_i_deg", thetaI);
         fields.put("channels", patch.channels());
         fields.put("columns", map.columns());

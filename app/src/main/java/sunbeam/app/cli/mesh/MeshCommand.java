@@ -14,6 +14,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.BlobCache;
@@ -52,6 +53,9 @@ import sunbeam.precompute.setting.Setting;
             "  sunbeam mesh beetle.ply --mesh-unit mm --output beetle.obj"
         })
 public final class MeshCommand extends ReportingCommand {
+    @Mixin
+    private JsonOption json;
+
     @Mixin
     private ForceOption force;
 
@@ -97,10 +101,16 @@ public final class MeshCommand extends ReportingCommand {
                 : name.endsWith(".ply")
                         ? PlyWriter.write(target, overwrite, read.mesh())
                         : ObjWriter.write(target, overwrite, read.mesh());
-        out(target)
-                .println(StandardOutput.name(written) + ": "
-                        + MeshReader.count(read.mesh().vertices(), "vertex") + ", "
-                        + MeshReader.count(read.mesh().triangles(), "triangle"));
+        int vertices = read.mesh().vertices();
+        int triangles = read.mesh().triangles();
+        if (json.isAsked()) {
+            json.print(
+                    out(target), Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
+        } else {
+            out(target)
+                    .println(StandardOutput.name(written) + ": " + MeshReader.count(vertices, "vertex") + ", "
+                            + MeshReader.count(triangles, "triangle"));
+        }
         return ExitCode.OK.code();
     }
 

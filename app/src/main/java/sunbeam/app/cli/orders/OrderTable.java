@@ -10,14 +10,15 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.analysis.GratingPeriod;
-import sunbeam.precompute.analysis.OrderLattice;
 import sunbeam.precompute.analysis.OrderLattice.Order;
-import sunbeam.precompute.analysis.OrderLight;
+import sunbeam.precompute.analysis.OrderLattice;
 import sunbeam.precompute.analysis.OrderLight.Efficiency;
+import sunbeam.precompute.analysis.OrderLight;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
@@ -238,24 +239,23 @@ record OrderTable(
 
     /** Returns all results by name, for JSON. */
     Map<String, Object> tree() {
-        Map<String, Object> tree = new LinkedHashMap<>();
+        Map<String, Object> tree = ReportFields.of(patch, period, verdict());
         tree.put("program", "Sunbeam " + Version.number());
-        tree.put("patch", patch.name());
-        tree.put("source", patch.source());
-        tree.put("verdict", verdict().sentence());
-        tree.put("verdict_code", verdict().code().label());
-        tree.put("period_nm", NANOMETERS_PER_METER * period.period());
-        tree.put("period_low_nm", period.isSure() ? NANOMETERS_PER_METER * period.low() : null);
-        tree.put("period_high_nm", period.isSure() ? NANOMETERS_PER_METER * period.high() : null);
         tree.put(
                 "lattice_per_m",
                 Stream.concat(Stream.of(lattice.first()), lattice.second().stream())
                         .map(OrderTable::pair)
                         .toList());
         tree.put("light", cie.description());
-        tree.put("wavelengths_nm", nanometers);
+        tree.put("wavelengths_m", meters());
         tree.put("incidences", incidences.stream().map(this::tree).toList());
         return tree;
+    }
+
+    private double[] meters() {
+        return Arrays.stream(nanometers)
+                .map(nanometer -> nanometer / NANOMETERS_PER_METER)
+                .toArray();
     }
 
     private static double[] pair(SpatialFrequency frequency) {
@@ -264,8 +264,8 @@ record OrderTable(
 
     private Map<String, Object> tree(Incidence incidence) {
         Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("theta_i_degrees", incidence.theta);
-        tree.put("phi_i_degrees", phi);
+        tree.put("theta_i_deg", incidence.theta);
+        tree.put("phi_i_deg", phi);
         tree.put("mirror", incidence.all(OrderLight::mirror));
         tree.put("sum", incidence.all(OrderLight::sum));
         tree.put("between_orders", incidence.all(OrderLight::between));
@@ -284,9 +284,9 @@ record OrderTable(
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("m", order.m());
         tree.put("n", order.n());
-        tree.put("beyond_horizon_from_nm", visible < nanometers.length ? nanometers[visible] : null);
-        tree.put("theta_r_degrees", directions.stream().map(OrderTable::theta).toList());
-        tree.put("phi_r_degrees", directions.stream().map(OrderTable::phi).toList());
+        tree.put("beyond_horizon_from_m", visible < nanometers.length ? meters()[visible] : null);
+        tree.put("theta_r_deg", directions.stream().map(OrderTable::theta).toList());
+        tree.put("phi_r_deg", directions.stream().map(OrderTable::phi).toList());
         tree.put("efficiency", Arrays.copyOf(values(incidence, order, Efficiency::value), visible));
         tree.put("efficiency_low", Arrays.copyOf(values(incidence, order, Efficiency::low), visible));
         tree.put("efficiency_high", Arrays.copyOf(values(incidence, order, Efficiency::high), visible));

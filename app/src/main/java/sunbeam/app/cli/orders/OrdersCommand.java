@@ -25,7 +25,6 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
@@ -51,7 +50,7 @@ import sunbeam.precompute.units.Decimals;
                 "Tell how much light a grating, a lattice or a scan with a period sends into each diffraction order:"
                         + " numbers, direction and efficiency, the share of the incident light, over wavelength and angle of"
                         + " incidence. Writes them as .csv and .json, and a plot (.png) with their sum beside the reflectance of a"
-                        + " flat mirror. The efficiency of a scan is the light around the order, with its 95 % interval. A patch"
+                        + " flat mirror. The efficiency of a scan is the light around the order, with its 95 %% interval. A patch"
                         + " without a period: exit code 4. See docs/evaluation.md.",
         footer = {"  sunbeam orders blaze --theta-i 0:60:10", "  sunbeam orders scan.gwy --theta-i 30 --index 0.97+6.5i"
         })
@@ -74,6 +73,9 @@ public final class OrdersCommand extends ReportingCommand {
 
     @Mixin
     private IndexOption index;
+
+    @Mixin
+    private JsonOption json;
 
     @Mixin
     private ForceOption force;
@@ -127,7 +129,7 @@ public final class OrdersCommand extends ReportingCommand {
                     + Verdict.of(patch, period).sentence());
         }
         OrderTable table = table(patch, period, choices, material, cie);
-        PrintWriter out = out();
+        PrintWriter out = json.text(out());
         out.println(table.verdict().sentence());
         table.lines().forEach(out::println);
         Map<String, Object> tree = table.tree();
@@ -137,7 +139,7 @@ public final class OrdersCommand extends ReportingCommand {
         contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
         Map<String, String> text = Map.of("Title", patch.name() + ", diffraction orders", "Patch", patch.source());
         contents.put(".png", stream -> PngWriter.write(stream, OrderPlot.draw(table), text));
-        files.write(contents).forEach(file -> out.println(StandardOutput.name(file)));
+        json.print(out(), tree, files.write(contents));
         return DoubtfulPicture.ofPatches(List.of(patch)).code();
     }
 

@@ -1,14 +1,16 @@
 package sunbeam.app.cli.precompute;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.ReportingCommand;
@@ -16,7 +18,6 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.method.FullMethod;
@@ -27,6 +28,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam precompute}: writes the Fourier tables of a patch for other programs. */
 @Command(
@@ -45,6 +47,9 @@ public final class PrecomputeCommand extends ReportingCommand {
 
     @Mixin
     private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
+
+    @Mixin
+    private JsonOption json;
 
     @Mixin
     private ForceOption force;
@@ -92,7 +97,7 @@ public final class PrecomputeCommand extends ReportingCommand {
                 "Patch", patch.source(),
                 "Extremes", Arrays.toString(drawn.largest()));
         Path written = PngWriter.write(picture, force.overwrite(), drawn.picture(), text);
-        out(picture).println(StandardOutput.name(written));
+        json.print(out(picture), Map.of("patch", patch.name(), "powers", powers), List.of(written));
         return ExitCode.OK.code();
     }
 
@@ -110,17 +115,25 @@ public final class PrecomputeCommand extends ReportingCommand {
         FourierTable table = setup.fourierTable(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
         Path written = AtomicFile.writeFile(file, force.overwrite(output), path -> TableFile.write(path, table));
-        out(file)
-                .printf(
-                        Locale.ROOT,
-                        "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s%n%s%n",
+        PrintWriter out = out(file);
+        json.text(out)
+                .println(Text.format(
+                        "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s",
                         table.terms(),
                         Kinds.name(table.kind()),
                         table.bandX().count(),
                         table.bandY().count(),
                         table.bytes() * 1e-6,
-                        seconds,
-                        written);
+                        seconds));
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("patch", setup.patch().name());
+        report.put("kind", Kinds.name(table.kind()));
+        report.put("terms", table.terms());
+        report.put("columns", table.bandX().count());
+        report.put("rows", table.bandY().count());
+        report.put("bytes", table.bytes());
+        report.put("making_s", seconds);
+        json.print(out, report, List.of(written));
         return ExitCode.OK.code();
     }
 }

@@ -19,17 +19,18 @@ import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.IndexOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ExitCode;
@@ -74,6 +75,9 @@ public final class ReflectanceCommand extends ReportingCommand {
     private CertifyOption certify;
 
     @Mixin
+    private JsonOption json;
+
+    @Mixin
     private ForceOption force;
 
     @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
@@ -113,11 +117,18 @@ public final class ReflectanceCommand extends ReportingCommand {
         Choices choices = setup.limitToScan(asked, err);
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("patch", setup.patch().name());
+        report.put("source", setup.patch().source());
+        report.put("method", method.type().label());
+        report.put("options", Methods.describe(choices));
+        report.put("index", index.describe(material));
+        report.put("directions", list.size());
         Evaluator evaluator = new Evaluator(list, setup.progress());
         if (method instanceof ReferenceMethod) {
             List<double[]> exact = evaluator.evaluate(setup.exact(method));
             write(list, ensemble, evaluator.indexed(material, setup.cie(), exact));
-            out.println(StandardOutput.name(output));
+            json.print(out, report, List.of(output));
             return ExitCode.OK.code();
         }
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
@@ -129,8 +140,11 @@ public final class ReflectanceCommand extends ReportingCommand {
         Optional<Certificate> certificate = certify.certificate(
                 count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
         write(list, ensemble, evaluator.indexed(material, setup.cie(), results));
-        out.println(StandardOutput.name(output));
-        return CertifyOption.judge(certificate, plan, choices, out, err).code();
+        report.put("plan", plan.summary());
+        certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));
+        json.print(out, report, List.of(output));
+        return CertifyOption.judge(certificate, plan, choices, json.text(out), err)
+                .code();
     }
 
     private RefractiveIndex material(DirectionList list) {

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,16 +21,17 @@ import picocli.CommandLine.Parameters;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.PictureSize;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -122,6 +124,9 @@ public final class RenderCommand extends ReportingCommand {
             SettingOptions.overriding(SceneOverrides.SETTINGS, SceneOverrides.STANDARDS);
 
     @Mixin
+    private JsonOption json;
+
+    @Mixin
     private ForceOption force;
 
     @Option(
@@ -177,10 +182,21 @@ public final class RenderCommand extends ReportingCommand {
                         environment().progress())) {
             List<SceneData> parts = frames.parts();
             SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
-            draw(frames, scenes, target).forEach(file -> out.println(StandardOutput.name(file)));
+            List<Path> files = draw(frames, scenes, target);
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("scene", sceneName);
+            report.put("plans", SceneData.ofRegions(parts, data -> data.method().summary()));
+            frames.lit().ifPresent(lit -> report.put("lit_share", lit.share()));
             ExitCode doubt = doubt(frames, parts, err);
-            ExitCode certified =
-                    certify.count().isPresent() ? certified(context, frames, scene, parts, out) : ExitCode.OK;
+            if (!json.isAsked()) {
+                json.print(out, report, files);
+            }
+            ExitCode certified = certify.count().isPresent()
+                    ? certified(context, frames, scene, parts, json.text(out), report)
+                    : ExitCode.OK;
+            if (json.isAsked()) {
+                json.print(out, report, files);
+            }
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
     }
@@ -217,19 +233,25 @@ public final class RenderCommand extends ReportingCommand {
         BufferedImage image = Wireframe.draw(scene, mesh.mesh(), size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
         Path written = PngWriter.write(file, force.overwrite(output), image, text);
-        out(file).println(StandardOutput.name(written));
+        json.print(out(file), Map.of("scene", sceneName), List.of(written));
         return ExitCode.OK.code();
     }
 
     /** Compares the anti-aliased picture, including the body's light, with points of the same scene by method full. */
     private ExitCode certified(
-            RenderContext context, FrameSequence frames, Scene drawn, List<SceneData> parts, PrintWriter out) {
+            RenderContext context,
+            FrameSequence frames,
+            Scene drawn,
+            List<SceneData> parts,
+            PrintWriter out,
+            Map<String, Object> report) {
         Scene points = drawn.withMethod(drawn.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));
         try {
             List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
             Certificate certificate =
                     frames.certify(context, drawn, exact, certify.count().getAsInt());
+            report.put("certificate", ReportFields.of(certificate));
             // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce
             // them.
             List<ErrorStatistics> tables = frames.tableErrors(drawn);

@@ -3,6 +3,7 @@ package sunbeam.app.cli.sample;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -19,11 +20,11 @@ import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.cli.options.TaskPart;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Progress;
@@ -69,6 +70,9 @@ public final class SampleCommand extends ReportingCommand {
 
     @Mixin
     private CertifyOption certify;
+
+    @Mixin
+    private JsonOption json;
 
     @Mixin
     private ForceOption force;
@@ -146,6 +150,7 @@ public final class SampleCommand extends ReportingCommand {
         SpectrumPlan bins = plan.spectrum().orElseThrow();
         PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
         Optional<Certificate> certificate;
+        Map<String, Object> made = metadata(setup, method, plan, part);
         try (Progress progress = environment().progress().start("Rows", rows)) {
             SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress);
             List<RowFile.Column> columns = channels == RowKind.XYZ
@@ -154,13 +159,10 @@ public final class SampleCommand extends ReportingCommand {
             long first = part.first(count);
             certificate =
                     certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
-            Map<String, Object> made = metadata(setup, method, plan, part);
-            certificate.ifPresent(stated -> made.put("error_beside_reference", stated.summary()));
+            certificate.ifPresent(stated -> made.put("error_beside_reference", ReportFields.of(stated)));
             RowFile file = new RowFile(first, rows, columns, () -> {
                 ErrorStatistics difference = sampled.differenceFromSums();
-                if (difference.count() > 0) {
-                    made.put("error_beside_sums_over_wavelengths", difference.count() + " rows: " + difference);
-                }
+                made.put("error_beside_sums_over_wavelengths", ReportFields.of(difference));
                 return JsonOption.text(made);
             });
             if (hdf5) {
@@ -169,8 +171,9 @@ public final class SampleCommand extends ReportingCommand {
                 AtomicFile.write(output, force.overwrite(), file::writeNpz);
             }
         }
-        out(output).println(StandardOutput.name(output));
-        return CertifyOption.judge(certificate, plan.plan(), choices, out(output), err())
+        PrintWriter out = out(output);
+        json.print(out, made, List.of(output));
+        return CertifyOption.judge(certificate, plan.plan(), choices, json.text(out), err())
                 .code();
     }
 
@@ -214,7 +217,7 @@ public final class SampleCommand extends ReportingCommand {
         fields.put("plan", plan.plan().summary());
         fields.put("tolerance", method.tolerance());
         fields.put("average", "ensemble: mean over all positions of the coherence window");
-        fields.put("coherence_length_metres", method.area().window().coherenceLength());
+        fields.put("coherence_length_m", method.area().window().coherenceLength());
         fields.put("seed", seed);
         fields.put("count", count);
         fields.put("task", part.number() + "/" + part.parts());

@@ -52,7 +52,7 @@ final class BenchmarkCommandTest {
             // Of a grating's views most are too dark to measure an error of.
             assertThat(table.get("views").intValue()).isBetween(1, 4);
             // The promise; of so few views the 95th percentile is nearly the largest, of which nothing is promised.
-            assertThat(table.get("medianErrorOfXyz").doubleValue()).isLessThanOrEqualTo(1e-2);
+            assertThat(table.get("median_error_of_xyz").doubleValue()).isLessThanOrEqualTo(1e-2);
             assertThat(table.get("bytes").longValue()).isPositive();
         }
     }
@@ -85,7 +85,7 @@ final class BenchmarkCommandTest {
 
         assertThat(rows.findValuesAsText("method")).containsExactly("full, thesis", "gem");
         assertThat(rows.get(1).get("views").intValue()).isZero();
-        assertThat(rows.get(1).get("medianErrorOfXyz").asText()).isEqualTo("NaN");
+        assertThat(rows.get(1).get("median_error_of_xyz").asText()).isEqualTo("NaN");
     }
 
     @Test

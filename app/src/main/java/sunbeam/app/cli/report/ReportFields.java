@@ -3,17 +3,19 @@ package sunbeam.app.cli.report;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import sunbeam.app.measure.errors.Certificate;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.patch.Patch;
 
-/** Verdict, period and faults of a surface as the JSON of every command has them; docs/reference/report.schema.json describes the fields. */
-public final class SurfaceReport {
-    private SurfaceReport() {}
+/** Fields that the JSON of several commands has; docs/reference/report.schema.json describes them. */
+public final class ReportFields {
+    private ReportFields() {}
 
-    /** Returns the fields by name: lengths in meters, angles in degrees; null for values that are unknown. */
-    public static Map<String, Object> fields(Patch patch, GratingPeriod period, Verdict verdict) {
+    /** Returns verdict, period and faults of a surface by name: lengths in meters, angles in degrees; null for values that are unknown. */
+    public static Map<String, Object> of(Patch patch, GratingPeriod period, Verdict verdict) {
         boolean sure = period.isSure();
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("patch", patch.name());
@@ -34,11 +36,35 @@ public final class SurfaceReport {
         fields.put(
                 "first_orders_deg",
                 verdict.firstOrders().stream()
-                        .map(band -> List.of(band.blue(), band.red()))
+                        .map(band -> List.of(hundredths(band.blue()), hundredths(band.red())))
                         .toList());
         fields.put("faults", patch.faults().stream().map(ScanFault::line).toList());
         fields.put("notes", patch.notes());
         fields.put("warnings", patch.warnings());
+        return fields;
+    }
+
+    private static double hundredths(double degrees) {
+        return Math.rint(100 * degrees) / 100;
+    }
+
+    /** Returns relative errors by name; their number alone if there are none. */
+    public static Map<String, Object> of(ErrorStatistics errors) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        fields.put("count", errors.count());
+        if (errors.count() > 0) {
+            fields.put("median", errors.median());
+            fields.put("percentile_95", errors.percentile95());
+            fields.put("maximum", errors.maximum());
+        }
+        return fields;
+    }
+
+    /** Returns a certificate by name. */
+    public static Map<String, Object> of(Certificate certificate) {
+        Map<String, Object> fields = of(certificate.relative());
+        fields.put("missed", certificate.missed());
+        fields.put("summary", certificate.summary());
         return fields;
     }
 }

@@ -1,0 +1,137 @@
+package sunbeam.app.cli.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
+import com.networknt.schema.ValidationMessage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.terminal.Environment;
+
+/** The JSON of every command is as docs/reference/report.schema.json says, which leaves no field out. */
+final class ReportSchemaTest {
+    private static final Path SCHEMA = Path.of("../docs/reference/report.schema.json");
+
+    private static final String SCENE =
+            """
+            {
+              "mesh": "sphere",
+              "patch": "blaze",
+              "camera": { "position": ["0 m", "-20 cm", "45 cm"], "lookAt": ["0 m", "0 m", "0 m"] },
+              "light": { "direction": [-0.2, 0.3, 0.9] },
+              "texture": "none",
+              "roughness": "0 deg",
+              "plan": { "method": "full", "tolerance": 0.05 },
+              "weights": { "diffraction": 30, "texture": 0.6, "ambient": 0.3 }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private final ObjectMapper json = new ObjectMapper();
+
+    @BeforeEach
+    void prepare() throws IOException {
+        Files.writeString(folder.resolve("directions.csv"), "theta_i,phi_i,theta_r,phi_r\n0,0,12.7,0\n");
+        Files.writeString(folder.resolve("scene.json"), SCENE);
+    }
+
+    private JsonNode report(int expected, String words) throws IOException {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        List<String> arguments = new ArrayList<>();
+        for (String word : words.split(" ")) {
+            arguments.add(word.replace("@", folder + "/"));
+        }
+        int code = new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err))
+                .run(arguments.toArray(String[]::new));
+        assertThat(code).as("%s", err).isEqualTo(expected);
+        return json.readTree(out.toString());
+    }
+
+    private void assertValid(JsonNode report, String definition) throws IOException {
+        JsonNode tree = json.readTree(SCHEMA.toFile());
+        JsonNode wanted = json.createObjectNode().put("$ref", "#/$defs/" + definition).set("$defs", tree.get("$defs"));
+        JsonSchema schema = JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(wanted);
+        Set<ValidationMessage> messages = schema.validate(report);
+        assertThat(messages).isEmpty();
+    }
+
+    private static Set<String> names(JsonNode node) {
+        Set<String> names = new TreeSet<>();
+        node.fieldNames().forEachRemaining(names::add);
+        node.forEach(part -> names.addAll(names(part)));
+        return names;
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "inspect disc --output @i.png",
+                "color blaze --angles -40:40:8 --output @c.png",
+                "brdf-map blaze --size 33 --certify 2 --tolerance 0.05 --output @m.png",
+                "evaluate blaze --azimuth 0 --wavelengths 500:600:10 --output @e",
+                "orders blaze --wavelengths 500:600:50 --output @o",
+                "reflectance --patch blaze --directions @directions.csv --certify 1 --tolerance 0.05 --output @r.csv",
+                "sample blaze --count 40 --tolerance 0.05 --output @s.npz",
+                "precompute --patch sinusoid --tolerance 0.1 --output @p.h5",
+                "precompute --patch sinusoid --picture @p.png",
+                "benchmark --patch lamellar --size 16 --samples 4 --coherence-length 4um",
+                "render @scene.json --size 48x36 --output @v.png",
+                "export sinusoid --format npz --samples 1 --tolerance 0.05 --coherence-length 8um --output @x.npz",
+                "mesh plane --output @plane.obj"
+            })
+    void theReportOfACommandIsAsTheSchemaSays(String words) throws IOException {
+        String[] parts = words.split(" ", 2);
+
+        JsonNode report = report(0, parts[0] + " --json " + parts[1]);
+
+        assertValid(report, parts[0]);
+        assertThat(names(report)).allMatch(name -> name.matches("[a-z][a-z0-9]*(_[a-z0-9]+)*|[XYZ]"));
+    }
+
+    @Test
+    void theReportOfAComparisonIsAsTheSchemaSays() throws IOException {
+        report(0, "render --json @scene.json --size 48x36 --output @photo.png");
+        assertValid(report(0, "compare --json @photo.png @scene.json --output @compared.png"), "compare");
+    }
+
+    @Test
+    void linesOfACollectionAreAsTheSchemaSays() throws IOException {
+        JsonNode summary = report(4, "inspect --json blaze @directions.csv --output @all");
+
+        assertValid(summary, "collection");
+        for (String line : Files.readAllLines(folder.resolve("all/reports.jsonl"))) {
+            assertValid(json.readTree(line), "collection_row");
+        }
+    }
+
+    @Test
+    void aFieldThatTheSchemaDoesNotHaveIsNotValid() throws IOException {
+        JsonNode report = json.readTree("{\"mesh\": \"plane\", \"vertices\": 4, \"triangles\": 2, \"files\": [], \"x_cm\": 1}");
+        JsonNode tree = json.readTree(SCHEMA.toFile());
+        JsonNode wanted = json.createObjectNode().put("$ref", "#/$defs/mesh").set("$defs", tree.get("$defs"));
+
+        assertThat(JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(wanted).validate(report))
+                .hasSize(1);
+    }
+}
