@@ -239,8 +239,7 @@ public final class BrdfMapCommand extends ReportingCommand {
             written = write(picture, image, text, first);
             surfaces.stream()
                     .limit(1)
-                    .forEach(surface ->
-                            surface.put("thumbnail_px", List.of(0, 0, image.getWidth(), image.getWidth())));
+                    .forEach(surface -> surface.put("thumbnail_px", List.of(0, 0, image.getWidth(), image.getWidth())));
             report.put("exposure", factor);
             report.put("renderer", context.info().renderer());
             certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));

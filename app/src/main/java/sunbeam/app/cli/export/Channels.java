@@ -58,7 +58,10 @@ record Channels(Kind kind, SpectralBands bands) {
             fields.put("unit", "1: a flat mirror in specular direction under the asked window, at each wavelength");
             fields.put(
                     "wavelengths_m",
-                    DoubleStream.of(bands.nanometers()).map(nanometers -> nanometers / 1e9).boxed().toList());
+                    DoubleStream.of(bands.nanometers())
+                            .map(nanometers -> nanometers / 1e9)
+                            .boxed()
+                            .toList());
         }
         return fields;
     }

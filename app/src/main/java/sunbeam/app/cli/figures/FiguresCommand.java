@@ -13,6 +13,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
@@ -80,6 +81,9 @@ public final class FiguresCommand extends ReportingCommand {
     private Path patchFolder;
 
     @Mixin
+    private JsonOption json;
+
+    @Mixin
     private ForceOption force;
 
     /**
@@ -108,12 +112,19 @@ public final class FiguresCommand extends ReportingCommand {
                 output.resolve(PAGE),
                 Overwrite.REPLACE,
                 AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
-        figures.forEach(figure ->
-                figure.verdict(drawings).ifPresent(verdict -> out().println(figure.number() + " " + verdict)));
-        drawings.stream()
-                .flatMap(drawing -> drawing.numbers().stream())
-                .forEach(row -> out().println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
-        out().println(output.resolve(PAGE));
+        List<Map<String, Object>> verdicts = new ArrayList<>();
+        for (Figure figure : figures) {
+            figure.verdict(drawings).ifPresent(verdict -> {
+                json.text(out()).println(figure.number() + " " + verdict);
+                verdicts.add(
+                        Map.of("figure", figure.number(), "agrees", verdict.agrees(), "measured", verdict.numbers()));
+            });
+        }
+        List<List<String>> numbers =
+                drawings.stream().flatMap(drawing -> drawing.numbers().stream()).toList();
+        numbers.forEach(row ->
+                json.text(out()).println(Text.format("%s, %s: thesis %s, here %s, difference %s", row.toArray())));
+        json.print(out(), Map.of("verdicts", verdicts, "table", numbers), List.of(output.resolve(PAGE)));
         return code;
     }
 

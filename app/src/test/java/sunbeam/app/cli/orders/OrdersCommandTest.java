@@ -80,8 +80,7 @@ class OrdersCommandTest {
         // The expansion's 1e-6; 128 samples a period are exact for a sinusoid.
         assertThat(first.get("efficiency").get(15).asDouble()).isCloseTo(expected, within(1e-6));
         // Order -3 leaves the hemisphere at 2500 nm (1 - sin 20) / 3 = 548.3 nm.
-        assertThat(order(incidence, -3).get("beyond_horizon_from_m").asDouble())
-                .isCloseTo(550e-9, within(1e-15));
+        assertThat(order(incidence, -3).get("beyond_horizon_from_m").asDouble()).isCloseTo(550e-9, within(1e-15));
         assertThat(order(incidence, -3).get("efficiency")).hasSize(15);
         assertThat(ImageIO.read(file("o.png").toFile()).getHeight()).isGreaterThan(1500);
     }

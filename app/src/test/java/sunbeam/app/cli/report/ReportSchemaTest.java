@@ -30,8 +30,7 @@ import sunbeam.app.terminal.Environment;
 final class ReportSchemaTest {
     private static final Path SCHEMA = Path.of("../docs/reference/report.schema.json");
 
-    private static final String SCENE =
-            """
+    private static final String SCENE = """
             {
               "mesh": "sphere",
               "patch": "blaze",
@@ -70,8 +69,10 @@ final class ReportSchemaTest {
 
     private void assertValid(JsonNode report, String definition) throws IOException {
         JsonNode tree = json.readTree(SCHEMA.toFile());
-        JsonNode wanted = json.createObjectNode().put("$ref", "#/$defs/" + definition).set("$defs", tree.get("$defs"));
-        JsonSchema schema = JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(wanted);
+        JsonNode wanted =
+                json.createObjectNode().put("$ref", "#/$defs/" + definition).set("$defs", tree.get("$defs"));
+        JsonSchema schema =
+                JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(wanted);
         Set<ValidationMessage> messages = schema.validate(report);
         assertThat(messages).isEmpty();
     }
@@ -98,6 +99,7 @@ final class ReportSchemaTest {
                 "benchmark --patch lamellar --size 16 --samples 4 --coherence-length 4um",
                 "render @scene.json --size 48x36 --output @v.png",
                 "export sinusoid --format npz --samples 1 --tolerance 0.05 --coherence-length 8um --output @x.npz",
+                "figures --only 2.11 --quick --output @f",
                 "mesh plane --output @plane.obj"
             })
     void theReportOfACommandIsAsTheSchemaSays(String words) throws IOException {
@@ -127,11 +129,14 @@ final class ReportSchemaTest {
 
     @Test
     void aFieldThatTheSchemaDoesNotHaveIsNotValid() throws IOException {
-        JsonNode report = json.readTree("{\"mesh\": \"plane\", \"vertices\": 4, \"triangles\": 2, \"files\": [], \"x_cm\": 1}");
+        JsonNode report =
+                json.readTree("{\"mesh\": \"plane\", \"vertices\": 4, \"triangles\": 2, \"files\": [], \"x_cm\": 1}");
         JsonNode tree = json.readTree(SCHEMA.toFile());
         JsonNode wanted = json.createObjectNode().put("$ref", "#/$defs/mesh").set("$defs", tree.get("$defs"));
 
-        assertThat(JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(wanted).validate(report))
+        assertThat(JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012)
+                        .getSchema(wanted)
+                        .validate(report))
                 .hasSize(1);
     }
 }
