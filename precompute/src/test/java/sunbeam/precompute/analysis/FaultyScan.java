@@ -10,7 +10,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
 
 /**
- * A scan that chance drew of what scanners and surfaces do to a grating, or to what is none.
+ * A randomly drawn scan of a grating, or of a surface without one, with one fault of scanners or of the surface.
  *
  * @param map heights, level by their plane
  * @param truths meters: the period or each of several; of terraces their mean width
@@ -19,44 +19,44 @@ import sunbeam.precompute.prepare.Leveling;
  */
 record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String words) {
     enum Kind {
-        /** Sideways, by a part of a period, from one row on. */
+        /** A shift sideways by a part of a period at one row. */
         SLIPPED,
-        /** The same at two rows. */
+        /** Shifts at two rows. */
         SLIPPED_TWICE,
-        /** The same at five rows, equally far apart, by equal parts. */
+        /** Shifts at five rows, equally far apart and equally large. */
         SLIPPED_OFTEN,
-        /** Lines of another distance below than above, which nearly continue each other at one side. */
+        /** Another period below than above, the lines nearly continuous at one side. */
         TWO_PARTS,
-        /** The same in its lower half, by a distance and a place that chance draws. */
+        /** Another period in the lower half, at a random place and by a random ratio. */
         TWO_HALVES,
-        /** The same in its right half. */
+        /** Another period in the right half. */
         SIDE_BY_SIDE,
-        /** Rows lost: from one on, the surface continues some way on. */
+        /** Lost rows: from one row on the surface continues further on. */
         ROWS_LOST,
-        /** The same at five rows. */
+        /** Lost rows at five places. */
         LOST_OFTEN,
-        /** Some rows repeat one of them, and the surface continues after that. */
+        /** Some rows repeat one row, and the surface continues after them. */
         STUCK,
-        /** From one row on the same row, until the end. */
+        /** The rest repeats one row. */
         ABORTED,
-        /** One line ends in the middle part. */
+        /** A line ends in the middle. */
         DISLOCATED,
-        /** Heights above or below a limit are the limit. */
+        /** Clipped heights. */
         CLIPPED,
-        /** Two waves across each other, periods within a third. */
+        /** Two crossed waves with periods within a third. */
         LATTICE,
         /** Bumps on a hexagonal lattice. */
         HEXAGONS,
-        /** Steps of one height and hard edges, widths that differ by up to five times. */
+        /** Steps of equal height with hard edges, their widths within a factor of five. */
         TERRACES,
-        /** Two or three waves of one period, mirror images of each other about the scan's rows. */
+        /** Two or three waves of one period, mirrored about the rows. */
         ALIGNED
     }
 
     private static final Set<Kind> SIDEWAYS = EnumSet.of(Kind.SLIPPED, Kind.SLIPPED_TWICE, Kind.SLIPPED_OFTEN);
     private static final double SMOOTH = 0.05;
 
-    /** What the program answers, where it does not refuse: of the part of the scan that was measured. */
+    /** The program's estimate for the measured part of the scan; empty where it refuses. */
     Optional<GratingPeriod> estimate() {
         HeightMap measured = GratingPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
         return PeriodModel.of(measured, wave -> true).filter(GratingPeriod::isSure);
@@ -70,7 +70,6 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
     }
 
-    /** What a grating's draw consists of. */
     private record Draw(
             Kind kind,
             SplittableRandom random,
@@ -90,7 +89,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
             return new Draw(kind, random, columns, rows, pitch, period, angle, random.nextInt(3));
         }
 
-        /** Periods of half a line more and less across the scan. */
+        /** Periods across the scan that differ by up to half a line. */
         double[] withHalfALine() {
             double half = 0.5 / (columns * pitch);
             return new double[] {
@@ -99,7 +98,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
             };
         }
 
-        /** Height at a place from which the wave has turned further, 0..1. */
+        /** Height at a phase in turns, 0..1. */
         double at(double x, double y, double further) {
             double turns = (x * Math.cos(angle) + y * Math.sin(angle)) / period + further;
             double part = turns - Math.floor(turns);
@@ -172,7 +171,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         }
         String words = draw.kind() + " seed " + seed;
         if (draw.kind() == Kind.DISLOCATED) {
-            // There is a line more on one side of its end.
+            // One side of its end has a line more.
             return new FaultyScan(
                     level(draw.columns(), rows, draw.pitch(), heights), draw.withHalfALine(), true, words);
         }
@@ -244,7 +243,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
             heights[k] = 1e-8 * ((up ? step : step % 2) + noise * random.nextGaussian());
         }
         String words = Kind.TERRACES + " seed " + seed;
-        // Where something repeats, if only roughly, it is a terrace, or two of which one lies higher.
+        // A period that is found is one terrace wide, or two where every other one lies higher.
         double width = diagonal / count * pitch;
         return scan(columns, rows, pitch, heights, new double[] {width, 2 * width}, words);
     }

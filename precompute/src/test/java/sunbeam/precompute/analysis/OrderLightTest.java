@@ -174,13 +174,13 @@ class OrderLightTest {
                 .efficiencies()
                 .get(new Order(-2, 0))
                 .value();
-        // The factors' curvature over the order, which is 1/300 wide.
+        // Curvature of the factors over the order, which is 1/300 wide.
         assertThat(sum).isCloseTo(efficiency, within(1e-4 * efficiency));
     }
 
     @Test
     void aScansIntervalHoldsTheSurfacesEfficiency() {
-        // Lines whose depth changes over 4 um: the mean of J_1^2 over the whole is what each piece estimates.
+        // The depth of the lines changes over 4 um; each piece estimates the mean of J_1^2 over the whole surface.
         int samples = 1024;
         double pitch = 100e-9;
         double period = 1.6e-6;

@@ -25,7 +25,7 @@ class PeriodModelTest {
         HeightMap map = Surfaces.of(128, 110, 80e-9, (x, y) -> 50e-9 * Math.sin(2 * Math.PI * (x1 * x + y1 * y)));
         GratingPeriod period = estimate(map).orElseThrow();
         assertThat(1e-6 * micrometers).isBetween(period.low(), period.high());
-        // Nothing disturbs it: an exact wave is known to a hundredth of a line over the scan, 1.5 % of seven periods.
+        // An undisturbed wave is known to a hundredth of a line over the scan, 1.5 % of seven periods.
         assertThat(period.high() - period.low()).isLessThan(0.03e-6 * micrometers);
         double turn = Math.IEEEremainder(period.azimuth() - Math.toRadians(degrees), Math.PI);
         // Half of a line over the scan's shorter side.

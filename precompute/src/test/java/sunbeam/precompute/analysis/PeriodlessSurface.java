@@ -6,9 +6,9 @@ import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
 
-/** Scans of surfaces that have no period, drawn at random, noisy, and level by their plane as commands take them. */
+/** Randomly drawn noisy scans of surfaces without a period, leveled by their plane as commands do. */
 enum PeriodlessSurface {
-    /** Each sample by itself. */
+    /** White noise. */
     WHITE,
     /** Noise smoothed over some samples. */
     CORRELATED,
@@ -16,7 +16,7 @@ enum PeriodlessSurface {
     FRACTAL,
     /** A parabola, of two curvatures and a center of its own, under correlated noise. */
     BOW,
-    /** Slow waviness of one direction, as drift leaves it. */
+    /** Slow waviness in one direction, like drift. */
     DRIFT,
     /** One step across the scan in any direction. */
     ONE_STEP,
@@ -63,7 +63,6 @@ enum PeriodlessSurface {
         return heights;
     }
 
-    /** A profile over -1..1 along a direction. */
     private static double[] along(int columns, int rows, double angle, DoubleUnaryOperator profile) {
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {
@@ -146,7 +145,7 @@ enum PeriodlessSurface {
     private static double[] fractal(int columns, int rows, double power, SplittableRandom random) {
         double[] heights = new double[columns * rows];
         for (int wave = 0; wave < 400; wave++) {
-            // As many waves in each octave of frequency, of half a turn to thirty.
+            // Equally many waves in each octave of frequency from half a turn to thirty.
             double turns = 0.5 * Math.pow(60, random.nextDouble());
             double angle = Math.PI * random.nextDouble();
             double phase = 2 * Math.PI * random.nextDouble();

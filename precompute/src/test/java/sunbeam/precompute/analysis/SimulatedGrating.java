@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * A scan of a grating that chance drew, with the period that it has.
+ * A randomly drawn scan of a grating with a known period.
  *
  * @param map heights
  * @param kind what disturbs it
@@ -17,11 +17,11 @@ import sunbeam.precompute.optics.HeightMap;
  */
 record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimuth, String words) {
     enum Kind {
-        /** Nothing disturbs it. */
+        /** Undisturbed. */
         CLEAN,
-        /** Each line strays from its place by itself. */
+        /** Each line is displaced independently. */
         STRAYED,
-        /** Each gap deviates by itself. */
+        /** Each gap deviates independently. */
         GAPS,
         /** The phase wanders smoothly. */
         WARPED,
@@ -31,11 +31,11 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         TWO,
         /** The period grows from one end to the other. */
         CHIRPED,
-        /** Rows of lines that know nothing of each other. */
+        /** Independent rows of lines. */
         ROWS
     }
 
-    /** What the program answers, where it does not refuse. */
+    /** The program's estimate; empty where it refuses. */
     Optional<GratingPeriod> estimate() {
         return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isSure);
     }
@@ -45,7 +45,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         return Math.abs(Math.IEEEremainder(estimate.azimuth() - azimuth, Math.PI));
     }
 
-    /** Of the answer, relative to the truth that it is nearer to. */
+    /** Error of the estimate relative to the nearer truth. */
     double error(GratingPeriod estimate) {
         return Arrays.stream(truths)
                 .map(truth -> Math.abs(estimate.period() / truth - 1))
@@ -132,7 +132,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         return lines;
     }
 
-    /** Lines passed, with the part of the gap. */
+    /** Number of lines passed, including the part of the current gap. */
     private static double phase(double[] lines, double place) {
         int low = 0;
         int high = lines.length - 1;

@@ -8,12 +8,12 @@ import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Scans of gratings that chance drew have nothing that a scan's faults look like, in floats and in few levels. */
+/** No fault is found in random gratings, as floats and in few levels. */
 class SoundGratingsTest {
     @ParameterizedTest
     @EnumSource(SimulatedGrating.Kind.class)
     void noFaultIsSeen(SimulatedGrating.Kind kind) {
-        // 5015 of rows is a saw that slips sideways, of which most columns jump alike.
+        // Seed 5015 of rows is a saw with slips sideways, at which most columns jump alike.
         for (long seed : new long[] {5000, 5001, 5015}) {
             SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
             for (int levels : new int[] {0, 16, 256}) {

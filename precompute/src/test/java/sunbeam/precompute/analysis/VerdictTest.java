@@ -128,7 +128,7 @@ class VerdictTest {
                                 + " degrees: .*");
     }
 
-    /** Waves of one length in directions 60 or 90 degrees apart: as two or three crossed gratings, one of them was left out. */
+    /** Waves of one length in directions 60 or 90 degrees apart. */
     @ParameterizedTest
     @CsvSource({"3, 60, hexagonal, '5, 65 and 125', 1.38", "2, 90, square, '5 and 95', 1.2"})
     void gratingsAlikeInTwoOrThreeDirectionsAreALattice(
@@ -166,7 +166,7 @@ class VerdictTest {
                                 + " 30, 90 and 150 degrees: first-order colors from 50 degrees on under light from above");
     }
 
-    /** Five samples and a third of a micrometer: nothing can be seen three times. */
+    /** Too few samples, or too small a field, to see anything three times. */
     @Test
     void tooLittleIsNotNoOrder() {
         HeightMap few = Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y));
@@ -175,7 +175,7 @@ class VerdictTest {
         assertThat(verdict(piece(narrow))).startsWith("Too little to judge: a side of 327 nm");
     }
 
-    /** Two spectra of smoothed noise, as descriptors and as scans name them: the strongest wave is noise. */
+    /** Smoothed noise in patches of descriptors and of scans: the strongest wave is noise. */
     @ParameterizedTest
     @EnumSource(value = Patch.Repetition.class, names = "PERIODIC", mode = EnumSource.Mode.EXCLUDE)
     void shapelessSurfacesHaveNoOrder(Patch.Repetition repetition) {
@@ -187,7 +187,7 @@ class VerdictTest {
             assertThat(code).isIn(Verdict.Code.NONE, Verdict.Code.PROBABLE_GRATING);
             probable += code == Verdict.Code.NONE ? 0 : 1;
         }
-        // A few in a hundred at most.
+        // At most a few in a hundred draws.
         assertThat(probable).isLessThan(2);
     }
 
@@ -204,7 +204,7 @@ class VerdictTest {
         assertThat(probable).isLessThan(5);
     }
 
-    /** 8.8 periods in a descriptor's patch, which is drawn as a period of 12 um, each edge displaced by 5 %. */
+    /** 8.8 periods on 12 um, each edge displaced by 5 %. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void disorderedGratingsHaveAPeriodUnderAnyRepetition(long seed) {
@@ -226,14 +226,14 @@ class VerdictTest {
         }
     }
 
-    /** Two waves as strong as each other, one of half the period: the surface repeats after the longer one. */
+    /** Two equally strong waves, one of half the period. */
     @Test
     void aStrongOvertoneIsNoPeriod() {
         assertThat(verdict(piece((x, y) -> sine(x, 1.2e-6) + sine(x + 0.1e-6, 0.6e-6))))
                 .startsWith("A grating of 1.20");
     }
 
-    /** Lines 120 nm apart, of which the waves that light sees (190 nm and longer) hold nothing. */
+    /** Lines 120 nm apart have no waves of 190 nm or more, the range of visible light. */
     @Test
     void linesFinerThanLightAreNoGrating() {
         HeightMap map =
@@ -241,7 +241,7 @@ class VerdictTest {
         assertThat(verdict(piece(map))).startsWith("No order found: most of the relief is finer than light sees");
     }
 
-    /** A line that is seen few times is wide: its own flanks are no second grating. */
+    /** A spectral line of few periods is wide: its flanks are no second grating. */
     @ParameterizedTest
     @ValueSource(doubles = {4.3, 4.6, 5.2, 5.6, 6.3, 7.7})
     void aSineSeenFewTimesIsNotCrossed(double periods) {

@@ -26,7 +26,7 @@ class ChromaticityTest {
         for (double share : new double[] {0.1, 0.5, 0.999}) {
             Chromaticity mixed = new Chromaticity(
                     WHITE.x() + share * (pure.x() - WHITE.x()), WHITE.y() + share * (pure.y() - WHITE.y()));
-            // Between table values the locus is taken for straight.
+            // The locus is linear between table values.
             assertThat(mixed.hue(CIE).nanometers()).isCloseTo(nanometers, within(0.3));
             assertThat(mixed.hue(CIE).purity()).isCloseTo(share, within(1e-3));
         }

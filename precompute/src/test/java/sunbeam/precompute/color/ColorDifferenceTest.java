@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 final class ColorDifferenceTest {
-    // Half of the last digit that the table gives, of colors as well as of differences.
+    // Half of the table's last digit, for colors and differences.
     private static final double PUBLISHED_DIGITS = 1e-4;
 
     /** Sharma, Wu, Dalal 2005, table 1: hue differences beyond 180 degrees, grays, blues, near and far pairs. */

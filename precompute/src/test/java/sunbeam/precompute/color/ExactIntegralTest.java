@@ -13,7 +13,7 @@ class ExactIntegralTest {
     private static final CieTable CIE = CieTable.load();
     private static final double SIGMA_FREQUENCY = 9794;
 
-    /** 40 points on each of 16 parts of every nanometer: what the tables, linear between, define. */
+    /** 40 points on each of 16 parts of every nanometer of the tables, which are linear between their values. */
     private static double[] gaussLegendre(DoubleUnaryOperator power) {
         GaussIntegrator rule = new GaussIntegratorFactory().legendre(40);
         double[] xyz = new double[3];
@@ -30,7 +30,7 @@ class ExactIntegralTest {
         return xyz;
     }
 
-    /** Orders of one patch anywhere in the band, and beyond its ends, where only a flank is seen. */
+    /** Orders within the band and beyond its ends, with a flank inside. */
     @ParameterizedTest
     @CsvSource({"1.9, 381.3e-9", "1.9, 378.5e-9", "0.4, 779.6e-9", "1, 781e-9", "0.02, 503.2e-9", "1.2, 555.55e-9"})
     void ordersHaveTheirColorToNineDigits(double uv, double middle) {
@@ -40,7 +40,7 @@ class ExactIntegralTest {
         double[] exact = gaussLegendre(order);
         double[] xyz = ExactIntegral.xyz(CIE, order, 1 / (1 / (0.7 * deviation) + 1 / 12e3));
         double largest = Math.max(exact[0], Math.max(exact[1], exact[2]));
-        // What is promised of the reference. Sampling in steps of 0.5 nm erred by 1e-3 here.
+        // The reference's accuracy; sampling in steps of 0.5 nm erred by 1e-3 here.
         assertThat(xyz).containsExactly(exact, within(1e-9 * largest));
     }
 }

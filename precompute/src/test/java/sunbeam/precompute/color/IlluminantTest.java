@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class IlluminantTest {
-    /** As the CIE publishes them (CIE 15:2018, tables 3, 10 and 12). */
+    /** CIE 15:2018, tables 3, 10 and 12. */
     @ParameterizedTest
     @CsvSource({
         "D65, CIE1931, 0.31272, 0.32903",
@@ -26,7 +26,7 @@ class IlluminantTest {
         Chromaticity white =
                 Chromaticity.of(CieTable.of(observer, Illuminant.of(light)).white());
 
-        // Published are sums at 5 nm, to 830 nm.
+        // The published values are sums at 5 nm up to 830 nm.
         assertThat(white.x()).isCloseTo(x, within(2e-4));
         assertThat(white.y()).isCloseTo(y, within(2e-4));
     }
@@ -70,7 +70,7 @@ class IlluminantTest {
         WavelengthNodes some = IntegratedNodes.logarithmic(filter, 0.003);
         // 0.19 of 0.72 in the logarithm, and five nodes beside either end.
         assertThat(some.count()).isLessThan(all.count() / 2);
-        // Both integrate a function as smooth as this without error but rounding.
+        // Both integrate such a smooth function exactly but for rounding.
         assertThat(some.sum(wavelength -> 1e-6 / wavelength))
                 .containsExactly(IntegratedNodes.of(filter, 5e3).sum(wavelength -> 1e-6 / wavelength), within(1e-9));
     }

@@ -39,7 +39,7 @@ final class IntegratedNodesTest {
     void constantPowerIsWhiteHoweverFewTheNodes() {
         double[] exact = bruteForce(wavelength -> 1);
         double[] xyz = sum(IntegratedNodes.of(CIE, 1e9), wavelength -> 1);
-        // Polynomials of degree 0 are exact; what is left is the rounding of 400,000 summands.
+        // Polynomials of degree 0 are exact; the rest is rounding of 400,000 summands.
         assertThat(xyz).containsExactly(exact, within(1e-10));
     }
 
@@ -63,7 +63,7 @@ final class IntegratedNodesTest {
         // The steps of the reference (ReferenceColor).
         double[] xyz = sum(IntegratedNodes.of(CIE, 1 / (1 / (0.7 * deviation) + 1 / 12e3)), order);
         double largest = Math.max(exact[0], Math.max(exact[1], exact[2]));
-        // What polynomials of degree 11 leave: 5e-7 in the worst of 200 orders tried; the brute sum itself 1e-7.
+        // Error of polynomials of degree 11: 5e-7 in the worst of 200 orders; the brute-force sum has 1e-7.
         assertThat(xyz).containsExactly(exact, within(2e-6 * largest));
     }
 }

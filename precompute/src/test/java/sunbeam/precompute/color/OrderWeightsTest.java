@@ -55,7 +55,7 @@ class OrderWeightsTest {
     void theTablesBorderIsBlack() {
         OrderWeights table = OrderWeights.tabulate(cie, 5e3, 7e4);
         for (int row = 0; row < OrderWeights.ROWS; row++) {
-            // A millionth of the largest, 4e-13 meters: an order out there would only shimmer in.
+            // A millionth of the largest, 4e-13 meters.
             assertThat(table.values()[3 * row * OrderWeights.COLUMNS + 1]).isLessThan(4e-19f);
             assertThat(table.values()[3 * ((row + 1) * OrderWeights.COLUMNS - 1) + 1])
                     .isLessThan(4e-19f);

@@ -45,7 +45,7 @@ class ColorTableTest {
                 }
             }
             double mean = sum / weights;
-            // The sum stops at four deviations: 1e-4 of the weights, of power that differs by the mean's own size.
+            // The sum stops at four deviations, beyond which lie 1e-4 of the weights.
             assertThat(level.scale() * ensemble(map, level.area(), 0.21, -0.13))
                     .as("level %d", number)
                     .isCloseTo(mean, within(3e-4 * mean));
@@ -85,13 +85,13 @@ class ColorTableTest {
         assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
     }
 
-    /** A slope moves (u, v) by itself times w; what the finest level shows of a point is not counted twice. */
+    /** A slope shifts (u, v) by the slope times w; the width of the finest level is not added twice. */
     @Test
     void levelsOfReliefAreAsWideAsItsSlopesMoveThem() {
         ColorTable table = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false, 0.07);
         assertThat(table.pointLevelCount()).isZero();
         assertThat(table.slopeVariance(0, 1.8)).isCloseTo(Math.pow(0.07 * 1.8, 2), within(1e-12));
-        // Where both directions graze, the level's own width.
+        // At grazing directions the level's own width remains.
         double least = Math.pow(table.finestSigma(), 2) - Math.pow(table.sigma(), 2);
         assertThat(table.slopeVariance(0, 0)).isCloseTo(least, within(1e-12));
         assertThat(table.slopeVariance(1, 0)).isCloseTo(least + Math.pow(table.finestSigma(), 2), within(1e-12));

@@ -10,10 +10,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.numerics.SplineFilter;
 
 class InterpolationTest {
-    // Coefficients are rounded to float32, and six times as large as what they make up at most.
+    // Float32 coefficients, at most six times as large as the values.
     private static final double ROUNDING = 1e-6;
 
-    /** The spline at a sample: neighbors count a sixth each; at an end the mirror gives the missing one. */
+    /** The spline at a sample: a sixth of each neighbor, mirrored at the ends. */
     private static double at(float[] c, int i) {
         int last = c.length - 1;
         double before = c[i == 0 ? 1 : i - 1];
@@ -52,7 +52,7 @@ class InterpolationTest {
         float[] both = new float[2 * 12];
         float[] second = new float[12];
         for (int row = 0; row < 12; row++) {
-            // Of very different sizes, as roots of colors are beside the specular peak.
+            // Very different magnitudes, as beside the specular peak.
             both[2 * row] = (float) Math.exp(-12 * random.nextDouble());
             second[row] = both[2 * row + 1] = random.nextFloat();
         }

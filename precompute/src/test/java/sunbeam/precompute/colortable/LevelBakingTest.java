@@ -65,14 +65,14 @@ class LevelBakingTest {
         return d >= 2 ? 0 : d >= 1 ? Math.pow(2 - d, 3) / 6 : 2.0 / 3 - d * d + d * d * d / 2;
     }
 
-    /** A table of all reachable tiles lacks none. */
+    /** All tiles that look-ups use are among the reachable ones. */
     @Test
     void allPairsOfDirectionsAreReachable() {
         SplittableRandom random = new SplittableRandom(3);
         for (TileGrid grid : List.of(GRID, LINES)) {
             BitSet reachable = grid.reachable();
             for (int i = 0; i < 200_000; i++) {
-                // Every other one at the rim, where tiles just begin.
+                // Every other direction at the rim, where tiles begin.
                 double angle = random.nextDouble(2 * Math.PI);
                 double[] uvw = {3 * Math.cos(angle), 3 * Math.sin(angle), i % 2 == 0 ? 0 : random.nextDouble(-9, 0)};
                 TableSpace.AllLights.shorten(uvw);
@@ -96,7 +96,7 @@ class LevelBakingTest {
             double x = (u - GRID.originX()) / DESIGN.step() - place[0] * TileGrid.SIDE;
             double y = (v - GRID.originX()) / DESIGN.step() - place[1] * TileGrid.SIDE;
             if (x < 0 || y < 0 || x >= TileGrid.SIDE || y >= TileGrid.SIDE) {
-                continue; // the tile beside its own, of a place close to the edge
+                continue; // the neighboring tile, of a place close to the edge
             }
             double slice = place[2] * DESIGN.sliceStep();
             // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
@@ -219,7 +219,7 @@ class LevelBakingTest {
                 for (double w : new double[] {0.3, 0, -2, -2.4}) {
                     BitSet tiles = tilesOf(length * Math.cos(angle), length * Math.sin(angle), w);
                     assertThat(tiles.length()).isLessThanOrEqualTo(GRID.perSlice() * GRID.slices());
-                    // Their neighbors, which prefilters see, exist too.
+                    // Prefilters need the neighbors.
                     tiles.stream().forEach(tile -> {
                         int[] place = GRID.place(tile);
                         assertThat(place[0]).isBetween(1, GRID.columns() - 2);

@@ -172,7 +172,7 @@ class TablePointsTest {
                 .mapToDouble(pair -> pair.wr().z())
                 .min()
                 .orElseThrow();
-        // Of 2,000 random ones of 8,000 the last hundred are missed with a chance of 1e-12.
+        // 2,000 random ones of 8,000 miss the last hundred with a probability of 1e-12.
         assertThat(Math.toDegrees(Math.acos(steepest))).isGreaterThan(79);
     }
 
@@ -183,7 +183,7 @@ class TablePointsTest {
         TableDesign standard = TableDesign.within(1e-3, ensemble, 0.4e-6);
         TableDesign wide = TableDesign.within(1e-3, ensemble.with(shorter), 0.4e-6);
         assertThat(wide.step()).isCloseTo(10 * standard.step(), within(1e-12));
-        // Zeros between speckles, which one coherence area has.
+        // One coherence area has zeros between speckles.
         assertThat(TableDesign.within(1e-3, GaussianArea.STANDARD.with(shorter), 0.4e-6)
                         .step())
                 .isLessThan(0.75 * wide.step());
@@ -202,7 +202,8 @@ class TablePointsTest {
         HeightMap grating = new HeightMap(8, 8, 1e-6, 1e-6, ridges);
         HeightMap scan = new HeightMap(8, 8, 1e-6, 1e-6, spike);
         assertThat(TableDesign.depth(scan)).isCloseTo(1e-6, within(0.1e-6));
-        // Its power along w is a cosine whose phase the whole relief turns; measured, slices 4 times closer are needed.
+        // Its power along w is a cosine whose phase grows with the whole relief; measured: slices must be 4 times
+        // closer.
         assertThat(TableDesign.depth(grating)).isCloseTo(4.25e-6, within(0.01e-6));
     }
 

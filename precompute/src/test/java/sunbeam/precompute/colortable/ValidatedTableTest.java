@@ -25,7 +25,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Reach;
 
-/** Tables that are tried at directions that they were not made at. */
+/** Tables checked at directions between their samples. */
 class ValidatedTableTest {
     private static final Direction LIGHT = Direction.ofDegrees(20, 30);
     private static final TableDesign COARSE = new TableDesign(0.04, 11);
@@ -40,7 +40,7 @@ class ValidatedTableTest {
         throw new AssertionError("there is room for " + design);
     }
 
-    /** Two orders' amplitudes that cancel on lines: the power is smooth, its root has a kink. */
+    /** Power of two orders that cancel on lines: it is smooth, but its root has a kink. */
     private static float[] cancelling(float[] uvw, BakeToken token) {
         return colors(uvw, place -> Math.pow(Math.sin(9 * place[0] + 4 * place[1] + place[2]), 2) + 1e-7);
     }
@@ -53,7 +53,7 @@ class ValidatedTableTest {
         return colors(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
     }
 
-    /** Nothing that two neighbors have in common. */
+    /** White noise. */
     private static float[] noisy(float[] uvw, BakeToken token) {
         Random random = new Random(3);
         return colors(uvw, place -> 1 + random.nextDouble());
@@ -122,7 +122,7 @@ class ValidatedTableTest {
         List<Double> errors = new ArrayList<>();
         Random random = new Random(11);
         while (errors.size() < 1000) {
-            // Other directions than those of the trial, evenly over the sphere.
+            // Directions other than the checked ones, uniform on the sphere.
             double z = random.nextDouble();
             double phi = 2 * Math.PI * random.nextDouble();
             double sine = Math.sqrt(1 - z * z);
@@ -158,7 +158,7 @@ class ValidatedTableTest {
         assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
             double exact = 1.5 + Math.sin(14 * pair.w());
-            // All pairs were tried; beyond the 95th percentile a polynomial errs by little more.
+            // All pairs were checked; beyond the 95th percentile a polynomial errs by little more.
             assertThat(xyz(made, pair)[0]).isCloseTo(exact, within(6 * TOLERANCE * exact));
         }
     }
@@ -189,7 +189,7 @@ class ValidatedTableTest {
 
     @Test
     void aTableThatKeepsThePromiseIsNotRefusedForLackOfRoomToBeSurer() {
-        // Its errors lie between what is asked of a table and what is promised.
+        // Its errors lie between the table's target and its tolerance.
         ColorBaker nearly = (uvw, token) -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
 
         ValidatedTable made =
@@ -209,7 +209,7 @@ class ValidatedTableTest {
 
     @Test
     void lightWhereThereShouldBeNoneCounts() {
-        // A lone sharp order on black: beside it a spline through its root rings.
+        // The spline through the root of a lone sharp order rings beside it.
         ColorBaker lone = (uvw, token) -> colors(uvw, ValidatedTableTest::order);
         TableDesign coarser = new TableDesign(0.1, 11);
         ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, need -> true, ValidatedTableTest::neverRefused);

@@ -49,7 +49,7 @@ final class RidgeTrackerTest {
         return new RidgeTracker(ridges(plane, order, frequencies, strength), SIGMA).follow(order);
     }
 
-    /** The parabola is exact for a Gaussian in u, and angles are even only locally. */
+    /** The parabola is exact for a Gaussian in u; angles are linear in u only locally. */
     @ParameterizedTest
     @CsvSource({"75, 0, -1", "75, 180, 1", "0, 0, 1", "0, 0, -1", "40, 35, -1"})
     void aRidgeHasItsPeriodAndItsSideInEveryLight(double theta, double phi, int side) {

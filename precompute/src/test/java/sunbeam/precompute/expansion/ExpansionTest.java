@@ -13,7 +13,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.patch.HeightLevels;
 
 class ExpansionTest {
-    // Sums of some hundred terms of at most 2: rounding of the sum, not of the method.
+    // Rounding of sums of some hundred terms of at most 2.
     private static final double ROUNDING = 1e-12;
     private static final double[] SHARES = {0.26, 0.5, 0.77, 1};
 
@@ -95,7 +95,7 @@ class ExpansionTest {
         }
         double bound = taylor.errorBound(1.5 * Math.PI);
         assertThat(worst).isLessThanOrEqualTo(bound);
-        // The bound is tight to within the next term's factor; the thesis's would be 111 times larger.
+        // The bound is tight within the next term's factor; the thesis's is 111 times larger.
         assertThat(worst * 10).isGreaterThan(bound);
     }
 

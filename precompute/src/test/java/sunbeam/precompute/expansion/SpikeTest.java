@@ -15,7 +15,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
-/** Reliefs nearly all of whose heights lie in a few narrow clusters: dust on a polished surface, terraces. */
+/** Reliefs with nearly all heights in a few narrow clusters, such as terraces or a polished surface with dust. */
 class SpikeTest {
     private static final int SIDE = 32;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
@@ -52,12 +52,12 @@ class SpikeTest {
             LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0, maximum, tolerance);
             double square = meanSquaredError(expansion, map, maximum);
             assertThat(expansion.error()).isLessThanOrEqualTo(tolerance);
-            // Both are the same sum of some thousand squares of differences of numbers near 1.
+            // Both sum some thousand squares of differences of numbers near 1.
             assertThat(Math.sqrt(square)).isCloseTo(expansion.error(), within(1e-4 * tolerance + 1e-11));
         }
     }
 
-    /** Over all heights and, by a rule that is exact for squares, all phases. */
+    /** Over all heights and all phases, the latter by a rule that is exact for squares. */
     private static double meanSquaredError(Expansion expansion, HeightMap map, double maximum) {
         PhaseNodes nodes = new PhaseNodes(0, maximum, 2);
         double[][] coefficients = new double[nodes.count()][];

@@ -21,7 +21,7 @@ class ScanFaultsTest {
     private static final int ROWS = 96;
     private static final double PITCH = 80e-9;
 
-    /** A sine of 900 nm, aslant and tilted, with noise: a scan as it comes, without a fault. */
+    /** A faultless scan: a tilted, oblique sine of 900 nm with noise. */
     private static double[] scan(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         return heights((x, y) ->
@@ -75,7 +75,7 @@ class ScanFaultsTest {
         assertThat(faults(rounded(scan(3), 12))).isEmpty();
     }
 
-    /** Its crest lies between two rows, which are equal. */
+    /** The two rows beside its crest are equal. */
     @Test
     void theCrestOfASymmetricSurfaceIsNoFault() {
         double[] heights = scan(1);
@@ -98,7 +98,7 @@ class ScanFaultsTest {
                 .startsWith("rows 31 to 32 of 96 (from the top) hold no measurement");
         Crop part = faults.get(0).part().orElseThrow();
         assertThat(part.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
-        // What a user types takes the same rows.
+        // The crop as typed by a user selects the same rows.
         Crop typed = Crop.KIND.parse(part.written());
         assertThat(typed.samples(field(heights))).isEqualTo(new Crop.Samples(0, COLUMNS, 32, ROWS));
         assertThat(part.written()).isEqualTo("0:9.6um,0:5.12um");
@@ -132,7 +132,7 @@ class ScanFaultsTest {
                 .isEqualTo(new Crop.Samples(0, COLUMNS, 0, 70));
     }
 
-    /** Instruments fill what is left with the last line, and programs level it together with the rest. */
+    /** Instruments fill the missing rows with the last line, and programs level them with the rest. */
     @Test
     void theLastLineOverAndOverIsAScanThatWasStopped() {
         double[] heights = scan(5);
@@ -145,8 +145,8 @@ class ScanFaultsTest {
         }
     }
 
-    /** What repeats its rows, or has flat ones, because somebody drew it so. */
-    @SuppressWarnings("ImmutableEnumChecker") // functions of nothing but their argument
+    /** Generated surfaces with equal or flat rows. */
+    @SuppressWarnings("ImmutableEnumChecker") // pure functions
     private enum Drawn {
         LINES_ALONG_Y(t -> ridge(t), 1, 0),
         LINES_ALONG_X(t -> ridge(t), 0, 1),
@@ -180,7 +180,7 @@ class ScanFaultsTest {
         }
     }
 
-    /** Without noise, and with noise of a third of a level beside flat tops, as pictures of 8 bits of real gratings have. */
+    /** Without noise, and with noise of a third of a level on flat tops, as in 8-bit pictures of real gratings. */
     @ParameterizedTest
     @EnumSource(Drawn.class)
     void aGratingHasNoFault(Drawn drawn) {
@@ -230,7 +230,7 @@ class ScanFaultsTest {
                 .isEqualTo("all heights jump by 150 nm between rows 60 and 61 of 96 (from the top)");
     }
 
-    /** Lines that go on beside themselves: another fault, and no jump in height. */
+    /** A sideways shift of the lines is another fault. */
     @Test
     void aSlipSidewaysIsNoJumpInHeight() {
         SplittableRandom random = new SplittableRandom(12);

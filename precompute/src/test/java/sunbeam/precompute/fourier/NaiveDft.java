@@ -1,6 +1,6 @@
 package sunbeam.precompute.fourier;
 
-/** The slow, obvious transforms that the fast ones are tested against. */
+/** Transforms by their definition, slow, to test the fast ones. */
 final class NaiveDft {
     private NaiveDft() {}
 

@@ -85,7 +85,7 @@ class JsonObjectTest {
 
     @Test
     void isWrittenAsItIsRead() throws IOException {
-        // More digits than messages show, and a name that looks like a number.
+        // More digits than messages print, and a name that looks like a number.
         Choices choices = Choices.none()
                 .with(LENGTH, 65.123456789e-6)
                 .with(ANGLE, Math.toRadians(30))

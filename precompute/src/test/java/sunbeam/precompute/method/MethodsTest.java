@@ -32,7 +32,7 @@ import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
-/** From choices to methods in which nothing can be said that has no meaning. */
+/** Choices to methods: settings without a meaning for the method are refused. */
 class MethodsTest {
     private static final Choices PQ = Choices.none().with(Methods.METHOD, PqMethod.TYPE);
     private static final Choices GEM = Choices.none().with(Methods.METHOD, GemMethod.TYPE);

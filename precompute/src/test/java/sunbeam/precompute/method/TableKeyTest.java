@@ -37,7 +37,7 @@ class TableKeyTest {
                 new DirectionPair(light, Direction.ofDegrees(40, 270)));
     }
 
-    /** They look into the same texels of the coarsest table, but a table that a trial makes finer has only what one list sees. */
+    /** Both use texels of the coarsest table, but refined tables contain only one list's tiles. */
     @Test
     void listsThatDifferByLessThanATexelHaveTablesOfTheirOwn() {
         assertThat(key(pairs(20))).isEqualTo(key(pairs(20))).isNotEqualTo(key(pairs(20.001)));

@@ -18,7 +18,7 @@ class UnitCircleTest {
             double[] sines = angles.clone();
             double[] cosines = new double[angles.length];
             UnitCircle.points(sines, cosines);
-            // A few units in the last place of the angle, or of one.
+            // A few units in the last place.
             double rounding = 4e-16 * Math.max(4, largest);
             for (int i = 0; i < angles.length; i++) {
                 assertThat(cosines[i]).as("cos %s", angles[i]).isCloseTo(Math.cos(angles[i]), within(rounding));

@@ -13,15 +13,15 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Sparse files: as large as a scan within the limits, and next to nothing on the disk. */
+/** Sparse files as large as a scan, which take next to no disk space. */
 class EmptyHeightsTest {
-    /** A little more than may be flat. */
+    /** Just more samples than may be equal. */
     private static final int SIDE = 2049;
 
     @TempDir
     Path folder;
 
-    /** 8-bit gray; its samples follow the tags and were never written. */
+    /** 8-bit gray whose samples were never written. */
     private Path sparse(int columns, int rows) throws IOException {
         Path file = new TinyTiff(columns, rows, 8, new byte[0])
                 .with(TinyTiff.STRIP_OFFSETS, 1 << 10)

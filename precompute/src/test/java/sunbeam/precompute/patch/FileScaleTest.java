@@ -24,7 +24,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/** How a file's own scale and what the user says of it come together. */
+/** Scales from files combined with scales from settings. */
 class FileScaleTest {
     private static final String NUMBERS = "0 10 20 30\n40 50 60 70\n80 90 100 110\n";
     private static final String HEADER = "# Channel: Height\n# Width: 4.0 um\n# Height: 3.0 um\n# Value units: nm\n";

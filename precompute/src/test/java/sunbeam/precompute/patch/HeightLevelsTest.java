@@ -41,7 +41,7 @@ class HeightLevelsTest {
     @Test
     void aGrainOfDustDoesNotMixUpTheRest() {
         Random random = new Random(5);
-        // All levels but one in one step of the search.
+        // All levels but one lie in one step of the search.
         assertSortedDistinctAndIndexed(i -> i == 77 ? 1e-3 : 1e-12 * random.nextInt(500));
         assertSortedDistinctAndIndexed(i -> i == 77 ? -Double.MAX_VALUE : i == 78 ? Double.MAX_VALUE : i);
     }
@@ -61,7 +61,7 @@ class HeightLevelsTest {
                 .isEqualTo(2);
     }
 
-    /** The decision looks at 8192 samples: a scan's 4096 levels are not many, levels that few samples share are. */
+    /** The decision is based on 8192 samples; 4096 levels of a scan are not many, rare levels are. */
     @Test
     void estimatesWhetherLevelsAreMany() {
         Random random = new Random(6);

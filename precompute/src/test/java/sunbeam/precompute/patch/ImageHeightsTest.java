@@ -18,7 +18,7 @@ import sunbeam.precompute.setting.SettingException;
 
 /** Images as files of heights: which samples are read, which mark a missing one, and which channel they come from. */
 class ImageHeightsTest {
-    // Of a sample of 65535 after a few roundings on the way to meters and back.
+    // Rounding of a sample of 65535 through meters and back.
     private static final double ROUNDING = 1e-10;
 
     @TempDir

@@ -96,7 +96,7 @@ class ModelErrorTest {
 
     @Test
     void forgivesTheWallOfAGratingAndTheSeam() {
-        // One wall in 127 steps, and the jump from the ramp's end to its start that is not looked at.
+        // One wall in 127 steps; the jump from the ramp's end to its start is not considered.
         assertThat(ModelError.of(Surfaces.of(128, 1, PITCH, (x, y) -> x < 64 * PITCH ? 0 : 1e-6))
                         .warning())
                 .isEmpty();

@@ -39,7 +39,7 @@ class PatchAssemblerTest {
                 file, Stream.concat(level, Arrays.stream(choices)).toArray());
     }
 
-    /** Lines 17.3 samples apart, 80 nm high, on a ground that wanders a little. */
+    /** Lines 17.3 samples apart, 80 nm high, with a small waviness. */
     private static double lines(double x, double y) {
         return 40 * Math.sin(2 * Math.PI * (x + 0.05 * y) / 17.3) + 3 * Math.sin(0.7 * x * y);
     }

@@ -80,15 +80,14 @@ class PatchLoaderTest {
         Patch patch = PatchRequests.load(descriptor(", \"levelling\": \"plane\""));
 
         assertThat(patch.name()).isEqualTo("skin");
-        // A ramp is a plane: the rounding of 255 nm is what remains.
+        // A ramp is a plane; rounding of 255 nm remains.
         assertThat(patch.heights().relief()).isLessThan(1e-21);
     }
 
     @Test
     void theScaleOfADescriptorAndOfTheOptionsGiveTheSamePatch() throws IOException {
         Patch described = PatchRequests.load(descriptor(""));
-        // Without a descriptor, scans are leveled by their plane and blended, unless the thesis's preset takes them
-        // raw.
+        // Scans without a descriptor are leveled by their plane and blended unless read raw.
         Patch asked = PatchRequests.load(
                 PatchRequests.of(ramp(), WIDTH, "12.8um", MAX_HEIGHT, "255nm").raw(true));
 
@@ -146,8 +145,7 @@ class PatchLoaderTest {
         assertThat(patch.warnings()).hasSize(2);
         assertThat(patch.warnings().get(0)).contains("16 of 256 samples are missing");
         assertThat(patch.warnings().get(1)).contains("is a mirror");
-        // The tilt is that of the samples that are there, and a hole in a plane is filled by the plane: what remains is
-        // the rounding of heights of 200 nm.
+        // The plane through the present samples fills the hole, too: rounding of heights of 200 nm remains.
         assertThat(patch.heights().relief()).isLessThan(1e-21);
         assertThat(Arrays.stream(patch.heights().heights()).average().orElseThrow())
                 .isBetween(-1e-21, 1e-21);

@@ -10,9 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
 
-/** The measured patches, where they lie beside the project. */
+/** The measured patches, if shared/ is present. */
 class SharedPatchesTest {
-    /** Tests run in the module's folder: up to the project's root, and beside it. */
+    /** Relative to the module's folder, in which tests run. */
     private static final Path PATCHES = Path.of("..", "..", "shared", "patches");
 
     private static Patch load(String name) {
@@ -23,7 +23,7 @@ class SharedPatchesTest {
 
     @ParameterizedTest
     @CsvSource({
-        // Full scale, of which the scan uses lowest to highest of 255 levels.
+        // Full scale and the lowest and highest of 255 levels.
         "elaphe, 1332, 65e-6, 375e-9, 0, 255",
         "xenopeltis, 1332, 65e-6, 818.69e-9, 0, 252",
         "blaze, 100, 2.5e-6, 250e-9, 0, 255"
@@ -54,7 +54,7 @@ class SharedPatchesTest {
 
     @Test
     void theBlazedPatchGivesNoCauseForWarnings() {
-        // Its fall is one column of 99, 1 % of the surface.
+        // Its steep side is one column of 99, 1 % of the surface.
         assertThat(load("blaze").warnings()).isEmpty();
     }
 

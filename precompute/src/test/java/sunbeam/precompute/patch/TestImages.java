@@ -101,12 +101,12 @@ final class TestImages {
         return image;
     }
 
-    /** What the heights' channel of an image holds, as stored. */
+    /** Samples of the heights' channel as stored. */
     static double[] samples(Path file, double fullScale) {
         return samples(file, null, fullScale);
     }
 
-    /** What a channel of an image holds, as stored: heights of a full scale of 1 um, to the micrometer. */
+    /** Samples of a channel as stored: heights with a full scale of 1 um, times the full scale of the samples. */
     static double[] samples(Path file, String channel, double fullScale) {
         PatchRequest request = PatchRequests.of(file, WIDTH, "10um", MAX_HEIGHT, "1um", CHANNEL, channel);
         return Arrays.stream(MeasuredHeights.read(file, request.choices()).map().heights())

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** A TIFF put together tag by tag, for what the JDK's writer does not write: odd, damaged and hostile files. */
+/** A TIFF composed of tags: unusual, damaged and hostile files that the JDK does not write. */
 final class TinyTiff {
     static final int WIDTH = 256;
     static final int LENGTH = 257;
@@ -49,7 +49,7 @@ final class TinyTiff {
         out.put((byte) 'I').put((byte) 'I').putShort((short) 42).putInt(HEADER_BYTES + data.length);
         out.put(data).putShort((short) tags.size());
         tags.forEach((tag, value) -> out.putShort(tag.shortValue())
-                // Most tags must be short; sizes and places may be long.
+                // Most tags must be short; sizes and offsets may be long.
                 .putShort((short) (value < 1 << 16 ? TYPE_SHORT : TYPE_LONG))
                 .putInt(1)
                 .putInt(value));

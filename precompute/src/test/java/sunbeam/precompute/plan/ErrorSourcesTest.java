@@ -21,7 +21,7 @@ import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
-/** Sources of the budget by themselves, in double precision: what each moves the power by stays within its share. */
+/** Each source of error alone, in double precision, stays within its share of the budget. */
 final class ErrorSourcesTest {
     private static final long HEAP = 4L << 30;
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(5e-6);
@@ -70,7 +70,8 @@ final class ErrorSourcesTest {
                 if (exact >= ErrorBudget.DARKEST_POWER) {
                     bright++;
                     double error = Math.abs(expanded(evaluator, expansion, pair, wavelength) - exact) / exact;
-                    // Twice the amplitude's. The budget's is a mean over all phases; one phase may have twice as much.
+                    // Power errs twice as much as amplitude; the budget is a mean over phases, and a single phase may
+                    // have twice as much.
                     double share = 2 * 2 * new ErrorBudget(tolerance).expansion() / Math.sqrt(exact);
                     assertThat(error).as("power %.1e", exact).isLessThan(share + 1e-9);
                 }
@@ -114,7 +115,7 @@ final class ErrorSourcesTest {
         return sum.abs() * sum.abs();
     }
 
-    /** A lone bright bin, half a bin beyond the neighborhood, lends less than may be left out; a smaller one would not do. */
+    /** A lone bright bin half a bin beyond the neighborhood contributes less than the budget; a smaller neighborhood would not do. */
     @ParameterizedTest
     @ValueSource(doubles = {0.15, 0.4, 1, 2.3, 9})
     void theNeighborhoodIsAsLargeAsItMustBe(double sigmaBins) {

@@ -41,7 +41,7 @@ class PlannerTest {
 
     @Test
     void ordersThatTheWindowBlursAreResampled() {
-        // 3.2 um under a window of 3.2 um: 0.64 bins, as the measured skins under sunlight's window.
+        // 3.2 um under a window of 3.2 um: 0.64 bins, as measured skins under sunlight.
         SpectrumPlan plan = plan(400e-9, request(3.2e-6));
 
         assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
@@ -184,7 +184,7 @@ class PlannerTest {
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("steps a pixel")
                 .hasMessageContaining("more than 60,000");
-        // Colors along rays are summed by no loop of a shader.
+        // Shaders do not sum colors along rays.
         Planner ofTables = planner(400e-9).ofTables(Average.ENSEMBLE);
         SpectrumPlan plan = ofTables.plan(asked.table(), asked.area().with(Average.ENSEMBLE), VisibleRange.all());
         assertThat(plan.sampling().loopSteps(plan)).isGreaterThan(PlanChecks.MOST_LOOP_STEPS);

@@ -22,8 +22,8 @@ class RoughnessTest {
         SplittableRandom random = new SplittableRandom(8);
         Roughness roughness = measured(RELIEF, sample -> random.nextGaussian(), WIDTH);
         assertTrue(roughness.isRough() && !roughness.areOrdersIsolated());
-        // White heights of a phase of radians send light everywhere; grazing directions, of small w, leave more to the
-        // mirror.
+        // White noise of a phase of radians scatters everywhere; grazing directions, with small w, leave more in the
+        // mirror direction.
         assertTrue(roughness.bright() > 0.95 && roughness.diffracted() > 0.2, roughness.toString());
         assertTrue(roughness.dark() < roughness.mean());
     }

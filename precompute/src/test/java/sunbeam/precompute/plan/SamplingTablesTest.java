@@ -22,12 +22,12 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 
-/** What a plan says its tables take is what they take. */
+/** The memory that a plan estimates is that of its tables. */
 class SamplingTablesTest {
     private static final HeightMap SKIN = Surfaces.random(64, 64, 50e-9, 400e-9, 5);
     private static final CieTable CIE = CieTable.load();
 
-    /** Each way of sampling, by the coherence length that leads to it, and the thesis's. */
+    /** Coherence lengths that lead to each kind of sampling, and the thesis's. */
     static Stream<Arguments> forms() {
         return Stream.of(MethodUse.values())
                 .flatMap(use -> Stream.of(

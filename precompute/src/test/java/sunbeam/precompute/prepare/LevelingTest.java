@@ -13,7 +13,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 class LevelingTest {
     private static final double OFFSET = 1e-3;
-    /** A height near 1 mm is a double to 2.2e-19 m; what is left of it after a subtraction is no better. */
+    /** Doubles near 1 mm have steps of 2.2e-19 m, which remain after a subtraction. */
     private static final double ROUNDING_OF_OFFSET = 2.2e-19;
 
     private static HeightMap map(int columns, int rows, Surfaces.Samples samples) {
@@ -36,11 +36,11 @@ class LevelingTest {
         HeightMap leveled = Leveling.MEAN.apply(map(200, 100, (c, r) -> OFFSET + relief[r * 200 + c]));
 
         for (int i = 0; i < relief.length; i++) {
-            // Half a unit for rounding the stored height, and as much again for each of the two means.
+            // Half a unit for rounding the height, and as much for each of the two means.
             assertThat(leveled.at(i % 200, i / 200) - (relief[i] - mean))
                     .isBetween(-2 * ROUNDING_OF_OFFSET, 2 * ROUNDING_OF_OFFSET);
         }
-        // The second pass works on values below 1e-6 m: 2e4 sums of these, relative rounding 1e-16 each.
+        // The second pass sums 2e4 values below 1e-6 m, relative rounding 1e-16 each.
         assertThat(mean(leveled)).isBetween(-1e-20, 1e-20);
     }
 
@@ -49,7 +49,7 @@ class LevelingTest {
     void planeRemovesATiltUnderAMillimeterOfOffset(int columns, int rows) {
         HeightMap tilted = map(columns, rows, (c, r) -> OFFSET + 3e-9 * c - 7e-9 * r);
 
-        // The samples themselves are rounded by up to half a unit; the rest is a few operations on 1e-7 m.
+        // Half a unit of the samples' rounding, and a few operations on 1e-7 m.
         assertThat(largest(Leveling.PLANE.apply(tilted))).isLessThan(2 * ROUNDING_OF_OFFSET);
     }
 

@@ -39,11 +39,11 @@ class PreparationTest {
     @Test
     void rowsLoseTheirOffsetsAndNothingElse() {
         HeightMap lines = field(i -> 40e-9 * Math.sin(row(i)) + rough(i % COLUMNS));
-        // Every row is the same but for its offset.
+        // Rows differ by their offsets only.
         HeightMap level = Leveling.ROWS.apply(lines);
         HeightMap median = Leveling.MEDIAN_ROWS.apply(lines);
         for (int i = COLUMNS; i < level.heights().length; i++) {
-            // The plane under the offsets is the same for all rows along x: what differs is rounding of 1e-8 m.
+            // The plane under the offsets is the same for all rows along x: rounding of 1e-8 m remains.
             assertThat(level.heights()[i]).isCloseTo(level.heights()[i - COLUMNS], within(1e-22));
             assertThat(median.heights()[i]).isCloseTo(median.heights()[i - COLUMNS], within(1e-22));
         }
@@ -55,7 +55,7 @@ class PreparationTest {
         HeightMap dust = field(i -> i / COLUMNS == dusty && i % COLUMNS < 20 ? 1e-6 : rough(i));
         HeightMap mean = Leveling.ROWS.apply(dust);
         HeightMap median = Leveling.MEDIAN_ROWS.apply(dust);
-        // A quarter of the row at 1 um, less what the plane takes: the rest sinks by some 250 nm.
+        // A quarter of the row at 1 um, less the plane: the rest sinks by some 250 nm.
         assertThat(mean.at(60, dusty)).isLessThan(-200e-9);
         assertThat(median.at(60, dusty)).isBetween(-20e-9, 20e-9);
     }
@@ -71,7 +71,7 @@ class PreparationTest {
 
     @Test
     void spikesGoAndLinesStay() {
-        // Lines four samples wide, whose corners and edges are no spikes, and three grains.
+        // Lines four samples wide, whose corners and edges are no spikes, and three spikes.
         IntToDoubleFunction lines = i -> (i % COLUMNS / 4 % 2 == 0 && i / COLUMNS > 9 ? 100e-9 : 0) + 0.1 * rough(i);
         HeightMap dusty =
                 field(i -> lines.applyAsDouble(i) + (i == 1234 ? 400e-9 : i == 2345 ? -300e-9 : i == 7 ? 500e-9 : 0));

@@ -34,7 +34,7 @@ class AverageProjectionTest {
         return sum;
     }
 
-    /** What a sequence counts of a function, by its averages. */
+    /** Integral of a function with a sequence as weights, by its averages. */
     private static double sum(double[] sequence, DoubleUnaryOperator function, int stride) {
         AverageProjection interpolation = new AverageProjection(stride, sequence.length);
         double[] coefficients = interpolation.coefficients(sequence);
@@ -67,7 +67,7 @@ class AverageProjectionTest {
         }
     }
 
-    /** The flank of an order, a billionth of its middle, beyond the end of a filter: relative to itself. */
+    /** Relative error on an order's flank, a billionth of its maximum, beyond the end of a filter. */
     @Test
     void whereLightEndsDarkFlanksStayRight() {
         double[] filter = new double[31];

@@ -124,13 +124,13 @@ class RadialBakerTest {
     void colorsAreThoseOfTheReference() {
         HeightMap map = Surfaces.random(30, 24, 250e-9, 500e-9, 4);
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE), places(60));
-        // STEP is 1e-3's by TableDesign: quintic splines take a tenth of that in the median, and less than the 3e-3 of
-        // its 95th percentile, which are dark places between orders.
+        // TableDesign gives STEP for 1e-3: quintic splines err by a tenth of that in the median; the 95th percentile
+        // are dark places between orders.
         assertThat(median(errors)).isLessThan(1e-4);
         assertThat(percentile95(errors)).isLessThan(2e-3);
     }
 
-    /** However sharp orders are, colors change along a ray only as fast as color matching functions do. */
+    /** Colors change along a ray only as fast as color matching functions, however sharp orders are. */
     @Tag("thorough")
     @ParameterizedTest
     @ValueSource(doubles = {5e-5, 5e-4, 5e-3})
@@ -145,14 +145,13 @@ class RadialBakerTest {
             places[i + 1] *= (float) (0.004 / radius);
         }
         double[] errors = errors(map, area, spectrum(map, area, tolerance), places, 0.0029);
-        // Measured 2e-6, 1.7e-5 and 1.9e-5; places a quarter as far from each other as the finest of these err by 1e-6.
+        // Measured 2e-6, 1.7e-5 and 1.9e-5.
         assertThat(median(errors)).isLessThan(tolerance / 10);
-        // Dark places between orders, 1e-6 of them and less, where terms of the power that are left out count (7.8 at
-        // 5e-3): as much with one place a step, to four digits.
+        // Dark places between orders (1e-6 of them), where omitted terms of the power count; measured 7.8 at 5e-3.
         assertThat(percentile95(errors)).isLessThan(9 * tolerance);
     }
 
-    /** Orders of a small scan under a long window are sharp: beyond where they end in the ultraviolet there is next to nothing. */
+    /** Sharp orders of a small scan under a long window leave nothing beyond their end in the ultraviolet. */
     @ParameterizedTest
     @ValueSource(doubles = {5e-4, 5e-3})
     void noLightLeaksBeyondTheEndOfAnOrder(double tolerance) {
@@ -160,7 +159,7 @@ class RadialBakerTest {
         HeightMap map = Surfaces.of(32, 8, 156.25e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.25e-6));
         float[] places = new float[3 * 40];
         for (int i = 0; i < 40; i++) {
-            // Of 340 to 372 nm, and in the end of blue.
+            // 340 to 372 nm, and 450 nm.
             double wavelength = i == 39 ? 450e-9 : (340 + 0.82 * i) * 1e-9;
             places[3 * i] = (float) (wavelength / 1.25e-6);
             places[3 * i + 2] = -1.5f;
@@ -172,12 +171,11 @@ class RadialBakerTest {
         for (int i = 0; i < 3 * 39; i++) {
             largest = Math.max(largest, xyz[i]);
         }
-        // The light jumps there to a thousandth of its maximum, and places are two to four widths of the order apart.
-        // Measured 3e-6.
+        // The light falls there to a thousandth within two to four widths of the order. Measured 3e-6.
         assertThat(largest).isLessThan(5e-6 * order);
     }
 
-    /** Near the middle places lie half an order's width apart, whatever the tolerance, while terms' coefficients turn fast. */
+    /** Near the center samples lie half an order's width apart at any tolerance, but the terms' coefficients change fast. */
     @Test
     void deepReliefsHaveTheirColorsNearTheMiddle() {
         HeightMap map = Surfaces.random(20, 16, 250e-9, 4e-6, 4);
@@ -190,8 +188,8 @@ class RadialBakerTest {
             places[i + 1] *= (float) inner;
         }
         double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, 5e-5), places);
-        // With places as close as sharp orders need 3.3e-5; where they were 0.014 apart 6.6e-5. The dark between orders
-        // has 2.2e-3 either way.
+        // Measured 3.3e-5 with samples as close as sharp orders need, and 6.6e-5 at 0.014 apart; dark places between
+        // orders have 2.2e-3 either way.
         assertThat(median(errors)).isLessThan(5e-5);
         assertThat(percentile95(errors)).isLessThan(3e-3);
     }
@@ -224,7 +222,7 @@ class RadialBakerTest {
             }
         }
         Arrays.sort(errors);
-        // As beside the reference, above; on this line more places are as dark as 1e-6.
+        // On this line more places are as dark as 1e-6 than in colorsAreThoseOfTheReference.
         assertThat(median(errors)).isLessThan(1e-4);
         assertThat(percentile95(errors)).isLessThan(5e-3);
     }

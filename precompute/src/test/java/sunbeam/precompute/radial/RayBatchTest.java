@@ -22,7 +22,7 @@ class RayBatchTest {
     // Of a B-spline, where it is summed for comparison.
     private static final int STEPS = 400;
 
-    /** A plane of some terms, in which some bins are a million times as bright as others. */
+    /** Terms' spectra with some bins a million times as bright as others. */
     private static SpectrumPlane plane() {
         SplittableRandom random = new SplittableRandom(8);
         double[][] fields = new double[TERMS][BINS * BINS];
@@ -48,7 +48,7 @@ class RayBatchTest {
         return x < 1 ? 2.0 / 3 - x * x + x * x * x / 2 : Math.pow(2 - x, 3) / 6;
     }
 
-    /** The averages as they are defined, of the sums over all bins that matter at many frequencies. */
+    /** Averages by definition, of sums over all relevant bins at many frequencies. */
     private static double[] exact(WindowedSpectrum powers, double angle) {
         double[] averages = new double[KNOTS.count() * powers.stride()];
         WindowedSpectrum.Sums sums = powers.sums();
@@ -65,7 +65,7 @@ class RayBatchTest {
         return averages;
     }
 
-    /** As colors do: a bell of B-splines, as narrow as one of the color matching functions, around a knot. */
+    /** A bell of B-splines around a knot, as narrow as a color matching function. */
     private static double bell(double[] averages, int stride, int middle, int term) {
         double sum = 0;
         for (int knot = 0; knot < KNOTS.count(); knot++) {
@@ -80,13 +80,13 @@ class RayBatchTest {
         averagesAreThoseOfTheSumsOverBins(5);
     }
 
-    // As wide beside bins as the window of a whole scan, and narrower ones; B-splines are 0.3 to 0.8 bins apart.
+    // As wide relative to bins as the window of a whole scan, and narrower; B-splines are 0.3 to 0.8 bins apart.
     @ParameterizedTest
     @ValueSource(doubles = {0.45, 0.64, 1.8})
     void averagesAreThoseOfTheSumsOverBins(double sigmaBins) {
         WindowedSpectrum powers = powers(plane(), window(sigmaBins));
         double[] averages = new double[powers.stride() * KNOTS.count()];
-        // All around, with both axes, both diagonals, and rays that begin and end batches.
+        // All directions, with both axes and diagonals, and rays at the ends of batches.
         for (double middle = -0.2; middle < 6.3; middle += 0.4) {
             double first = middle - 0.18;
             boolean isBatch = WindowedSpectrum.isAlongX(first) == WindowedSpectrum.isAlongX(middle + 0.18);
@@ -98,7 +98,7 @@ class RayBatchTest {
                 for (int knot = 10; knot < KNOTS.count() - 10; knot++) {
                     for (int m = 0; m < TERMS; m++) {
                         double expected = bell(exact, powers.stride(), knot, m);
-                        // The trapezoid rule's error of 5e-8, and what B-splines no wider than some steps add.
+                        // Error of the trapezoid rule, 5e-8, and of B-splines no wider than some steps.
                         assertThat(bell(averages, powers.stride(), knot, m))
                                 .as("angle %.2f, knot %d", angle, knot)
                                 .isCloseTo(expected, within(2e-4 * expected));
@@ -127,8 +127,7 @@ class RayBatchTest {
         double[] averages = new double[powers.stride() * inside.count()];
         powers.batch(0.7, 0.78, inside).averages(0.75, averages);
         for (int knot = 0; knot < inside.count(); knot++) {
-            // Gaussians of exp(-(distance / 2)^2), whose volume is 4 pi. B-splines hardly wider than steps; measured
-            // 5e-5.
+            // Gaussians exp(-(distance / 2)^2) with volume 4 pi; B-splines hardly wider than steps. Measured 5e-5.
             assertThat(averages[knot * powers.stride()]).isCloseTo(4 * Math.PI, within(2e-4));
             assertThat(averages[knot * powers.stride() + 1]).isZero();
         }

@@ -23,13 +23,13 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 
-/** Means over slopes beside sums of colors of points over slopes, which share neither windows nor grids with them. */
+/** Means over slopes against sums of colors of points over slopes, by independent windows and grids. */
 class SlopeBakerTest {
     private static final GaussianArea AREA =
             GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(8e-6)).with(Average.ENSEMBLE);
     private static final double SLOPES = 0.08;
-    // In standard deviations: beyond, a normal distribution has 1e-4 of itself; and how many slopes are summed over
-    // between, closer than orders are wide.
+    // Standard deviations, beyond which a normal distribution has 1e-4; and the number of slopes summed between, closer
+    // than orders are wide.
     private static final double FARTHEST = 4;
     private static final int SIDE = 36;
 
@@ -74,7 +74,7 @@ class SlopeBakerTest {
         CieTable cie = CieTable.load();
         SlopeBaker colors = new SlopeBaker(spectrum, cie, SlopeBaker.pyramid(spectrum, table), table, 0);
         RadialBaker points = new RadialBaker(spectrum, cie, AREA, 0.01, 0.1, 2, true);
-        // At the mirror, on its flank at two and three deviations, among orders, and where light and view graze.
+        // The mirror direction, its flank at two and three deviations, orders, and grazing directions.
         List<double[]> places = List.of(
                 new double[] {0, 0, -1.9},
                 new double[] {0.25, 0.1, -1.8},
@@ -86,8 +86,8 @@ class SlopeBakerTest {
                     colors.bake(new float[] {(float) place[0], (float) place[1], (float) place[2]}, BakeToken.NONE);
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
-                // Lines between windows and cubic polynomials between frequencies: half a percent each where it is
-                // bright, two on flanks.
+                // Linear between windows and cubic between frequencies: half a percent each on bright places, two on
+                // flanks.
                 assertThat((double) found[c]).isCloseTo(mean[c], within(0.02 * Math.max(mean[1], mean[c])));
             }
         }

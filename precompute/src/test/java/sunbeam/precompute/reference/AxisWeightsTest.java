@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class AxisWeightsTest {
     private static final double REACH = 9;
 
-    /** Window far narrower than the patch, as wide, far wider; both ends and the middle as origin; both signs of y. */
+    /** Windows narrower than the patch, as wide, and wider; both ends and the middle as origin; both signs of y. */
     @ParameterizedTest
     @CsvSource({
         "64, 1e-7, 32, 3e-7, 2.0e6",
@@ -27,7 +27,7 @@ class AxisWeightsTest {
         double[][] expected = sampleBySample(count, step, origin, sigma, frequency);
 
         for (int i = 0; i < count; i++) {
-            // Weights sum to at most 1; the phase of the farthest sample, 2e3 radians, is good to 2e3 * 2^-53.
+            // Weights sum to at most 1; the phase of the farthest sample, 2e3 radians, has a rounding of 2e3 * 2^-53.
             assertThat(folded.real()[i]).as("sample %d", i).isCloseTo(expected[0][i], within(1e-13));
             assertThat(folded.imaginary()[i]).as("sample %d", i).isCloseTo(expected[1][i], within(1e-13));
         }

@@ -23,7 +23,7 @@ class CoherentSamplesTest {
         return new HeightMap(columns, rows, 80e-9, 95e-9, heights);
     }
 
-    /** Windows smaller and larger than the patch, whose replicas are folded then. */
+    /** Windows smaller and larger than the patch, the latter with folded replicas. */
     @Test
     void powerIsTheReferences() {
         HeightMap map = rough(33, 20, 1e-3);
@@ -35,7 +35,7 @@ class CoherentSamplesTest {
                 double power = new CoherentSamples(map, window, origin)
                         .at(pair, WAVELENGTH)
                         .coherent();
-                // 1 mm of offset leaves 1e-19 m of each height, 3e-12 of a wavelength.
+                // An offset of 1 mm rounds heights to 1e-19 m, 3e-12 of a wavelength.
                 assertThat(power).isCloseTo(exact, within(1e-10 * Math.sqrt(exact)));
             }
         }
@@ -43,7 +43,7 @@ class CoherentSamplesTest {
 
     @Test
     void theSpecularShareIsThatOfTheMeanPhase() {
-        // Two heights a quarter wavelength apart under light from the normal: half a turn, so that nothing is left.
+        // Two heights a quarter wavelength apart under normal light cancel.
         double[] heights = new double[64];
         for (int i = 0; i < heights.length; i++) {
             heights[i] = i % 2 * WAVELENGTH / 4;

@@ -4,12 +4,11 @@ import java.util.SplittableRandom;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Directions for tests. */
 final class DirectionPairs {
     private DirectionPairs() {}
 
     /**
-     * Light in the xz plane, and the view that sees a frequency.
+     * Light in the xz plane and the view at a frequency.
      *
      * @param thetaDegrees angle of the light to the normal, towards +x
      * @param fx u / lambda, cycles per meter

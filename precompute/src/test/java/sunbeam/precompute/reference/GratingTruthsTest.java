@@ -27,7 +27,7 @@ class GratingTruthsTest {
         Complex amplitude(int order, double phase);
     }
 
-    /** Both averages of the reference against sums of Gaussian orders, on and between the orders. */
+    /** Both averages against sums of Gaussian orders, on and between the orders. */
     private static void assertOrders(HeightMap map, double relief, Order order) {
         ReferenceEvaluator reference = new ReferenceEvaluator(map, WINDOW, WindowOrigin.CORNER);
         for (double position = -4; position <= 4; position += 0.125) {
@@ -75,7 +75,7 @@ class GratingTruthsTest {
     }
 
     @ParameterizedTest
-    // Not half of the period: even orders would vanish.
+    // Not half of the period, where even orders vanish.
     @ValueSource(ints = {20, 31, 51})
     void lamellarGratingHasItsClosedForm(int raised) {
         int samples = 64;
@@ -122,10 +122,10 @@ class GratingTruthsTest {
                 new ReferenceEvaluator(map, new CoherenceWindow(4 * PERIOD), WindowOrigin.CENTRE);
         for (int m = -3; m <= 4; m++) {
             DirectionPair pair = DirectionPairs.seeing(10, m / PERIOD, 0, WAVELENGTH);
-            // w is negative, so the bright order lies at positive u: the light leaves towards -x (docs/conventions.md).
+            // w is negative, so the bright order lies at positive u: light leaves towards -x (docs/conventions.md).
             double offset = Math.PI * (height * pair.w() / WAVELENGTH + m);
             double sincSquared = Math.pow(Math.sin(offset) / offset, 2);
-            // Samples instead of a slope: a Dirichlet kernel, larger by offset^2 / (3 samples^2).
+            // Samples instead of a ramp: a Dirichlet kernel, larger by offset^2 / (3 samples^2).
             assertThat(reference.coherent(pair, WAVELENGTH))
                     .as("order %d", m)
                     .isCloseTo(sincSquared, within(sincSquared * offset * offset / ((double) samples * samples)));

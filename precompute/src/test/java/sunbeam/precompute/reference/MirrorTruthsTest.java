@@ -14,7 +14,7 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
-/** A flat mirror: all that is seen is the coherence window. */
+/** A flat mirror shows the coherence window alone. */
 class MirrorTruthsTest {
     private static final double WAVELENGTH = 550e-9;
     private static final HeightMap FLAT = Surfaces.of(4, 3, 100e-9, (x, y) -> 1e-3);
@@ -40,14 +40,14 @@ class MirrorTruthsTest {
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         double reflected = hemisphericalReflectance(Direction.ofDegrees(thetaDegrees, 40), window);
         double reflectance = Gain.reflectance(Math.cos(Math.toRadians(thetaDegrees)));
-        // The peak has an angular deviation of lambda sigma_f / cos(theta); what varies over it is second order.
+        // The peak has an angular deviation of lambda sigma_f / cos(theta); factors vary over it in second order.
         double width = WAVELENGTH * window.sigmaFrequency() / Math.pow(Math.cos(Math.toRadians(thetaDegrees)), 2);
         assertThat(reflected / reflectance).isCloseTo(1, within(20 * width * width));
     }
 
     /** The integral of brdf cos(theta_r) over the hemisphere: cos(theta_r) d omega = dx dy of the disc. */
     private static double hemisphericalReflectance(Direction light, CoherenceWindow window) {
-        // Samples far coarser than the wavelength are enough for a mirror close to its specular direction.
+        // Samples coarser than the wavelength suffice for a mirror near its specular direction.
         HeightMap coarse = Surfaces.of(1, 1, window.sigmaMeters() / 16, (x, y) -> 0);
         ReferenceEvaluator reference = new ReferenceEvaluator(coarse, window, WindowOrigin.CENTRE);
         // Trapezoid over a Gaussian of deviation sigma_f / sqrt(2): at a step of half of sigma_f its error is 1e-17.

@@ -17,13 +17,13 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
-/** The direct sums against surfaces whose power is known in closed form. */
+/** The direct sums against closed forms. */
 class ReferenceEvaluatorTest {
     private static final double WAVELENGTH = 550e-9;
     private static final double PERIOD = 2.5e-6;
     private static final CoherenceWindow SUNLIGHT =
             CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
-    // Orders lie 40 sigma_f apart, so that only the sums' own rounding is left.
+    // Orders lie 40 sigma_f apart: rounding of the sums alone.
     private static final Offset<Double> ROUNDING = within(1e-12);
 
     @Test
@@ -37,7 +37,7 @@ class ReferenceEvaluatorTest {
 
         assertThat(specular.coherent()).isCloseTo(1, ROUNDING);
         assertThat(specular.ensemble()).isCloseTo(1, ROUNDING);
-        // |exp(-f^2 / (2 sigma_f^2))|^2, and both averages agree where there is nothing to average over.
+        // |exp(-f^2 / (2 sigma_f^2))|^2; both averages agree.
         assertThat(beside.coherent()).isCloseTo(Math.exp(-ratio * ratio), ROUNDING);
         assertThat(beside.ensemble()).isCloseTo(Math.exp(-ratio * ratio), ROUNDING);
     }
@@ -101,7 +101,7 @@ class ReferenceEvaluatorTest {
         double ensemble = new ReferenceEvaluator(rough, narrow, WindowOrigin.CENTRE)
                 .powers(pair, WAVELENGTH)
                 .ensemble();
-        // Positions are whole samples, not a continuum; the window is 1.7 samples wide, aliased to exp(-2 (pi 1.7)^2).
+        // Window positions are whole samples; the window is 1.7 samples wide, aliased to exp(-2 (pi 1.7)^2).
         assertThat(ensemble).isCloseTo(sum / (side * side), within(1e-9 * ensemble));
     }
 
@@ -109,7 +109,7 @@ class ReferenceEvaluatorTest {
         return new ReferenceEvaluator(map, SUNLIGHT, WindowOrigin.CENTRE);
     }
 
-    /** Light along the normal, seen where u has the given value: left of the center for positive ones. */
+    /** Light along the normal, viewed where u has the value: left of the center if positive. */
     private static DirectionPair pair(double u) {
         return new DirectionPair(new Direction(0, 0, 1), Direction.ofDisc(-u, 0));
     }

@@ -16,7 +16,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 
 class ReplicaEvaluatorTest {
     private static final double WAVELENGTH = 500e-9;
-    // Sums of a thousand terms in double precision.
+    // Rounding of a thousand terms.
     private static final double ROUNDING = 1e-12;
 
     private static DirectionPair seeing(double u, double v, double w) {
@@ -57,7 +57,7 @@ class ReplicaEvaluatorTest {
         double one = new ReplicaEvaluator(map, new Replicas(1, 1)).power(order, WAVELENGTH);
         assertThat(new ReplicaEvaluator(map, new Replicas(7, 7)).power(order, WAVELENGTH))
                 .isCloseTo(one, within(ROUNDING));
-        // On a bin the Gaussian window and the sharp edge see the same order; neighbors are 40 deviations away.
+        // On a bin the Gaussian window and the sharp edge give the same order; neighbors are 40 deviations away.
         CoherenceWindow wide = new CoherenceWindow(7e-6);
         HeightMap grid = Surfaces.random(12, 12, 90e-9, 200e-9, 3);
         DirectionPair onBin = seeing(2 * WAVELENGTH / grid.width(), WAVELENGTH / grid.height(), -1.2);

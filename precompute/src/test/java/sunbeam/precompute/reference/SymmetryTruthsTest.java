@@ -13,7 +13,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
-/** What holds for every surface. */
+/** Symmetries of every surface. */
 class SymmetryTruthsTest {
     private static final CoherenceWindow WINDOW = new CoherenceWindow(1e-6);
     private static final HeightMap ROUGH = Surfaces.random(14, 9, 90e-9, 500e-9, 11);
@@ -48,8 +48,7 @@ class SymmetryTruthsTest {
 
     @Test
     void heightOffsetsChangeNothing() {
-        // A millimetre against a rounding of 1e-19 m at its own height: phases move by 2 pi 1e-19 / lambda, next to
-        // none.
+        // Heights at a millimeter have a rounding of 1e-19 m: phases move by 2 pi 1e-19 / lambda.
         ReferenceEvaluator raised =
                 new ReferenceEvaluator(ROUGH.map(height -> height + 1e-3), WINDOW, WindowOrigin.CENTRE);
         for (int i = 0; i < 50; i++) {

@@ -23,7 +23,7 @@ class ThesisCorrectionsTest {
     private static final double ROUNDING = 1e-12;
     private static final CieTable CIE = CieTable.load();
 
-    /** The windowed sum over one row of the surface, and the sum over its DFT bins with no factor but 1. */
+    /** The windowed sum over a row equals the sum over its DFT bins with no factor but 1. */
     @Test
     void theWindowedSpectrumIsTheSumOverNormalisedBinsWithoutAFactorOfPi() {
         int samples = 24;
@@ -39,12 +39,12 @@ class ThesisCorrectionsTest {
         }
 
         double exact = new ReferenceEvaluator(map, window, WindowOrigin.CORNER).coherent(pair, WAVELENGTH);
-        // Eq. 2.55's factor would make it pi^2 times as bright, and a DFT without 1 / N 24^2 times. The window's
-        // samples repeat its spectrum; the next repetition's bins, 3 um^-1 away, are e^-170.
+        // Eq. 2.55 has a factor of pi^2; a DFT without 1 / N one of 24^2. The next repetition of the spectrum, 3 um^-1
+        // away, has e^-170.
         assertThat(squared(sum)).isCloseTo(exact, within(1e-9 * exact));
     }
 
-    /** The relative reflectance is said to lie in [0, 1]; 1 is a mirror along the normal, and near the horizon it is brighter. */
+    /** The thesis has [0, 1]; 1 is a mirror along the normal, and a mirror near the horizon is brighter. */
     @Test
     void theRelativeRadianceOfAMirrorIsNoShareOfTheLight() {
         DirectionPair mirror = new DirectionPair(Direction.ofDegrees(85, 0), Direction.ofDegrees(85, 180));
@@ -80,10 +80,10 @@ class ThesisCorrectionsTest {
             for (int n = 0; n < replicas; n++) {
                 sum = sum.add(turn(-phase * n));
             }
-            // Eq. 2.62 with N + 1 = replicas in the numerator's exponent; with N it would be one replica short.
+            // Eq. 2.62 with N + 1 = replicas in the numerator's exponent; with N one replica is missing.
             Complex closed = Complex.ONE.subtract(turn(-phase * replicas)).divide(Complex.ONE.subtract(turn(-phase)));
             assertThat(closed.subtract(sum).abs()).isLessThan(ROUNDING);
-            // What method pq computes instead, with no complex number left.
+            // Method pq computes this real expression.
             double array = Math.sin(replicas * phase / 2) / Math.sin(phase / 2);
             assertThat(array * array).isCloseTo(squared(sum), within(ROUNDING * replicas * replicas));
         }
@@ -180,19 +180,19 @@ class ThesisCorrectionsTest {
         return new Complex(Math.cos(angle), Math.sin(angle));
     }
 
-    /** Section 5.1: steps of 10 nm and more bring artefacts, finer ones do not. */
+    /** Section 5.1: steps of 10 nm and more cause artifacts. */
     @Test
     void coarseWavelengthStepsBringTheArtefactsAndFineOnesDoNot() {
         double coarsest = medianError(10e-9);
         double thesis = medianError(5e-9);
 
-        // Design section 4 has 4e-1, 3e-2 and 9e-5 for the blazed grating at 10, 5 and 1 nm.
+        // Expected 4e-1, 3e-2 and 9e-5 for the blazed grating at 10, 5 and 1 nm.
         assertThat(coarsest).isGreaterThan(0.1);
         assertThat(thesis).isLessThan(0.3 * coarsest);
         assertThat(medianError(1e-9)).isLessThan(1e-3);
     }
 
-    /** Of X, Y, Z of a blazed grating under sunlight's window, seen anywhere in its plane, against steps of 0.05 nm. */
+    /** Error of X, Y, Z of a blazed grating under sunlight anywhere in its plane, against steps of 0.05 nm. */
     private static double medianError(double step) {
         double[] errors = new double[36];
         for (int i = 0; i < errors.length; i++) {
@@ -242,7 +242,7 @@ class ThesisCorrectionsTest {
         assertThat(worstChord(1e-3)).as("about the minimum of xbar at 503 nm").isBetween(0.01, 0.03);
     }
 
-    /** Of the chords that lie where a function is above a share of its maximum. */
+    /** Largest excess of chords where a function exceeds a share of its maximum. */
     private static double worstChord(double share) {
         double worst = 0;
         for (int c = 0; c < 3; c++) {
@@ -251,7 +251,7 @@ class ThesisCorrectionsTest {
                 largest = Math.max(largest, CIE.at(nanometer * 1e-9, c));
             }
             for (int nanometer = 381; nanometer < 778; nanometer++) {
-                // Four whole nanometers within one of the 5 nm pieces of D65, whose corners are real.
+                // Four whole nanometers within a 5 nm piece of D65, which has kinks.
                 boolean withinPiece = nanometer % 5 >= 1 && nanometer % 5 <= 3;
                 if (withinPiece && CIE.at(nanometer * 1e-9, c) > share * largest) {
                     worst = Math.max(worst, chordExcess(nanometer, c));
@@ -261,7 +261,7 @@ class ThesisCorrectionsTest {
         return worst;
     }
 
-    /** Half a nanometer above a whole one: the chord over the cubic through four neighbors, relative. */
+    /** Excess of the chord over the cubic through four neighbors, half a nanometer between, relative. */
     private static double chordExcess(int nanometer, int channel) {
         double[] value = new double[4];
         for (int i = 0; i < 4; i++) {

@@ -11,12 +11,12 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 
-/** The ensemble average is the mean over positions of the window; moving the window is moving the periodic patch. */
+/** The ensemble average is the mean over positions of the window, or of the periodic patch. */
 class WindowPositionsTest {
     private static final int COLUMNS = 13;
     private static final int ROWS = 8;
     private static final double WAVELENGTH = 500e-9;
-    // A window that spans half of the patch: its position matters.
+    // A window as wide as half of the patch: its position matters.
     private static final CoherenceWindow WINDOW = new CoherenceWindow(0.25e-6);
     private static final HeightMap ROUGH = Surfaces.random(COLUMNS, ROWS, 100e-9, 400e-9, 3);
 
@@ -51,7 +51,7 @@ class WindowPositionsTest {
                 }
             }
             double expected = ensemble(pair);
-            // Cross terms of different bins cancel to the last digit over whole periods.
+            // Cross terms of different bins cancel over whole periods.
             assertThat(sum / (COLUMNS * ROWS)).isCloseTo(expected, within(1e-9 * expected));
         }
     }
@@ -78,13 +78,13 @@ class WindowPositionsTest {
         return (real * real + imaginary * imaginary) / (integral * integral);
     }
 
-    /** A window of 2.8 samples: positions between the samples count, and with them the definition is exact. */
+    /** A window of 2.8 samples: with positions between samples the definition is exact. */
     @Test
     void theEnsembleOfACoarseWindowIsTheMeanOverPositionsBetweenTheSamplesToo() {
         double pitch = 350e-9;
         HeightMap map = Surfaces.random(5, 4, pitch, 300e-9, 9);
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(2.8 * pitch);
-        // Of a trigonometric polynomial over the period; the window's spectrum has faded at 8 steps a sample.
+        // A trigonometric polynomial over the period; the window's spectrum is negligible at 8 steps a sample.
         int perSample = 8;
         double largest = 0;
         for (int n = 0; n < 4; n++) {
@@ -105,7 +105,7 @@ class WindowPositionsTest {
             assertThat(all).isCloseTo(expected, within(1e-9 * expected));
             largest = Math.max(largest, Math.abs(onSamples / expected - 1));
         }
-        // On samples alone it is another mean: that of what a window moved from sample to sample sees.
+        // Over positions at samples alone it is another mean.
         assertThat(largest).isGreaterThan(1e-3);
     }
 
@@ -125,7 +125,7 @@ class WindowPositionsTest {
             }
             double mean = sum / count;
             double standardError = Math.sqrt((squares / count - mean * mean) / count);
-            // Four standard errors: one seed in 16,000 would miss.
+            // Four standard errors: one seed in 16,000 fails.
             assertThat(mean).as("mean of %d", count).isCloseTo(expected, within(4 * standardError));
             if (Double.isNaN(firstError)) {
                 firstError = standardError;
@@ -135,7 +135,7 @@ class WindowPositionsTest {
                         .isLessThan(0.15 * firstError);
             }
         }
-        // One position alone is speckle: it says little of the mean.
+        // One position alone is speckle, far from the mean.
         assertThat(firstError / expected).isGreaterThan(0.05);
     }
 }

@@ -18,8 +18,8 @@ class InterpolationDesignTest {
                 sum += design.kernel(f - m) * spread.value(m - 0.3);
             }
             double gauss = Math.exp(-0.5 * distance * distance);
-            // What was asked for, with a margin for places between those that the design looked at. A design for the
-            // error relative to the peak errs by 2 per cent at four deviations.
+            // The requested error, with a margin for places between those of the design. A design relative to the peak
+            // errs by 2 % at four deviations.
             assertThat(Math.abs(sum / gauss - 1)).as("%s deviations", distance).isLessThan(2e-4);
         }
     }

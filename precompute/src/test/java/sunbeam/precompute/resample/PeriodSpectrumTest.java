@@ -20,10 +20,10 @@ import sunbeam.precompute.reference.ReplicaEvaluator;
 class PeriodSpectrumTest {
     private static final double WAVELENGTH = 500e-9;
     private static final double W = -1.6;
-    // 1e-9 terms of the expansion stay below everything that is measured here.
+    // An error of the expansion of 1e-9 is below all measured errors.
     private static final double EXPANSION_TOLERANCE = 1e-9;
 
-    // Odd and even sides, not square, rough: neighboring bins have nothing to do with each other.
+    // Rough, with odd and even sides: neighboring bins are independent.
     private final HeightMap map = Surfaces.random(37, 24, 100e-9, 300e-9, 5);
     private final HeightLevels heights = HeightLevels.of(map);
     private final ReplicaEvaluator exact = new ReplicaEvaluator(map, new Replicas(1, 1));
@@ -37,7 +37,7 @@ class PeriodSpectrumTest {
             double binY = 6 * random.nextDouble() - 3;
             double u = (onBins ? Math.rint(binX) : binX) / map.width() * WAVELENGTH;
             double v = (onBins ? Math.rint(binY) : binY) / map.height() * WAVELENGTH;
-            // Not unit vectors, but all that the sum sees of them is (u, v, w).
+            // Not unit vectors; the sum depends on (u, v, w) only.
             DirectionPair pair = new DirectionPair(new Direction(-u, -v, -W), new Direction(0, 0, 0));
             double amplitude = Math.sqrt(exact.power(pair, WAVELENGTH));
             largest = Math.max(largest, Math.abs(reader.amplitude(u / WAVELENGTH, v / WAVELENGTH) - amplitude));
@@ -60,7 +60,7 @@ class PeriodSpectrumTest {
 
     @Test
     void linearIsNoSubstituteForSincBetweenTheBins() {
-        // A rough surface's amplitudes are about 1 / sqrt(888 samples) = 0.03; the worst error is as large as they are.
+        // Amplitudes of a rough surface are about 1 / sqrt(888 samples) = 0.03; the worst error is of that size.
         assertThat(largestError(PeriodInterpolation.LINEAR, false)).isGreaterThan(0.02);
     }
 

@@ -23,7 +23,7 @@ class PowerFieldsTest {
     private static final double MAXIMUM_PHASE = 6;
     private static final double TOLERANCE = 1e-6;
 
-    /** The basis against |sum of terms|^2, with so few terms that it is made of their products, and with more. */
+    /** The basis against |sum of terms|^2, with few terms (products of them) and with many. */
     @ParameterizedTest
     @CsvSource({"1, true", "3, true", "6, true", "20, true", "3, false", "6, false", "30, false"})
     void powersAreThoseOfTheTerms(int terms, boolean lowRank) {
@@ -46,8 +46,8 @@ class PowerFieldsTest {
                 largest = Math.max(largest, expected);
                 worst = Math.max(worst, Math.abs(found - expected));
             }
-            // One row in a hundred may miss the tolerance, none by orders of magnitude; twice is for the worst of the
-            // phases beside their root mean square.
+            // Ten times: one row in a hundred misses the tolerance. Twice: the worst phase instead of the root mean
+            // square.
             assertThat(worst).as("bin %d", bin).isCloseTo(0, within(20 * TOLERANCE * (largest + 1e-10)));
         }
     }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
-/** Choices keep values and the places where they were made. */
+/** Choices keep values and their origins. */
 class ChoicesTest {
     private static final Setting<Double> LENGTH =
             new Setting<>("coherenceLength", Kinds.length(100e-9, 10e-3), "The window's size.");

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Tables know nothing of command lines: what a user chooses is a {@link Setting}, whose name depends on the place. */
+/** Tables know no options of command lines: a {@link Setting}'s name depends on the place. */
 class NoOptionsTest {
     private static final Path SOURCES = Path.of("src", "main", "java");
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|(?m)^\\s*//.*$", Pattern.DOTALL);
@@ -30,7 +30,7 @@ class NoOptionsTest {
                 named.addAll(options(Files.readString(file)));
             }
         }
-        // Gwyddion's, not ours.
+        // An option of Gwyddion.
         named.remove("\"--convert-to-gwy=\"");
         assertThat(named).isEmpty();
     }

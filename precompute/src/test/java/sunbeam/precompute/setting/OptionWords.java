@@ -1,6 +1,6 @@
 package sunbeam.precompute.setting;
 
-/** Names and complaints as a command line has them, for tests. */
+/** Names and complaints of a command line. */
 public final class OptionWords implements Origin {
     public static final Origin INSTANCE = new OptionWords();
 

@@ -22,7 +22,7 @@ class KernelPolynomialsTest {
             double fraction = random.nextDouble();
             for (int tap = 0; tap < taps; tap++) {
                 double distance = fraction + 0.5 * taps - 1 - tap;
-                // 2e-9 of the peak, 1, is what polynomials may leave out; the places they are chosen at are 64 a tap.
+                // Polynomials may omit 2e-9 of the peak, 1; they are fitted at 64 places a tap.
                 assertEquals(design.kernel(distance), polynomials.weight(tap, 2 * fraction - 1), 2.5e-9);
             }
         }
@@ -37,7 +37,7 @@ class KernelPolynomialsTest {
             double largest = Math.max(polynomials.weight(tap, -1), polynomials.weight(tap, 1));
             for (int i = -20; i <= 20; i++) {
                 float place = i / 20f;
-                // Horner's rule in float32, one rounding of 6e-8 a step and few steps that matter.
+                // Horner's rule in float32, one rounding of 6e-8 for each of the few relevant steps.
                 double error = Math.abs(inFloats(polynomials, tap, place) - polynomials.weight(tap, place));
                 assertTrue(error <= 4e-7 * Math.max(largest, polynomials.weight(tap, place)), tap + " " + place);
             }

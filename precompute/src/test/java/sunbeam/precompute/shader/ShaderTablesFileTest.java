@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.table.TableException;
 import sunbeam.precompute.table.TableLabel;
 
-/** Tables come back from a file bit by bit, and no other file is taken for them. */
+/** Tables are read back bit by bit, and other files are refused. */
 class ShaderTablesFileTest {
     private static final String KEY = "full|a surface|a plan";
     private static final TableLabel LABEL = new TableLabel("gr\u00fcn", "3 terms");
@@ -35,7 +35,7 @@ class ShaderTablesFileTest {
         for (int i = 0; i < values.length; i++) {
             values[i] = (float) Math.sin(i + 100 * number);
         }
-        // What arithmetic would not bring back.
+        // Numbers that arithmetic would change.
         values[0] = -0f;
         values[1] = Float.MIN_VALUE;
         return values;
@@ -86,7 +86,7 @@ class ShaderTablesFileTest {
     @Test
     void labelsAreReadWithoutTheTables() throws IOException {
         assertThat(ShaderTablesFile.label(file)).isEqualTo(LABEL);
-        // Whoever lists files does not read gigabytes.
+        // Lists of files read labels only.
         Files.write(file, Arrays.copyOf(good, good.length / 2));
         assertThat(ShaderTablesFile.label(file)).isEqualTo(LABEL);
         Files.write(file, Arrays.copyOf(good, 40));

@@ -28,7 +28,7 @@ class TableBuilderTest {
         HeightMap random = Surfaces.random(columns, rows, 40e-9, 300e-9, columns);
         HeightMap map = step == 0 ? random : rounded(random, step);
         HeightLevels heights = HeightLevels.of(map);
-        // Functions of the height are evaluated at samples, or at levels.
+        // Functions of the height are evaluated at samples or at levels.
         assertThat(heights.areMany()).isEqualTo(step == 0);
         TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), terms, 5);
         Band bandX = Band.of(-2, 4);

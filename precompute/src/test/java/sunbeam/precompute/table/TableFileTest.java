@@ -16,7 +16,7 @@ class TableFileTest {
     @TempDir
     Path folder;
 
-    /** What docs/conventions.md promises to other programs. */
+    /** The format of docs/conventions.md. */
     @Test
     void filesDescribeTheirTableCompletely() {
         HeightLevels heights = HeightLevels.of(Surfaces.random(12, 10, 50e-9, 300e-9, 1));

@@ -16,7 +16,7 @@ final class SimilarTest {
         assertThat(Similar.nearest(written, NAMES)).contains(meant);
     }
 
-    /** Two wrong letters of three or four would make any short word of any other. */
+    /** Two wrong letters of three or four would match any short words. */
     @ParameterizedTest
     @ValueSource(strings = {"", "Y", "red", "Topography"})
     void anotherWordIsNearNone(String written) {

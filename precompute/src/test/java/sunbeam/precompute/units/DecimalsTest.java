@@ -14,7 +14,7 @@ class DecimalsTest {
         assertThat(Decimals.rounded(0, 3)).isEqualTo("0");
     }
 
-    /** "1234 to 1234 nm" was an interval of 0.2 nm. */
+    /** "1234 to 1234 nm" hid an interval of 0.2 nm. */
     @Test
     void aValueHasTheDigitsThatItsUncertaintyLeaves() {
         assertThat(Decimals.within(1234.04, 0.1)).isEqualTo("1234.04");

@@ -103,7 +103,7 @@ class LengthsTest {
         }
     }
 
-    /** A plane through a level scan leaves 1e-23 m, which nobody wants to read. */
+    /** A plane through a level scan leaves 1e-23 m. */
     @Test
     void roundingErrorsAreZero() {
         assertThat(Lengths.rounded(1.32e-23, 3)).isEqualTo("0 m");

@@ -15,7 +15,7 @@ class BuiltInPatchesTest {
     /** A quarter of the shortest wavelength: at grazing light and view a phase of pi between two samples. */
     private static final double COARSEST_PITCH = 380e-9 / 4;
 
-    /** The sinusoid's steps on either side of the seam are equal but for rounding. */
+    /** The sinusoid's steps beside the seam are equal but for rounding. */
     private static final double ROUNDING = 1 + 1e-9;
 
     static Stream<String> names() {

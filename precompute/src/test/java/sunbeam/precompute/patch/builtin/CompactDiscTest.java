@@ -26,7 +26,7 @@ class CompactDiscTest {
         double[] orders = new Spectrum(disc).byP((p, q) -> q == 0);
         for (int p = 1; p < 2 * TRACKS; p++) {
             if (p != TRACKS) {
-                // Tracks hold different numbers of pits, which leaves a little of every frequency.
+                // Tracks with different numbers of pits leave a little power at all frequencies.
                 assertThat(orders[p]).isLessThan(orders[TRACKS] / 100);
             }
         }
@@ -36,7 +36,7 @@ class CompactDiscTest {
     void thereIsNoOrderAlongTheTracks() {
         double[] frequencies = new Spectrum(disc).byQ((p, q) -> q != 0);
         double all = Arrays.stream(frequencies).sum();
-        // The pits' mean length of 5 bits makes a broad hump of some 20 bins; no bin stands out of it.
+        // The pits' mean length of 5 bits makes a hump of some 20 bins, none of which stands out.
         assertThat(Arrays.stream(frequencies).max().orElseThrow()).isLessThan(all / 10);
     }
 
@@ -53,7 +53,7 @@ class CompactDiscTest {
         for (int track = 0; track < TRACKS; track++) {
             for (int samples : runs(center(track))) {
                 double bits = samples * disc.pitchY() / bit;
-                // Both ends of a run are seen to one sample of 50 nm, 0.18 bits.
+                // Both ends of a run are known to one sample of 50 nm, 0.18 bits.
                 assertThat(bits).isBetween(3 - 0.2, 11 + 0.2);
                 assertThat(Math.abs(bits - Math.round(bits))).isLessThan(0.2);
             }

@@ -12,10 +12,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
-/**
- * The light of randomly placed bumps against its mean over all draws, of which the statistics alone are known: no heights,
- * no Fourier transform.
- */
+/** Light of randomly placed bumps against its mean over all draws by statistics alone, without heights or Fourier transforms. */
 class RandomBumpsTest {
     private static final double WIDTH = 0.5e-6;
     private static final double LENGTH = 1e-6;
@@ -24,7 +21,7 @@ class RandomBumpsTest {
     private static final int SAMPLES = 128;
 
     private static final double PATCH_AREA = 8e-6 * 8e-6;
-    /** Short beside the patch, so that replicas do not interfere: the window's correlation is exp(-64) of them. */
+    /** Short relative to the patch, so that replicas do not interfere: their correlation is exp(-64). */
     private static final CoherenceWindow WINDOW = new CoherenceWindow(0.5e-6);
 
     private static final int DRAWS = 48;
@@ -37,7 +34,7 @@ class RandomBumpsTest {
         "16, 0.2, 0.7, 450e-9",
         "16, 1.3, 0.4, 550e-9",
         "16, 0.3, 1.5, 600e-9", // the second lobe across
-        "64, 0.9, 0.3, 600e-9", // so many that most lie on others
+        "64, 0.9, 0.3, 600e-9", // most bumps overlap
     })
     void meanOverDrawsIsThatOfShotNoise(int bumps, double fx, double fy, double wavelength) {
         double phase = 2 * Math.PI / wavelength * -2 * 150e-9;
@@ -49,7 +46,7 @@ class RandomBumpsTest {
 
     @Test
     void oneBumpShinesAsARectangle() {
-        // The fifth order along x and the second along y of the patch, which a long window sees alone.
+        // The fifth order along x and second along y, resolved by a long window.
         double fx = 5 / 8e-6;
         double fy = 2 / 8e-6;
         double phase = -2.0;
@@ -74,7 +71,7 @@ class RandomBumpsTest {
         return reference.powers(p[0], p[1], fx, fy).ensemble();
     }
 
-    /** The correlation of shot noise under that of the window, transformed: sums over all lags within a bump. */
+    /** Fourier transform of the correlation of shot noise times that of the window, by sums over all lags within a bump. */
     private static double expectedPower(int bumps, double phase, double fx, double fy) {
         double sigma = WINDOW.sigmaMeters();
         double pitch = 62.5e-9;

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
 
-/** The generated skins beside the scans that they imitate, where these are present. */
+/** The generated skins compared with the scans they imitate, if present. */
 class SkinLikenessTest {
     private static final Path SCANS = Path.of("..", "..", "shared", "patches");
     private static final double WIDTH = 65e-6;
@@ -31,7 +31,7 @@ class SkinLikenessTest {
         Spectrum scan = new Spectrum(read(file, fullScaleNm * 1e-9));
         Spectrum skin = new Spectrum(BuiltInPatches.generate(name + "-like"));
         double[] ratios = ratios(bySector(skin), bySector(scan));
-        // The orders agree to 25 %; between them the scans have dust, scratches and broken rows, which the skins lack.
+        // Orders agree to 25 %; between them the scans have dust, scratches and broken rows.
         for (int i = 0; i < ratios.length; i++) {
             assertThat(ratios[i]).as("sector from %s degrees", SECTORS[i]).isBetween(0.6, 1.3);
         }
@@ -41,7 +41,7 @@ class SkinLikenessTest {
         }
     }
 
-    /** What visible light sees beyond waviness, up to 2 / 380 nm, without the cross that the scans' edges draw. */
+    /** Roughness beyond waviness that visible light resolves, up to 2 / 380 nm, without the cross of the scans' edges. */
     private static double[] bySector(Spectrum spectrum) {
         double[] sums = new double[SECTORS.length];
         spectrum.forEach((p, q, meanSquare) -> {

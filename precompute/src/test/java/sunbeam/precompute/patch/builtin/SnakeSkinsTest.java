@@ -36,7 +36,7 @@ class SnakeSkinsTest {
         assertThat(dominantPeriod(xenopeltisPowers[1], 25, 1)).isCloseTo(1.55e-6, within(0.08e-6));
     }
 
-    /** The period in meters of the strongest frequency from {@code first} on, seen through a window of bins. */
+    /** Period in meters of the strongest frequency from {@code first} on, smoothed over a window of bins. */
     private static double dominantPeriod(double[] powers, int first, int reach) {
         int best = first;
         double most = 0;

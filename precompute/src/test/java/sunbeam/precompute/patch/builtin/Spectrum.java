@@ -3,13 +3,13 @@ package sunbeam.precompute.patch.builtin;
 import org.jtransforms.fft.DoubleFFT_2D;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Power spectrum of a patch's heights, for tests: what share of the mean square lies where. */
+/** Power spectrum of a patch's heights. */
 final class Spectrum {
     private final int columns;
     private final int rows;
     private final double[] power;
 
-    /** Any sides; the mean is removed. The powers of all bins add up to the mean square. */
+    /** The mean is removed. The powers of all bins sum to the mean square. */
     Spectrum(HeightMap patch) {
         columns = patch.columns();
         rows = patch.rows();
@@ -36,7 +36,7 @@ final class Spectrum {
         boolean contains(int p, int q);
     }
 
-    /** Takes each bin's signed numbers of periods and its mean square. */
+    /** Receives each bin's signed numbers of periods and its mean square. */
     @FunctionalInterface
     interface Visitor {
         void visit(int p, int q, double meanSquare);
@@ -51,21 +51,21 @@ final class Spectrum {
         }
     }
 
-    /** Mean square of the part of the heights that these bins make. */
+    /** Mean square of the heights in these bins. */
     double meanSquare(Bins bins) {
         double[] sum = new double[1];
         forEach((p, q, meanSquare) -> sum[0] += bins.contains(p, q) ? meanSquare : 0);
         return sum[0];
     }
 
-    /** Mean squares of these bins, gathered by their number of periods along x, whatever its sign. */
+    /** Mean squares of these bins by their absolute number of periods along x. */
     double[] byP(Bins bins) {
         double[] sums = new double[columns / 2 + 1];
         forEach((p, q, meanSquare) -> sums[Math.abs(p)] += bins.contains(p, q) ? meanSquare : 0);
         return sums;
     }
 
-    /** Mean squares of these bins, gathered by their number of periods along y, whatever its sign. */
+    /** Mean squares of these bins by their absolute number of periods along y. */
     double[] byQ(Bins bins) {
         double[] sums = new double[rows / 2 + 1];
         forEach((p, q, meanSquare) -> sums[Math.abs(q)] += bins.contains(p, q) ? meanSquare : 0);

@@ -15,7 +15,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
-/** Files that ask for far more than they hold: refused by their headers, in one line. */
+/** Files whose headers claim more than they contain are refused. */
 class HostileScansTest {
     @TempDir
     Path folder;

@@ -17,7 +17,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
-/** What the header of a Bruker scan says about its sides, lines and units. */
+/** Sides, lines and units in headers of Bruker scans. */
 class NanoscopeHeaderTest {
     private static final int HEADER = 2048;
     private static final int COLUMNS = 8;

@@ -19,7 +19,7 @@ class NumpyReaderTest {
     @TempDir
     Path folder;
 
-    /** The bits of 1, -2, 2^-24 (the least), 65504 (the largest), infinity and NaN. */
+    /** The bits of 1, -2, 2^-24 (the smallest), 65504 (the largest), infinity and NaN. */
     private static final short[] HALVES = {0x3c00, (short) 0xc000, 0x0001, 0x7bff, 0x7c00, 0x7e00};
 
     private Path file(String type, String shape) throws IOException {

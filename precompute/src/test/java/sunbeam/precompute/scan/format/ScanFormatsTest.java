@@ -20,9 +20,9 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanReader;
 
-/** What holds for all formats: the same surface comes out of each, and nothing but a complaint out of a damaged file. */
+/** All formats give the same surface, and damaged files a complaint only. */
 class ScanFormatsTest {
-    /** Digits that the poorest of the formats keeps of 500 nm: seven, in 32-bit floats. */
+    /** Seven digits of 500 nm, as 32-bit floats have. */
     private static final double ROUNDING = 5e-14;
 
     @TempDir
@@ -33,7 +33,7 @@ class ScanFormatsTest {
     }
 
     private Path file(byte[] content) throws IOException {
-        // No extension: files are known by their content.
+        // No extension: formats are found by content.
         return Files.write(folder.resolve("scan"), content);
     }
 
@@ -75,7 +75,7 @@ class ScanFormatsTest {
             byte[] damaged = whole.clone();
             int number = trial;
             for (int hit = 0; hit <= trial % 4; hit++) {
-                // Headers are where damage does damage.
+                // Every other trial damages the header.
                 int reach = trial % 2 == 0 ? Math.min(600, whole.length) : whole.length;
                 damaged[random.nextInt(reach)] = (byte) (trial % 3 == 0 ? 0xff : random.nextInt(256));
             }
@@ -83,7 +83,7 @@ class ScanFormatsTest {
         }
     }
 
-    /** Reads every channel; a complaint is as good as heights, anything else is not. */
+    /** Reads every channel; complaints are allowed. */
     private void assertReadOrRefused(byte[] content, Supplier<String> what) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(content))) {
             ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElse(null);

@@ -21,7 +21,7 @@ import sunbeam.precompute.scan.ChannelList;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 
-/** Real files of instruments, where they lie beside the project, against what independent programs read in them. */
+/** Real files of instruments, if shared/ is present, against independent programs. */
 class SharedScansTest {
     private static final Path SCANS = Path.of("..", "..", "shared", "scans");
 
@@ -64,7 +64,7 @@ class SharedScansTest {
             for (JsonNode heights : expected.get("heights")) {
                 String channel = heights.get("channel").asText();
                 int before = seen.merge(channel, 1, Integer::sum) - 1;
-                // Points have a y, which grows upwards here; that program counts rows with y.
+                // Points have an upward y here; that program counts rows with y.
                 assertSameChannel(called(channels, channel).get(before), heights, name.startsWith("xyz"));
             }
         }

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Bytes put together for a test, in one byte order. */
+/** Bytes composed in one byte order. */
 final class TestBytes {
     private final ByteArrayOutputStream out = new ByteArrayOutputStream();
     private final ByteOrder order;
@@ -47,7 +47,7 @@ final class TestBytes {
         return bytes(ByteBuffer.allocate(8).order(order).putDouble(value).array());
     }
 
-    /** Nothing, in the same order. */
+    /** Empty, in the same order. */
     TestBytes fresh() {
         return new TestBytes(order);
     }

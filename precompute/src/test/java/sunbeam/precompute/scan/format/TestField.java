@@ -1,6 +1,6 @@
 package sunbeam.precompute.scan.format;
 
-/** The surface that tests write in every format: no symmetry, not square, its samples whole nanometers. */
+/** The surface that tests write in every format: asymmetric, not square, in whole nanometers. */
 final class TestField {
     static final int COLUMNS = 7;
     static final int ROWS = 5;
@@ -23,7 +23,6 @@ final class TestField {
         return meters;
     }
 
-    /** What is done with each sample. */
     interface Visitor {
         void visit(int nanometers);
     }

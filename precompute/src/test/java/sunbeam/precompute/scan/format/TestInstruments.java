@@ -16,8 +16,7 @@ final class TestInstruments {
     private TestInstruments() {}
 
     /**
-     * Two images: the height's voltage, then a sensor's height, as trace. A step is 1 nm: 65536 steps of 16 bits are 65.536 V
-     * at 1000 nm/V.
+     * Two images: the height's voltage, then a sensor's height, as trace. A step is 1 nm: 16 bits are 65.536 V at 1000 nm/V.
      *
      * @param bytes of a sample
      * @param said bytes that the header claims: of the steps that the scale is about
@@ -93,7 +92,7 @@ final class TestInstruments {
         return bytes;
     }
 
-    /** A deflection, then the height forward; 2^16 steps of 1 nm, centerd on zero. */
+    /** A deflection, then the height forward; 2^16 steps of 1 nm, centered on zero. */
     static byte[] nanosurf() {
         String channel = """
                 [DataSet-0:%d]

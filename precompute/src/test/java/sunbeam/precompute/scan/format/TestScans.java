@@ -9,7 +9,7 @@ import sunbeam.precompute.scan.ChannelList;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.text.Text;
 
-/** {@link TestField} in every format that is read, as its describers say it is written. */
+/** {@link TestField} in every readable format, as documented. */
 final class TestScans {
     private TestScans() {}
 

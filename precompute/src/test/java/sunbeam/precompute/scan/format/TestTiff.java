@@ -3,7 +3,7 @@ package sunbeam.precompute.scan.format;
 import java.util.ArrayList;
 import java.util.List;
 
-/** TIFF files with any tags, uncompressed; values stand behind the directory of their page. */
+/** Uncompressed TIFF files with any tags; values follow the directory of their page. */
 final class TestTiff {
     private static final int BYTES = 1;
     private static final int TEXT = 2;

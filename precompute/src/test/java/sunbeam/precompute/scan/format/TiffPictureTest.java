@@ -19,7 +19,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
-/** TIFF files of one surface that Python's tifffile wrote in many ways. */
+/** TIFF files of one surface, written by Python's tifffile. */
 class TiffPictureTest {
     private static final int COLUMNS = 20;
     private static final int ROWS = 12;
@@ -27,7 +27,7 @@ class TiffPictureTest {
     @TempDir
     Path folder;
 
-    /** Steps of 1/63, so that 8 bits hold them to a quarter of one. */
+    /** Steps of 1/63, which 8 bits hold to a quarter. */
     private static double share(int column, int row) {
         return (7 * row + 11 * column) % 64 / 63.0;
     }
@@ -42,7 +42,7 @@ class TiffPictureTest {
         assertThat(channel.columns()).isEqualTo(COLUMNS);
         assertThat(channel.rows()).isEqualTo(ROWS);
         for (int i = 0; i < samples.length; i++) {
-            // Integers may be signed: heights count from any of them. Half of a step of 8 bits on both sides.
+            // Signed integers shift heights. Half of a step of 8 bits on both sides.
             assertThat(samples[i] - samples[0])
                     .as("sample %d", i)
                     .isCloseTo(factor * share(i % COLUMNS, i / COLUMNS), within(1 / 255.0));
@@ -113,7 +113,7 @@ class TiffPictureTest {
     void tagsThatShareTheirBytesAreNotReadIntoMemory() throws IOException {
         int tags = 3000;
         int size = 1 << 16;
-        // Each claims the whole file: 200 MB from 64 KB.
+        // Each tag claims the whole file: 200 MB from 64 KB.
         ByteBuffer tiff = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
         tiff.put((byte) 'I').put((byte) 'I').putShort((short) 42).putInt(8).putShort((short) tags);
         for (int tag = 0; tag < tags; tag++) {

@@ -15,7 +15,7 @@ class PointGridTest {
     private static final int ROWS = 23;
     private static final double PITCH = 80;
 
-    /** Cells of the grid in an order that chance made. */
+    /** Cells of the grid in random order. */
     private static List<Integer> shuffled() {
         List<Integer> cells = IntStream.range(0, COLUMNS * ROWS).boxed().collect(Collectors.toList());
         Collections.shuffle(cells, new Random(4));
@@ -36,12 +36,12 @@ class PointGridTest {
 
     @Test
     void pointsMayComeInAnyOrder() {
-        // To 3 nm: the middles of two of three columns are off by 1 nm, a fortieth of their distance.
+        // Rounded to 3 nm: two of three columns are off by 1 nm, a fortieth of their distance.
         for (double digits : new double[] {1e-3, 3}) {
             PointGrid grid = grid(shuffled(), digits);
             assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
             assertThat(grid.axisY().count()).isEqualTo(ROWS);
-            // First and last of 37 columns are off by the rounding at most.
+            // The first and last of 37 columns are off by the rounding.
             assertThat(grid.axisX().pitch()).isCloseTo(PITCH, within(digits / (COLUMNS - 1)));
             assertThat(grid.heights())
                     .containsExactly(

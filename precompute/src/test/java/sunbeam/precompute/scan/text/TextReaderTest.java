@@ -21,7 +21,7 @@ import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
-/** Texts as people and programs write them. */
+/** Texts as written by people and programs. */
 class TextReaderTest {
     private static final int SIDE = 16;
 
@@ -95,7 +95,7 @@ class TextReaderTest {
         assertThatThrownBy(() -> read(matrix(SIDE, SIDE, (row, column) -> column == 0 ? row : height(row, column))))
                 .isInstanceOf(ScanException.class)
                 .hasMessageContaining("first column that counts");
-        // Rounded, downwards, with something else in the corner.
+        // Rounded, descending, with a word in the corner.
         assertThatThrownBy(() -> read(matrix(
                         SIDE,
                         SIDE,
@@ -121,7 +121,7 @@ class TextReaderTest {
         assertThat(read(matrix(SIDE, SIDE, (row, column) -> 7))).hasSize(SIDE * SIDE);
     }
 
-    /** What Windows calls Unicode. */
+    /** UTF-16. */
     @ParameterizedTest
     @CsvSource({"UTF-16LE, true", "UTF-16BE, true", "UTF-8, true", "UTF-8, false"})
     void wideCharactersAreReadAsOthers(String charset, boolean marked) throws IOException {
