@@ -22,7 +22,11 @@ public final class MissingHeights {
         heights = map.heights().clone();
     }
 
-    /** @throws IllegalArgumentException when all samples are missing */
+    /**
+     * Fills the missing samples.
+     *
+     * @throws IllegalArgumentException when all samples are missing
+     */
     public static Filled fill(HeightMap map) {
         int known = (int) Arrays.stream(map.heights()).filter(Double::isFinite).count();
         int missing = map.heights().length - known;

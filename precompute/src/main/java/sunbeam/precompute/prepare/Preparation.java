@@ -23,7 +23,11 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         }
     }
 
-    /** @throws IllegalArgumentException when all samples are missing, or when {@link Crop#apply} throws it */
+    /**
+     * Prepares measured heights.
+     *
+     * @throws IllegalArgumentException when all samples are missing, or when {@link Crop#apply} throws it
+     */
     public Prepared apply(HeightMap measured) {
         List<String> steps = new ArrayList<>();
         HeightMap field = crop.isPresent() ? crop.get().apply(measured) : measured;
