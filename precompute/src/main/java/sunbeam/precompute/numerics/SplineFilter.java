@@ -9,6 +9,9 @@ public final class SplineFilter {
     /** Pole of the cubic B-spline's filter. */
     public static final double CUBIC = Math.sqrt(3) - 2;
 
+    /** Pole of the quadratic B-spline's filter. */
+    public static final double QUADRATIC = 2 * Math.sqrt(2) - 3;
+
     // Samples that initialize the forward filter: the largest pole to this power is below the rounding of float32.
     private static final int HORIZON = 20;
 

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import sunbeam.precompute.numerics.Lagrange;
+import sunbeam.precompute.numerics.SplineFilter;
 
 /**
  * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and
@@ -11,13 +13,17 @@ import java.util.stream.IntStream;
  * hold means. Immutable.
  */
 public final class GaussianPyramid {
-    // Ratio of sigma_f from plane to plane: linear interpolation between planes errs by 0.5 % where an order is bright.
-    private static final double RATIO = 1.1;
-    // Grid spacing in standard deviations of the Gaussian: cubic interpolation errs by 2e-3.
-    private static final double SPACING = 0.4;
+    // Ratio of sigma_f from plane to plane: cubic interpolation between planes errs by 1 % on the faint flanks of
+    // orders.
+    private static final double RATIO = 1.15;
+    // Grid spacing in standard deviations of the Gaussian: quadratic B-splines err by 1e-3.
+    private static final double SPACING = 0.5;
+    // Nodes along one axis that quadratic B-splines read.
+    private static final int NODES = 3;
     // Reach of the blurring Gaussians in their sigma_f: exp(-reach^2) = 1e-6.
     private static final double REACH = 3.7;
-    private static final int TAPS = 4;
+    /** Planes for cubic interpolation between them. */
+    static final int TAPS = 4;
 
     private final int stride;
     private final List<Plane> planes = new ArrayList<>();
@@ -28,17 +34,29 @@ public final class GaussianPyramid {
      * @param sigmaFrequency sigma_f of the window, cycles per meter
      * @param spacing distance of the grid's nodes, cycles per meter
      * @param half number of nodes on either side of frequency 0, along both axes
+     * @param powers powers; after {@link #prefilter} coefficients of B-splines
      */
     private record Plane(double sigmaFrequency, double spacing, int half, float[] powers) {
         static Plane empty(double sigmaFrequency, double farthest, int stride) {
             double spacing = SPACING * sigmaFrequency / Math.sqrt(2);
-            int half = (int) Math.ceil(farthest / spacing) + TAPS / 2;
+            int half = (int) Math.ceil(farthest / spacing) + NODES - 1;
             int side = 2 * half + 1;
             return new Plane(sigmaFrequency, spacing, half, new float[side * side * stride]);
         }
 
         int side() {
             return 2 * half + 1;
+        }
+
+        /** Replaces the powers by the coefficients of the B-splines that interpolate them. */
+        void prefilter(int stride) {
+            int width = side() * stride;
+            SplineFilter.alongColumns(powers, side(), width, SplineFilter.QUADRATIC);
+            IntStream.range(0, side()).parallel().forEach(row -> {
+                float[] line = Arrays.copyOfRange(powers, row * width, (row + 1) * width);
+                SplineFilter.alongColumns(line, side(), stride, SplineFilter.QUADRATIC);
+                System.arraycopy(line, 0, powers, row * width, width);
+            });
         }
     }
 
@@ -52,8 +70,12 @@ public final class GaussianPyramid {
         this.stride = bins.stride();
         Plane first = Plane.empty(narrowest, farthest, stride);
         double share = Math.pow(pointSigmaFrequency / narrowest, 2);
+        float[] powers = new float[bins.powers().length];
+        for (int i = 0; i < powers.length; i++) {
+            powers[i] = (float) bins.powers()[i];
+        }
         sum(
-                bins.powers(),
+                powers,
                 bins.columns(),
                 bins.rows(),
                 first,
@@ -61,9 +83,12 @@ public final class GaussianPyramid {
                 new Lines(narrowest, bins.periodY(), bins.firstY()),
                 share);
         planes.add(first);
-        while (planes.size() < 2 || planes.get(planes.size() - 1).sigmaFrequency < widest) {
-            planes.add(wider(planes.get(planes.size() - 1), farthest));
+        while (planes.size() < TAPS || planes.get(planes.size() - 1).sigmaFrequency < widest) {
+            Plane before = planes.get(planes.size() - 1);
+            planes.add(wider(before, farthest));
+            before.prefilter(stride);
         }
+        planes.get(planes.size() - 1).prefilter(stride);
     }
 
     /** Gaussians over nodes along one axis: nodes per unit of frequency (meters), number of the first node. */
@@ -76,46 +101,57 @@ public final class GaussianPyramid {
     private Plane wider(Plane before, double farthest) {
         Plane next = Plane.empty(RATIO * before.sigmaFrequency, farthest, stride);
         double blur = before.sigmaFrequency * Math.sqrt(RATIO * RATIO - 1);
-        double[] powers = new double[before.powers.length];
-        for (int i = 0; i < powers.length; i++) {
-            powers[i] = before.powers[i];
-        }
         Lines lines = new Lines(blur, 1 / before.spacing, -before.half);
         double share = Math.pow(before.spacing / blur, 2) / Math.PI;
-        sum(powers, before.side(), before.side(), next, lines, lines, share);
+        sum(before.powers, before.side(), before.side(), next, lines, lines, share);
         return next;
     }
 
-    private void sum(double[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
+    /** Blurs along columns, then along rows, and multiplies by a factor. */
+    private void sum(float[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
         int side = to.side();
-        double[] lines = new double[rows * side * stride];
-        IntStream.range(0, side).parallel().forEach(column -> {
-            GaussianWeights x = alongX.weights();
-            x.moveTo((column - to.half) * to.spacing * alongX.perFrequency - alongX.first, 0, columns - 1);
-            for (int row = 0; row < rows; row++) {
-                int at = (row * side + column) * stride;
-                for (int i = 0; i < x.count(); i++) {
-                    int read = (row * columns + x.first() + i) * stride;
-                    for (int m = 0; m < stride; m++) {
-                        lines[at + m] += x.weights()[i] * from[read + m];
-                    }
-                }
-            }
-        });
         IntStream.range(0, side).parallel().forEach(row -> {
             GaussianWeights y = alongY.weights();
             y.moveTo((row - to.half) * to.spacing * alongY.perFrequency - alongY.first, 0, rows - 1);
-            double[] sums = new double[side * stride];
-            for (int j = 0; j < y.count(); j++) {
-                int read = (y.first() + j) * side * stride;
-                for (int i = 0; i < sums.length; i++) {
-                    sums[i] += y.weights()[j] * lines[read + i];
-                }
-            }
-            for (int i = 0; i < sums.length; i++) {
-                to.powers[row * side * stride + i] = (float) (share * sums[i]);
+            float[] line = new float[columns * stride];
+            sum(from, y.first() * line.length, line.length, y, share, line, 0);
+            GaussianWeights x = alongX.weights();
+            for (int column = 0; column < side; column++) {
+                x.moveTo((column - to.half) * to.spacing * alongX.perFrequency - alongX.first, 0, columns - 1);
+                sum(line, x.first() * stride, stride, x, 1, to.powers, (row * side + column) * stride);
             }
         });
+    }
+
+    /** Adds up runs of {@code length} values that follow each other, times their weights. */
+    private static void sum(
+            float[] from, int first, int length, GaussianWeights runs, double share, float[] to, int at) {
+        double[] weights = runs.weights();
+        int run = 0;
+        for (; run + TAPS <= runs.count(); run += TAPS) {
+            float w0 = (float) (share * weights[run]);
+            float w1 = (float) (share * weights[run + 1]);
+            float w2 = (float) (share * weights[run + 2]);
+            float w3 = (float) (share * weights[run + 3]);
+            add(from, first + run * length, length, w0, w1, w2, w3, to, at);
+        }
+        for (; run < runs.count(); run++) {
+            float weight = (float) (share * weights[run]);
+            for (int i = 0; i < length; i++) {
+                to[at + i] += weight * from[first + run * length + i];
+            }
+        }
+    }
+
+    /** Adds up four runs of {@code length} values that follow each other. */
+    private static void add(
+            float[] from, int first, int length, float w0, float w1, float w2, float w3, float[] to, int at) {
+        int second = first + length;
+        int third = second + length;
+        int fourth = third + length;
+        for (int i = 0; i < length; i++) {
+            to[at + i] += w0 * from[first + i] + w1 * from[second + i] + w2 * from[third + i] + w3 * from[fourth + i];
+        }
     }
 
     /** Returns the number of values per node: the terms, padded with zeros. */
@@ -130,7 +166,16 @@ public final class GaussianPyramid {
     /** Returns the fractional index of the plane of a sigma_f, clamped. */
     double place(double sigmaFrequency) {
         double place = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
-        return Math.max(0, Math.min(planes.size() - 1.001, place));
+        return Math.max(0, Math.min(planes.size() - 1, place));
+    }
+
+    /** Returns the first of the {@link #TAPS} planes around a fractional index, and computes their Lagrange weights. */
+    int taps(double place, float[] weights) {
+        int first = Math.max(0, Math.min((int) place - 1, planes.size() - TAPS));
+        for (int tap = 0; tap < TAPS; tap++) {
+            weights[tap] = (float) Lagrange.weight(place - first, tap, TAPS);
+        }
+        return first;
     }
 
     /**
@@ -140,46 +185,43 @@ public final class GaussianPyramid {
      * @param terms output, {@link #stride} values per plane
      */
     void at(double x, double y, int first, int end, float[] terms) {
-        float[] wx = new float[TAPS];
-        float[] wy = new float[TAPS];
-        for (int window = first; window < end; window++) {
-            Plane plane = planes.get(window);
-            int column = taps(x / plane.spacing + plane.half, plane.side(), wx);
-            int row = taps(y / plane.spacing + plane.half, plane.side(), wy);
-            int to = (window - first) * stride;
-            Arrays.fill(terms, to, to + stride, 0);
-            for (int j = 0; j < TAPS; j++) {
-                int from = ((row + j) * plane.side() + column) * stride;
-                add(plane.powers, from, wy[j], wx, terms, to);
-            }
+        for (int i = first; i < end; i++) {
+            Plane plane = planes.get(i);
+            double column = node(x, plane);
+            double row = node(y, plane);
+            int width = plane.side() * stride;
+            int at = ((int) (row - 0.5) * plane.side() + (int) (column - 0.5)) * stride;
+            add(
+                    plane.powers,
+                    at,
+                    width,
+                    (float) (column - (int) (column + 0.5)),
+                    (float) (row - (int) (row + 0.5)),
+                    terms,
+                    (i - first) * stride);
         }
     }
 
-    private void add(float[] powers, int from, float weight, float[] weights, float[] terms, int to) {
-        float w0 = weight * weights[0];
-        float w1 = weight * weights[1];
-        float w2 = weight * weights[2];
-        float w3 = weight * weights[3];
-        int second = from + stride;
-        int third = second + stride;
-        int fourth = third + stride;
+    /** Returns the place of a frequency among the nodes along one axis; beyond the grid that of its edge. */
+    private static double node(double frequency, Plane plane) {
+        return Math.max(1, Math.min(plane.side() - NODES + 1, frequency / plane.spacing + plane.half));
+    }
+
+    /** Interpolates between nine nodes, by the offset, -0.5 to 0.5, from the middle one. */
+    private void add(float[] powers, int first, int width, float x, float y, float[] terms, int to) {
+        float x0 = 0.5f * (0.5f - x) * (0.5f - x);
+        float x1 = 0.75f - x * x;
+        float x2 = 1 - x0 - x1;
+        float y0 = 0.5f * (0.5f - y) * (0.5f - y);
+        float y1 = 0.75f - y * y;
+        float y2 = 1 - y0 - y1;
         for (int m = 0; m < stride; m++) {
-            terms[to + m] +=
-                    w0 * powers[from + m] + w1 * powers[second + m] + w2 * powers[third + m] + w3 * powers[fourth + m];
+            int above = first + m;
+            int middle = above + width;
+            int below = middle + width;
+            terms[to + m] = y0 * (x0 * powers[above] + x1 * powers[above + stride] + x2 * powers[above + 2 * stride])
+                    + y1 * (x0 * powers[middle] + x1 * powers[middle + stride] + x2 * powers[middle + 2 * stride])
+                    + y2 * (x0 * powers[below] + x1 * powers[below + stride] + x2 * powers[below + 2 * stride]);
         }
-    }
-
-    /** Computes the Lagrange weights of the four nodes around a position, and returns the first. */
-    private static int taps(double place, int side, float[] weights) {
-        int first = Math.max(0, Math.min((int) Math.floor(place) - 1, side - TAPS));
-        double t0 = place - first;
-        double t1 = t0 - 1;
-        double t2 = t0 - 2;
-        double t3 = t0 - 3;
-        weights[0] = (float) (-t1 * t2 * t3 / 6);
-        weights[1] = (float) (t0 * t2 * t3 / 2);
-        weights[2] = (float) (-t0 * t1 * t3 / 2);
-        weights[3] = (float) (t0 * t1 * t2 / 6);
-        return first;
     }
 }

@@ -20,21 +20,28 @@ public final class SlopeBaker implements ColorBaker {
     /** Largest |(u, v)|, slightly beyond all directions. */
     private static final double FARTHEST = 2.2;
     /** Step of ln lambda where orders are wide. */
-    private static final double WIDEST_STEP = 0.02;
+    private static final double WIDEST_STEP = 0.06;
     /** The same in units of sigma_f / |f|, where orders are narrow. */
-    private static final double ORDER_STEP = 0.6;
+    private static final double ORDER_STEP = 0.9;
+    /** Ratio of the steps from which each sample takes the widest that suits. */
+    private static final double STEP_RATIO = 0.5;
+
+    /** Least weight of a wavelength, relative to white. */
+    private static final double LEAST_WEIGHT = 1e-5;
 
     private final PowerSpectrum spectrum;
     private final CieTable cie;
     private final GaussianPyramid pyramid;
     private final ColorTable table;
     private final int level;
-    private final double orderStep;
 
-    /** Slice of one |w|: per wavelength the fractional index of a plane of the pyramid, and the terms' coefficients. */
-    private record Slice(double[] places, double[][] coefficients) {}
+    /** Wavelengths of a step, and per slice of |w| its sums over terms. */
+    private record Nodes(WavelengthNodes wavelengths, Map<Double, Slice> slices) {}
 
-    private record SliceKey(int halvings, double depth) {}
+    /**
+     * Slice of one |w|. Per wavelength it has the first of the planes around its sigma_f, and a factor for each term of these.
+     */
+    private record Slice(int[] planes, float[][] factors) {}
 
     /** @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table */
     public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
@@ -43,9 +50,6 @@ public final class SlopeBaker implements ColorBaker {
         this.pyramid = pyramid;
         this.table = table;
         this.level = level;
-        // Relief widens orders least at the shortest wavelength.
-        this.orderStep =
-                ORDER_STEP * sigmaFrequency(table, level, 0, CieTable.MINIMUM_WAVELENGTH) * CieTable.MINIMUM_WAVELENGTH;
     }
 
     /** Builds the pyramid that all levels of a table with slopes share; takes tenths of a second. */
@@ -66,75 +70,98 @@ public final class SlopeBaker implements ColorBaker {
     public float[] bake(float[] uvw, BakeToken token) {
         float[] xyz = new float[uvw.length];
         int[] columns = DirectBaker.columns(uvw);
-        Map<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
-        Map<SliceKey, Slice> slices = new ConcurrentHashMap<>();
+        Map<Integer, Nodes> nodes = new ConcurrentHashMap<>();
         IntStream.range(0, columns.length - 1).parallel().forEach(column -> {
-            int first = columns[column];
-            int halvings = DirectBaker.halvings(
-                    WIDEST_STEP, orderStep / Math.hypot(uvw[COLORS * first], uvw[COLORS * first + 1]));
-            WavelengthNodes wavelengths = nodes.get(halvings);
-            if (wavelengths == null) {
-                // Two threads may compute the same nodes or slice; neither waits.
-                wavelengths = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings));
-                nodes.put(halvings, wavelengths);
-            }
-            Slice[] own = new Slice[columns[column + 1] - first];
-            for (int i = 0; i < own.length; i++) {
-                SliceKey key = new SliceKey(halvings, Math.abs(uvw[COLORS * (first + i) + 2]));
-                own[i] = slices.get(key);
-                if (own[i] == null) {
-                    own[i] = slice(wavelengths, key.depth);
-                    slices.put(key, own[i]);
+            int end;
+            for (int first = columns[column]; first < columns[column + 1]; first = end) {
+                int step = step(uvw, first);
+                end = first + 1;
+                while (end < columns[column + 1] && step(uvw, end) == step) {
+                    end++;
                 }
+                // Two threads may compute the same nodes or slice; neither waits.
+                Nodes ofStep = nodes.get(step);
+                if (ofStep == null) {
+                    double width = WIDEST_STEP * Math.pow(STEP_RATIO, step);
+                    ofStep = new Nodes(
+                            IntegratedNodes.logarithmic(cie, width).withWeight(LEAST_WEIGHT),
+                            new ConcurrentHashMap<>());
+                    nodes.put(step, ofStep);
+                }
+                bake(ofStep, uvw, first, end, xyz);
             }
-            put(wavelengths, own, uvw[COLORS * first], uvw[COLORS * first + 1], xyz, COLORS * first);
-            token.step(own.length);
+            token.step(columns[column + 1] - columns[column]);
         });
         return xyz;
     }
 
-    private Slice slice(WavelengthNodes nodes, double depth) {
-        double[] places = new double[nodes.count()];
-        double[][] coefficients = new double[nodes.count()][];
-        for (int i = 0; i < nodes.count(); i++) {
-            double wavelength = nodes.wavelengths()[i];
-            places[i] = pyramid.place(sigmaFrequency(table, level, depth, wavelength));
-            coefficients[i] = spectrum.coefficients(wavelength, depth);
-        }
-        return new Slice(places, coefficients);
+    /** Returns the number of times that {@link #WIDEST_STEP} is multiplied by {@link #STEP_RATIO} for a sample. */
+    private int step(float[] uvw, int sample) {
+        double radius = Math.hypot(uvw[COLORS * sample], uvw[COLORS * sample + 1]);
+        double depth = Math.abs(uvw[COLORS * sample + 2]);
+        // Relief widens orders least at the shortest wavelength.
+        double shortest = CieTable.MINIMUM_WAVELENGTH;
+        double order = sigmaFrequency(table, level, depth, shortest) * shortest / radius;
+        double ratio = ORDER_STEP * order / WIDEST_STEP;
+        return ratio >= 1 ? 0 : (int) Math.ceil(Math.log(ratio) / Math.log(STEP_RATIO));
     }
 
-    private void put(WavelengthNodes nodes, Slice[] slices, double u, double v, float[] xyz, int at) {
-        double[] sums = new double[COLORS * slices.length];
-        float[] terms = new float[pyramid.count() * pyramid.stride()];
+    private Slice slice(WavelengthNodes nodes, double depth) {
+        int[] planes = new int[nodes.count()];
+        float[][] factors = new float[nodes.count()][GaussianPyramid.TAPS * pyramid.stride()];
+        float[] weights = new float[GaussianPyramid.TAPS];
         for (int i = 0; i < nodes.count(); i++) {
             double wavelength = nodes.wavelengths()[i];
+            double[] coefficients = spectrum.coefficients(wavelength, depth);
+            planes[i] = pyramid.taps(pyramid.place(sigmaFrequency(table, level, depth, wavelength)), weights);
+            for (int tap = 0; tap < GaussianPyramid.TAPS; tap++) {
+                for (int m = 0; m < coefficients.length; m++) {
+                    factors[i][tap * pyramid.stride() + m] = (float) (weights[tap] * coefficients[m]);
+                }
+            }
+        }
+        return new Slice(planes, factors);
+    }
+
+    /** Bakes samples of one (u, v) and one step. */
+    private void bake(Nodes nodes, float[] uvw, int from, int to, float[] xyz) {
+        Slice[] slices = new Slice[to - from];
+        for (int i = 0; i < slices.length; i++) {
+            double depth = Math.abs(uvw[COLORS * (from + i) + 2]);
+            slices[i] = nodes.slices.get(depth);
+            if (slices[i] == null) {
+                slices[i] = slice(nodes.wavelengths, depth);
+                nodes.slices.put(depth, slices[i]);
+            }
+        }
+        double[] sums = new double[COLORS * slices.length];
+        float[] terms = new float[pyramid.count() * pyramid.stride()];
+        for (int i = 0; i < nodes.wavelengths.count(); i++) {
+            double wavelength = nodes.wavelengths.wavelengths()[i];
+            double[] weights = nodes.wavelengths.weights()[i];
             int first = Integer.MAX_VALUE;
             int end = 0;
             for (Slice slice : slices) {
-                first = Math.min(first, (int) slice.places[i]);
-                end = Math.max(end, 2 + (int) slice.places[i]);
+                first = Math.min(first, slice.planes[i]);
+                end = Math.max(end, slice.planes[i] + GaussianPyramid.TAPS);
             }
-            pyramid.at(u / wavelength, v / wavelength, first, end, terms);
+            pyramid.at(uvw[COLORS * from] / wavelength, uvw[COLORS * from + 1] / wavelength, first, end, terms);
             for (int j = 0; j < slices.length; j++) {
-                double power = power(terms, slices[j].places[i] - first, slices[j].coefficients[i]);
+                double power = power(slices[j].factors[i], terms, (slices[j].planes[i] - first) * pyramid.stride());
                 for (int c = 0; c < COLORS; c++) {
-                    sums[COLORS * j + c] += power * nodes.weights()[i][c];
+                    sums[COLORS * j + c] += power * weights[c];
                 }
             }
         }
         for (int i = 0; i < sums.length; i++) {
-            xyz[at + i] = (float) Math.max(0, sums[i]);
+            xyz[COLORS * from + i] = (float) Math.max(0, sums[i]);
         }
     }
 
-    private double power(float[] terms, double place, double[] coefficients) {
-        int below = (int) place;
-        double share = place - below;
-        int at = below * pyramid.stride();
+    private static double power(float[] factors, float[] terms, int first) {
         double power = 0;
-        for (int m = 0; m < coefficients.length; m++) {
-            power += coefficients[m] * ((1 - share) * terms[at + m] + share * terms[at + pyramid.stride() + m]);
+        for (int i = 0; i < factors.length; i++) {
+            power += factors[i] * terms[first + i];
         }
         return power;
     }

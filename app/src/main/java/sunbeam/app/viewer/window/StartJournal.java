@@ -4,9 +4,10 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.stream.Collectors;
 import sunbeam.precompute.text.Text;
 
-/** Times of the stages of the viewer's start, in seconds from the start of the process. Thread-safe. */
+/** Times of the stages of the viewer's start, with the processor time of the process until then. Thread-safe. */
 public final class StartJournal {
     /** Stages of a start, with their names in reports. */
     public enum Stage {
@@ -25,25 +26,31 @@ public final class StartJournal {
         }
     }
 
-    private final Map<Stage, Double> seconds = new LinkedHashMap<>();
+    private final Map<Stage, Moment> moments = new LinkedHashMap<>();
     private final Instant start = ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
 
+    /** Time since the start of the process, and the processor time that it has taken. */
+    private record Moment(Duration elapsed, Duration processor) {}
+
     public synchronized void reached(Stage stage) {
-        seconds.computeIfAbsent(
-                stage, first -> Duration.between(start, Instant.now()).toMillis() * 1e-3);
+        moments.computeIfAbsent(
+                stage,
+                first -> new Moment(
+                        Duration.between(start, Instant.now()),
+                        ProcessHandle.current().info().totalCpuDuration().orElse(Duration.ZERO)));
     }
 
     synchronized boolean has(Stage stage) {
-        return seconds.containsKey(stage);
+        return moments.containsKey(stage);
     }
 
     public synchronized String report() {
-        StringBuilder line = new StringBuilder("since the process began:");
-        String between = " ";
-        for (Map.Entry<Stage, Double> entry : seconds.entrySet()) {
-            line.append(Text.format("%s%s %.1f s", between, entry.getKey().words, entry.getValue()));
-            between = ", ";
-        }
-        return line.toString();
+        return moments.entrySet().stream()
+                .map(entry -> Text.format(
+                        "%s %.1f s (%.1f)",
+                        entry.getKey().words,
+                        entry.getValue().elapsed.toMillis() * 1e-3,
+                        entry.getValue().processor.toMillis() * 1e-3))
+                .collect(Collectors.joining(", ", "since the process began (processor time in brackets): ", ""));
     }
 }
