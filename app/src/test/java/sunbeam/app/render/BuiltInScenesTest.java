@@ -40,6 +40,37 @@ class BuiltInScenesTest {
         assertDrawnInColors(List.of("elaphe"));
     }
 
+    @Test
+    @Tag("thorough")
+    void allAreMeteredAsTheyAreFirstShown() {
+        assertMeteredAsFirstShown(Scenes.builtIn());
+    }
+
+    @Test
+    void theOpeningSceneIsMeteredAsItIsFirstShown() {
+        assertMeteredAsFirstShown(List.of("close-up"));
+    }
+
+    /** Before the viewer has colors it shows white under the light as white: an exposure of one over the light's intensity. */
+    private void assertMeteredAsFirstShown(List<String> names) {
+        SceneLoader loader =
+                new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), warning -> {});
+        for (String name : names) {
+            Scene scene = Scenes.load(name);
+            try (RenderContext context = RenderContext.offscreen();
+                    SceneSession session =
+                            new SceneSession(context, loader.parts(scene).get(0))) {
+                double exposure = SceneDisplay.exposure(
+                                scene, new PartSum(List.of(session)), 640, 480, TimedTiles.large(), () -> false)
+                        .orElseThrow();
+                // A tenth of a stop, which is hardly visible.
+                assertThat(Math.log(exposure * scene.light().intensity()) / Math.log(2))
+                        .as(name)
+                        .isBetween(-0.1, 0.1);
+            }
+        }
+    }
+
     private void assertDrawnInColors(List<String> names) throws IOException {
         // No cache: tables of gigabytes would be written and read again.
         Path noFolder = Files.createFile(folder.resolve("file"));
