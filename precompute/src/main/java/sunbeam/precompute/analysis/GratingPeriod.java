@@ -220,10 +220,7 @@ public record GratingPeriod(
         return Math.floorMod(Math.round(Math.toDegrees(wave.azimuth())), 180L);
     }
 
-    /**
-     * Returns the period with the digits that the interval determines, such as "1000.0 nm, 95 % interval 998.9 to 1001.1 nm"; the period
-     * alone if it is exact.
-     */
+    /** Returns the period with its reliable digits: "1000.0 nm, 95 % interval 998.9 to 1001.1 nm", without interval if it is exact. */
     public String interval() {
         double uncertainty = NANOMETERS_PER_METER * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
         String middle = Decimals.within(NANOMETERS_PER_METER * period(), uncertainty) + " nm";

@@ -31,10 +31,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         }
     }
 
-    /**
-     * Returns the lattice of a surface with a period: that of all frequencies of a patch that repeats, or that of the strongest waves of a
-     * scan.
-     */
+    /** Returns the lattice of a period: all frequencies of a patch that repeats, or the strongest waves of a scan. */
     public static OrderLattice of(Patch patch, GratingPeriod period) {
         SpatialFrequency wave = period.wave();
         OrderLattice waves = new OrderLattice(

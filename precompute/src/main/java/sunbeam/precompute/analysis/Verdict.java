@@ -133,10 +133,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
                 + directions.get(last) + " degrees";
     }
 
-    /**
-     * Formats a period times a factor: "1.08 um (1.03 to 1.13)", "1.08 um" if it is exact, "2.9 um (3.4 periods seen, ...)" if it is
-     * probable.
-     */
+    /** Formats a period times a factor: "1.08 um (1.03 to 1.13)", "1.08 um" if exact, "2.9 um (3.4 periods seen, ...)" if probable. */
     private static String length(GratingPeriod period, double factor) {
         if (!period.isSure()) {
             return Lengths.rounded(factor * period.period(), 2) + " (" + period.reason() + ")";

@@ -96,10 +96,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return digest.hex();
     }
 
-    /**
-     * Returns this table with the light's spectrum times a function of the wavelength in meters. Y remains relative to the light without
-     * it.
-     */
+    /** Returns this table with the light's spectrum times a function of the wavelength in meters; Y stays relative to the former light. */
     public CieTable times(DoubleUnaryOperator factor) {
         double[][] product = new double[weighted.length][3];
         for (int i = 0; i < product.length; i++) {

@@ -4,10 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 
 /** Integrates a spectrum of power to X, Y, Z over 380..780 nm, to nine digits. Halves the step of 1 / lambda until the result converges. */
 public final class ExactIntegral {
-    /**
-     * Change of X, Y, Z, relative to the largest of them, at which halving ends. At half the step, polynomials of degree 11 err a thousand
-     * times less.
-     */
+    /** Relative change of X, Y, Z at which halving ends. At half the step, polynomials of degree 11 err a thousand times less. */
     public static final double CONVERGED = 3e-8;
 
     // Amplitudes are sums of total magnitude 1 with errors near 1e-15. A power p errs by this times sqrt(p).

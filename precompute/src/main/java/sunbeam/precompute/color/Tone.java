@@ -41,10 +41,7 @@ public enum Tone {
         return start;
     }
 
-    /**
-     * Inverts the compression of the largest channel, 0 to 1. Values above that of the 8-bit value 254 count as it, since 1 has no finite
-     * inverse.
-     */
+    /** Inverts the compression of the largest channel, 0 to 1; values above that of the 8-bit 254 count as it, since 1 has no inverse. */
     public double before(double shown) {
         if (this == GAMMA) {
             return Math.pow(shown, 1 / PROGRAM_GAMMA);

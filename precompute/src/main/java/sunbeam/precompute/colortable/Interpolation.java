@@ -3,10 +3,7 @@ package sunbeam.precompute.colortable;
 import java.util.Arrays;
 import sunbeam.precompute.numerics.SplineFilter;
 
-/**
- * Filter between a level's texels, applied to square roots of X, Y and Z: ringing beside a peak would hide powers of 1e-6, but does not
- * hide roots of 1e-3.
- */
+/** Filter between texels, of square roots of X, Y and Z: ringing beside a peak would hide powers of 1e-6, but not roots of 1e-3. */
 public enum Interpolation {
     /**
      * Cubic B-splines (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999)): 16

@@ -6,10 +6,7 @@ import java.nio.FloatBuffer;
 
 /** Format of a tile's coefficients in caches and on the graphics card, in native byte order. */
 public enum NumberFormat {
-    /**
-     * IEEE 754 binary16 of 256 times the square root of power, whose relative error is at most 2^-11. Powers below 6e-14 lose digits,
-     * powers below 5e-20 become 0.
-     */
+    /** Binary16 of 256 times the root of power, to 2^-11. Powers below 6e-14 lose digits, below 5e-20 become 0. */
     HALF(Short.BYTES, 256) {
         @Override
         void put(float[] values, ByteBuffer bytes) {

@@ -29,10 +29,7 @@ public record ErrorStatistics(
         return count == 0 || (median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance);
     }
 
-    /**
-     * Returns the end of a sentence if there are too few errors for the 95th percentile: the chance that all of n random errors lie below
-     * the true one is 0.95^n.
-     */
+    /** Returns a remark on too few errors for a 95th percentile: all of n random errors lie below it with probability 0.95^n. */
     public String doubt() {
         double chance = Math.pow(0.95, count);
         return count == 0 || chance < 0.05

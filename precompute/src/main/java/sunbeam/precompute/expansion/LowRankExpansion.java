@@ -100,10 +100,7 @@ public final class LowRankExpansion implements Expansion {
         return clenshaw(even[n], y, y);
     }
 
-    /**
-     * Sums the odd Chebyshev polynomials, which are the imaginary part: C_2j+1(s) = s V_j(y), with V_j the Chebyshev polynomials of the
-     * third kind (DLMF 18.5.3).
-     */
+    /** Sums the odd Chebyshev polynomials, the imaginary part: C_2j+1(s) = s V_j(y), V_j of the third kind (DLMF 18.5.3). */
     @Override
     public double imaginaryBasis(int n, double s) {
         double y = 2 * s * s - 1;

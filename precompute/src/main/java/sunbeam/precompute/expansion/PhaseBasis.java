@@ -108,10 +108,7 @@ final class PhaseBasis {
         return (int) Math.ceil(zeta + 12 * Math.cbrt(zeta) + 12);
     }
 
-    /**
-     * Returns J_0(zeta) and 2 J_n(zeta): the coefficients of exp(-i zeta s) in Chebyshev polynomials without the factors (-i)^n
-     * (Jacobi-Anger, DLMF 10.12.3).
-     */
+    /** Returns J_0(zeta) and 2 J_n(zeta): exp(-i zeta s) in Chebyshev polynomials without factors (-i)^n (Jacobi-Anger, DLMF 10.12.3). */
     static double[] bessel(int count, double zeta) {
         BesselJ.BesselJResult result = BesselJ.rjBesl(zeta, 0, count);
         double[] values = result.getVals();

@@ -39,10 +39,7 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
         return Arrays.stream(coefficients(zeta)).max().orElseThrow();
     }
 
-    /**
-     * Returns Lagrange's bound of the remainder. Derivatives are at most 1, since the exponent is imaginary; the thesis's eq. 2.51 takes
-     * e^zeta.
-     */
+    /** Returns Lagrange's bound of the remainder: derivatives are at most 1, where the thesis's eq. 2.51 takes e^zeta. */
     public double errorBound(double zeta) {
         return coefficients(zeta)[terms - 1] * zeta / terms;
     }

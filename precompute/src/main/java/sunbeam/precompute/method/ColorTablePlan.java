@@ -158,10 +158,7 @@ public record ColorTablePlan(
                 finest.identity().get());
     }
 
-    /**
-     * Array colorLevels has one texel per level: u of its first coefficient (v is equal), texels per unit of u, tiles across, scale of its
-     * power.
-     */
+    /** One texel per level: u of its first coefficient (v is equal), texels per unit of u, tiles across, scale of its power. */
     private ShaderTables tables() {
         int count = table.levels().size();
         float[] texels = new float[CHANNELS * count];

@@ -23,10 +23,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Method {@code nmm}: one wavelength per diffraction order, weighted by the order's width (unweighted with the thesis's preset), under a
- * Gaussian window.
- */
+/** Method {@code nmm}: one wavelength per order, weighted by the order's width unless the thesis's preset is chosen. */
 public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
     // Meters, for directions so close to the specular one that an order covers the visible band.
     private static final double WAVELENGTH_STEP = 5e-9;

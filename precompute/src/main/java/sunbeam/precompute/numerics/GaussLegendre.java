@@ -1,9 +1,6 @@
 package sunbeam.precompute.numerics;
 
-/**
- * Gauss-Legendre quadrature rule over -1..1: nodes, ascending, and weights, whose sum is 2. Newton's method finds the zeros of Legendre's
- * polynomial.
- */
+/** Gauss-Legendre rule over -1..1: ascending nodes, and weights with the sum 2. Newton's method finds Legendre's zeros. */
 public record GaussLegendre(double[] nodes, double[] weights) {
     // Four digits at the start, doubled by each iteration; zeros near the ends start worse.
     private static final int ITERATIONS = 6;

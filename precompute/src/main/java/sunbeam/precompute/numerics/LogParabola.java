@@ -4,10 +4,7 @@ package sunbeam.precompute.numerics;
 public final class LogParabola {
     private LogParabola() {}
 
-    /**
-     * Returns the parabola's maximum in steps from the middle sample, within half a step; 0 if there is none because a sample is not
-     * positive or the logarithms are not concave.
-     */
+    /** Returns the maximum in steps from the middle, within half a step; 0 if a sample is not positive or the logarithms not concave. */
     public static double top(double before, double here, double after) {
         double logBefore = Math.log(before);
         double logAfter = Math.log(after);

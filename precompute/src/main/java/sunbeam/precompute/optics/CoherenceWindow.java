@@ -29,10 +29,7 @@ public record CoherenceWindow(double sigmaMeters) {
         return 4 * sigmaMeters;
     }
 
-    /**
-     * Returns the radiance of a mirror relative to sunlight of the same irradiance: the solid angle of the reflected light falls with the
-     * square of the coherence length.
-     */
+    /** Returns a mirror's radiance relative to sunlight's: the reflected solid angle falls with the square of the coherence length. */
     public double mirrorRadiance() {
         double ratio = coherenceLength() / SUNLIGHT_COHERENCE_LENGTH;
         return ratio * ratio;

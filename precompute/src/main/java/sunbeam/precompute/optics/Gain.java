@@ -1,9 +1,6 @@
 package sunbeam.precompute.optics;
 
-/**
- * Factors from diffracted power to radiance: Schlick's reflectance, the V-cavity mask and the Kirchhoff factors (Stam 1999 eq. 12; thesis
- * section 2.3.2).
- */
+/** Factors from diffracted power to radiance: Schlick, V-cavity mask, Kirchhoff (Stam 1999 eq. 12; thesis section 2.3.2). */
 public final class Gain {
     /** Refractive index of keratin, as in the thesis. */
     public static final double REFRACTIVE_INDEX = 1.5;

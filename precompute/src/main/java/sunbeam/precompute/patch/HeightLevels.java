@@ -86,10 +86,7 @@ public final class HeightLevels {
         return index;
     }
 
-    /**
-     * Searches each height among the levels of one of {@code count()} equal intervals. A search among all levels of a float scan of 4096 x
-     * 4096 would take a minute.
-     */
+    /** Searches heights in {@code count()} equal intervals; a search among all levels of a 4096 x 4096 scan would take a minute. */
     private int[] indexed() {
         double[] levels = levels();
         double lowest = levels[0];

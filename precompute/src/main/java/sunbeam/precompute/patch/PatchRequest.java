@@ -44,10 +44,7 @@ public record PatchRequest(Choices choices, boolean raw) {
         return choices.without(PatchSettings.PATCH).chosen().isEmpty();
     }
 
-    /**
-     * Runs an action whose exceptions then name the option or the file of a setting. An exception about the patch's name or a missing
-     * setting becomes a {@link PatchException}.
-     */
+    /** Runs an action whose exceptions then name the option or file of a setting, or are a {@link PatchException} about the patch. */
     <T> T located(Supplier<T> action) {
         try {
             return choices.located(action);

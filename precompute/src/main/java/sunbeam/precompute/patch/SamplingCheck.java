@@ -13,10 +13,7 @@ public final class SamplingCheck {
     /** Meters: |(u, v)| reaches 2, so spatial frequencies reach 2 / lambda, which by the sampling theorem need a pitch of lambda / 4. */
     public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
 
-    /**
-     * Meters. Rounding to steps q scatters the share (k w q)^2 / 12 of the light at random: 0.2 % for 5 nm at the shortest wavelength and w
-     * = 2.
-     */
+    /** Meters. Steps q scatter the share (k w q)^2 / 12 of the light at random: 0.2 % for 5 nm at the shortest wavelength and w = 2. */
     public static final double COARSEST_STEP = 5e-9;
 
     private SamplingCheck() {}

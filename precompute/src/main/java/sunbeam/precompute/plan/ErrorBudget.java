@@ -59,10 +59,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         this(tolerance, Roughness.NONE);
     }
 
-    /**
-     * Returns the allowed root-mean-square error of the expansion over the surface, which bounds the error of any amplitude under a window
-     * that covers the whole patch.
-     */
+    /** Returns the allowed rms error of the expansion over the surface, which bounds any amplitude under a window as wide as the patch. */
     public double expansion() {
         double reference = roughness.isRough() ? AT_DARK_DIRECTIONS * roughness.contrast() : DARKEST_AMPLITUDE;
         return 0.5 * EXPANSION_SHARE * tolerance * reference;

@@ -20,10 +20,7 @@ public final class PowerSpectrum {
     /** Largest spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
     private static final double DECIMATED_SPACING = 0.4;
 
-    /**
-     * Step between positions on a ray, in ln |(u, v)|, at a tolerance of 1 %. Splines err most beside an order that the end of the visible
-     * band cuts.
-     */
+    /** Step in ln |(u, v)| at a tolerance of 1 %. Splines err most beside an order that the end of the visible band cuts. */
     private static final double WIDEST_STEP = 0.0082;
 
     /** Exponent p: the step is proportional to tolerance^p. */

@@ -54,10 +54,7 @@ public final class ReferenceEvaluator {
         return sums.power(0, AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX));
     }
 
-    /**
-     * Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of each of {@link #heights()}'s levels; fx and fy in
-     * cycles per meter.
-     */
+    /** Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of {@link #heights()}'s levels; fx, fy in 1 / m. */
     public Complex windowed(double[] real, double[] imaginary, double fx, double fy) {
         AxisWeights alongY = AxisWeights.ofWindow(fy, axisY, windowY);
         AxisSums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
@@ -70,10 +67,7 @@ public final class ReferenceEvaluator {
         return powers(phases[0], phases[1], pair.u() / wavelength, pair.v() / wavelength);
     }
 
-    /**
-     * Returns the powers with a complex function a of each of {@link #heights()}'s levels in place of p = exp(i k w h); fx and fy in cycles
-     * per meter.
-     */
+    /** Returns the powers with a complex function of each of {@link #heights()}'s levels in place of p; frequencies in cycles per meter. */
     public Power powers(double[] real, double[] imaginary, double fx, double fy) {
         int[] binsX = binsNear(fx, axisX);
         int[] binsY = binsNear(fy, axisY);

@@ -54,10 +54,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return others > 0 ? names + " and " + others + " others" : names;
     }
 
-    /**
-     * Finds the index of a channel by its label, its name (trace before retrace), its number from 1, or its label without the page number
-     * of an image.
-     */
+    /** Finds a channel by its label, its name (trace before retrace), its number from 1, or its label without an image's page number. */
     public Optional<Integer> find(String name) {
         String plain = plain(name);
         return traceFirst(i -> plain(labels.get(i)).equals(plain))
@@ -147,10 +144,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return height ? (SENSOR.matcher(words).find() ? Kind.SENSOR_HEIGHT : Kind.HEIGHT) : Kind.UNNAMED;
     }
 
-    /**
-     * Returns unique labels: the channel's name, with " (retrace)" if another channel has the same name, and with the channel's number if
-     * that label is taken.
-     */
+    /** Returns unique labels: the name, with " (retrace)" if another channel has it, and with the number if that label is taken. */
     static List<String> labels(List<ScanChannel> channels) {
         String[] labels = new String[channels.size()];
         Set<String> taken = new HashSet<>();

@@ -62,10 +62,7 @@ public final class Decimals {
                         .toPlainString();
     }
 
-    /**
-     * Formats a finite value to two digits of its uncertainty, half the width of an interval; an exact value, with uncertainty 0, has two
-     * digits after the point.
-     */
+    /** Formats a finite value to two digits of its uncertainty (half an interval), or with two decimals if that is 0. */
     public static String within(double value, double uncertainty) {
         int places = uncertainty > 0 && Double.isFinite(uncertainty)
                 ? (int) Math.min(MOST_PLACES, 1 - Math.floor(Math.log10(uncertainty)))

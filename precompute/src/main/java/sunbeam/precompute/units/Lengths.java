@@ -59,10 +59,7 @@ public final class Lengths {
         return new BigDecimal(matcher.group(1)).scaleByPowerOfTen(power).doubleValue();
     }
 
-    /**
-     * Formats a length with at most six digits, in the unit that makes its number lie between 1 and 1000: {@code "65 um"}, {@code "818.69
-     * nm"}.
-     */
+    /** Formats a length with at most six digits, in the unit that makes it 1 to 1000: {@code "65 um"}, {@code "818.69 nm"}. */
     public static String format(double meters) {
         return format(meters, SHOWN_DIGITS);
     }

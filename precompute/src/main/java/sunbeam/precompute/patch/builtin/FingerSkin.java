@@ -153,10 +153,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return strip;
     }
 
-    /**
-     * Returns the distances of the rows' lines from the patch's top at one table index, over two periods, in meters. Lines that come too
-     * close are moved apart.
-     */
+    /** Returns distances of the rows' lines from the top at one table index, over two periods, in meters; close lines are moved apart. */
     private double[] lines(int place, FingerRow[] rows) {
         int count = rows.length;
         double least = CLOSEST * SIDE / count;

@@ -64,10 +64,7 @@ final class DigitalSurfReader {
                 unitZ));
     }
 
-    /**
-     * Undoes the inversion of columns or rows; the caller undoes that of heights. Codes: 0 none, 1 heights, 2 columns and heights, 3 rows
-     * and heights.
-     */
+    /** Undoes the inversion of columns or rows, but not of heights. Codes: 0 none, 1 heights, 2 columns and heights, 3 rows and heights. */
     private static Samples undoInversion(Samples samples, int inversion) {
         return switch (inversion) {
             case 0, 1 -> samples;

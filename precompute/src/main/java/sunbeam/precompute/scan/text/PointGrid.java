@@ -13,10 +13,7 @@ import sunbeam.precompute.text.Text;
  * @param heights heights row by row, NaN for cells without a point
  */
 record PointGrid(Axis axisX, Axis axisY, double[] heights) {
-    /**
-     * In pitches: files round coordinates to a few digits. Coordinates that differ by less than twice this share of the largest gap belong
-     * to one grid line.
-     */
+    /** In pitches. Files round coordinates; those closer than twice this share of the largest gap belong to one grid line. */
     private static final double MOST_OFF = 0.05;
 
     /** Largest share of cells without a point. */

@@ -8,10 +8,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Numbers of a text, separated by blanks, tabs, semicolons or, unless they are decimal marks, commas. An empty field between two separators
- * is a missing sample.
- */
+/** Numbers separated by blanks, tabs, semicolons or commas that are no decimal marks; an empty field is a missing sample. */
 public final class TextNumbers {
     private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
 
