@@ -81,7 +81,6 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
                 : 0;
     }
 
-    /** Returns the frequency of the bin at an index of {@link #power}. */
     SpatialFrequency frequency(int place) {
         int jx = bandX.first() + place % bandX.count();
         int jy = bandY.first() + place / bandX.count();

@@ -32,7 +32,6 @@ public record OrderLight(Map<Order, Efficiency> efficiencies, double between, do
      */
     public record Efficiency(double value, double low, double high) {}
 
-    /** Field of an order: its amplitudes by bin. */
     private static final class Field {
         private final List<int[]> bins = new ArrayList<>();
         private final List<double[]> amplitudes = new ArrayList<>();

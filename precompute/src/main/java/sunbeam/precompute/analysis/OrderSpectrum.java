@@ -133,7 +133,6 @@ public final class OrderSpectrum {
         return sum[0];
     }
 
-    /** Returns the spatial frequency of a bin. */
     SpatialFrequency frequency(int x, int y) {
         return new SpatialFrequency(x / width, y / height);
     }

@@ -33,12 +33,10 @@ record PhaseSlope(double value, double halfWidth) {
             this(new double[count], new double[count], new double[count]);
         }
 
-        /** Weights the phase. */
         double weight(int i) {
             return Math.hypot(re[i], im[i]);
         }
 
-        /** Returns the unwrapped phases, radians. */
         double[] phases() {
             double[] phases = new double[re.length];
             for (int i = 0; i < phases.length; i++) {

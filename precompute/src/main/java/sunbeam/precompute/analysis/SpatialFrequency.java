@@ -24,7 +24,6 @@ public record SpatialFrequency(double x, double y) {
         return angle > Math.PI / 2 ? angle - Math.PI : angle <= -Math.PI / 2 ? angle + Math.PI : angle;
     }
 
-    /** Rotates counter-clockwise by an angle in radians. */
     SpatialFrequency turned(double angle) {
         double cosine = Math.cos(angle);
         double sine = Math.sin(angle);

@@ -189,7 +189,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
                 rounded(Math.max(band.blue(), band.red()), parts));
     }
 
-    /** Returns the angle of a sine in degrees, at most {@link #HORIZON}. */
     private static double degrees(double sine) {
         return Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, sine))));
     }

@@ -8,7 +8,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** Table of observers and illuminants, with one row per nanometer from 380 to 780 nm. */
 final class CieData {
     private static final String RESOURCE = "/sunbeam/color/cie_1nm.csv";
     private static final List<NamedCsvRecord> ROWS = rows();

@@ -91,7 +91,6 @@ public final class AtlasPages {
         return CHANNELS * format.bytes() * PAGE_SIDE;
     }
 
-    /** Returns the offset in bytes. */
     private int begin(int page, int row) {
         int inLayer = page % PER_LAYER;
         int top = inLayer / PAGES_ACROSS * PAGE_SIDE;

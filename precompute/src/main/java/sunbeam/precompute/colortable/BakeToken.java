@@ -14,7 +14,6 @@ public interface BakeToken extends AutoCloseable {
      */
     void step(long samples);
 
-    /** Ends the display of progress. */
     @Override
     default void close() {}
 }

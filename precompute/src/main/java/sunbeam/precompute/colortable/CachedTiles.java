@@ -5,7 +5,6 @@ import java.util.Map;
 
 /** Cache of the tiles of a table's levels (see {@link LevelBaking}). Not thread-safe. */
 public interface CachedTiles extends AutoCloseable {
-    /** Empty cache that stores nothing. */
     CachedTiles NONE = new CachedTiles() {
         @Override
         public BitSet present(int level, BitSet tiles) {
@@ -33,7 +32,6 @@ public interface CachedTiles extends AutoCloseable {
     /** Reads those of these tiles that are cached: {@link LevelBaking#TILE_NUMBERS} encoded numbers for each. */
     Map<Integer, byte[]> read(int level, BitSet tiles);
 
-    /** Stores tiles of a level, if possible. */
     void keep(int level, Map<Integer, byte[]> tiles);
 
     /** Removes all tiles and stores no more: a table that misses its tolerance is baked, with a warning, in each run. */

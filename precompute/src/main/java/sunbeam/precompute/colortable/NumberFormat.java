@@ -22,7 +22,6 @@ public enum NumberFormat {
             return ofHalf(encoded.getShort(index * Short.BYTES));
         }
     },
-    /** IEEE 754 binary32. */
     FLOAT(Float.BYTES, 1) {
         @Override
         void put(float[] values, ByteBuffer bytes) {

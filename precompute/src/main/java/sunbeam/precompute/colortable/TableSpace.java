@@ -11,7 +11,6 @@ public sealed interface TableSpace {
     /** Returns u, v, w of coordinates in the slice of this |w|, if the space has slices. */
     double[] uvw(double x, double y, double depth);
 
-    /** Returns the number of slices of a design. */
     int slices(TableDesign design);
 
     /** Space of a table of all lights: x is u, y is v, and w has slices. Points beyond {@link #REACH} have the color there. */

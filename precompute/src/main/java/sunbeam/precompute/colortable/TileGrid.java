@@ -154,7 +154,6 @@ public record TileGrid(
         return Math.atan2(row - 0.5 * rows + 0.5, inSlice % columns - 0.5 * columns + 0.5);
     }
 
-    /** Returns column, row and slice of a tile. */
     int[] place(int tile) {
         return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }

@@ -22,7 +22,7 @@ public interface Expansion {
     /** Returns the real part of T_n(s) for s in [-1, 1] and n from 0 to terms() - 1. */
     double realBasis(int n, double s);
 
-    /** Returns the imaginary part of T_n(s); 0 if {@link ExpansionKind#hasRealBasis()}. */
+    /** Returns the imaginary part of T_n(s). */
     default double imaginaryBasis(int n, double s) {
         return 0;
     }

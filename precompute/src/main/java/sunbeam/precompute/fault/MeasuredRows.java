@@ -97,7 +97,7 @@ final class MeasuredRows {
         return scan.heights()[row * scan.columns() + column];
     }
 
-    /** Each run is its first row and the row after its last. */
+    /** Each run: its first row and the row after its last. */
     private static List<int[]> runs(BitSet rows) {
         List<int[]> runs = new ArrayList<>();
         for (int first = rows.nextSetBit(0); first >= 0; ) {

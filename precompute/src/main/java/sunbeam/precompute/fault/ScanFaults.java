@@ -102,7 +102,6 @@ public final class ScanFaults {
         return new Offset(row, median, mean, spread);
     }
 
-    /** Returns the median; NaN without values. */
     private static double median(DoubleStream values) {
         return StatUtils.percentile(values.toArray(), 50);
     }

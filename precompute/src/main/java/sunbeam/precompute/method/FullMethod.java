@@ -100,7 +100,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return surface.planner().plan(table, area, range);
     }
 
-    /** Returns the plan from which a color table is baked. */
     MethodPlan planOfTable(Surface surface, VisibleRange range) {
         return planned(surface, surface.planner().ofTables(area.average()).plan(table, area, range));
     }

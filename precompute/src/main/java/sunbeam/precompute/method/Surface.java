@@ -62,7 +62,7 @@ public record Surface(
         return new Planner(map, levels, cie).withStatistics(statistics);
     }
 
-    /** Returns a text that identifies surface and light in cache keys. */
+    /** Identifies surface and light in cache keys. */
     String key() {
         return identity.digest() + "|" + cie.digest();
     }

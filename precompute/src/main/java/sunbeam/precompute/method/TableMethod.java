@@ -54,7 +54,6 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                 : new PointTable(surface, this, new TablePoints(range.reach())).plan();
     }
 
-    /** Returns the tolerance to which tabulated colors are evaluated. */
     double sourceTolerance() {
         return Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance);
     }

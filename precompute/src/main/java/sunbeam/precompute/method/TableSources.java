@@ -11,7 +11,6 @@ import sunbeam.precompute.table.FourierTable;
 /** Source of a surface's tables, which makes them or reads them from caches. */
 public interface TableSources {
 
-    /** Returns the Fourier table of a plan. */
     FourierTable fourier(SpectrumPlan plan);
 
     /** Returns the cached shader tables of the method that evaluates a color table's texels. */
@@ -26,12 +25,10 @@ public interface TableSources {
     /** True if tiles of any table of the surface are cached. */
     boolean hasTiles();
 
-    /** True if tiles of a table are cached. */
     boolean hasTiles(ColorTablePlan plan);
 
-    /** Opens the cache of a table's tiles, to be closed by the caller. */
+    /** The caller closes it. */
     CachedTiles tiles(ColorTablePlan plan);
 
-    /** Returns the receiver of messages about deviations from the plan. */
     ValidatedTable.Diagnostics diagnostics();
 }

@@ -5,9 +5,9 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Cache of the heights of built-in patches, whose generation takes half a second. */
 public interface HeightCache {
-    /** Cache that stores nothing: every call generates the heights. */
+    /** Generates the heights in every call. */
     HeightCache NONE = (name, generated) -> generated.get();
 
-    /** Returns the heights of a built-in patch from the cache, or generates them. */
+    /** Returns the heights from the cache, or generates them. */
     HeightMap get(String name, Supplier<HeightMap> generated);
 }

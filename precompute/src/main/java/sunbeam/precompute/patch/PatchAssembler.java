@@ -35,9 +35,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     // Step between opposite borders, relative to the steps between neighbors, that causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;
 
-    /** Origin of heights. */
     enum Kind {
-        /** Periodic by construction. */
         BUILT_IN,
         /** File that a descriptor (.json) names: repeated unless it is cropped or has edges; a true period if it looks synthetic. */
         DESCRIBED,

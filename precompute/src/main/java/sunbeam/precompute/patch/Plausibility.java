@@ -117,7 +117,6 @@ final class Plausibility {
                 .orElseThrow();
     }
 
-    /** Returns a warning if the relief is so far below a wavelength that the patch looks like a mirror. */
     static Optional<String> mirror(HeightMap map) {
         double relief = map.relief();
         if (relief == 0) {

@@ -41,7 +41,7 @@ public record BandRule(int fewestNodes, double reach, double panel, double large
         return new BandRule(fewestNodes, fewestNodes * step / CieTable.BAND_WIDTH, panel, largestPanel);
     }
 
-    /** Returns the number of wavelengths of a ray of this |(u, v)|. */
+    /** Wavelengths of a ray of this |(u, v)|. */
     int nodes(double uv) {
         if (uv <= reach) {
             return fewestNodes;

@@ -74,7 +74,7 @@ public record GridSampling(
                 Math.ceil(range.maximumComponent() * CieTable.BAND_WIDTH / (diagonalStride() * nodeStep)));
     }
 
-    /** Returns the columns per step of a ray at 45 degrees, which takes the most steps. */
+    /** At 45 degrees, where a ray takes the most steps. */
     private int diagonalStride() {
         // The last factor allows for rounding of a quotient that should be a whole number.
         return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));

@@ -15,7 +15,6 @@ import sunbeam.precompute.text.Text;
  * @param longestSide longest side of a texture, texels
  */
 public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide, long layers) {
-    /** Limit for small graphics cards. */
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
     /** Limit of one texture in Mesa's software renderer: less than 1536 MiB, since it reserves coarser mip levels. */

@@ -20,7 +20,6 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
 
-    /** Returns the bins around a frequency that the window sees. */
     Neighborhood around(CoherenceWindow window, HeightMap map);
 
     /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */

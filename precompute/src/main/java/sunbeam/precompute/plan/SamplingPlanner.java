@@ -73,7 +73,6 @@ record SamplingPlanner(
         return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
     }
 
-    /** True if the window's spectrum is wide enough for a grid. */
     static boolean interpolates(HeightMap map, CoherenceWindow window) {
         return window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS;
     }

@@ -79,7 +79,7 @@ public record SpectrumPlan(
         return expansion.terms() + " " + Kinds.name(expansion.kind()) + " terms";
     }
 
-    /** Formats the bands: "699 x 699 DFT bins". */
+    /** Such as "699 x 699 DFT bins". */
     String bins() {
         return bandX.count() + " x " + bandY.count() + " DFT bins";
     }

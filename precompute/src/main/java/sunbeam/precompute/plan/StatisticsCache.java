@@ -6,7 +6,6 @@ import sunbeam.precompute.optics.HeightMap;
 /** Cache of statistics of height maps that take long to compute. */
 @FunctionalInterface
 public interface StatisticsCache {
-    /** Cache that stores nothing. */
     StatisticsCache NONE = (map, name, computation) -> computation.get();
 
     /**

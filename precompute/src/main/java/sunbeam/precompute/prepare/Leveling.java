@@ -9,9 +9,7 @@ import sunbeam.precompute.optics.HeightMap;
  * (NaN, infinities) are ignored and stay missing.
  */
 public enum Leveling {
-    /** Heights as they are. */
     NONE,
-    /** The mean height is subtracted. */
     MEAN,
     /** The least-squares plane a + b x + c y is subtracted. */
     PLANE,

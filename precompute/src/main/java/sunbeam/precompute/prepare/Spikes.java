@@ -70,14 +70,14 @@ public record Spikes(HeightMap cleaned, int count, double largest) {
         return new Spikes(field.with(heights), count, largest);
     }
 
-    /** Missing samples do not count; NaN if all are missing. */
+    /** NaN if all samples are missing. */
     private static double median(HeightMap field, int index, double[] around) {
         int count = gather(field, index % field.columns(), index / field.columns(), around);
         Arrays.sort(around, 0, count);
         return count == 0 ? Double.NaN : around[count / 2];
     }
 
-    /** Copies the heights that are not missing, and returns their number. */
+    /** Returns the number of heights that are not missing. */
     private static int gather(HeightMap field, int column, int row, double[] around) {
         int count = 0;
         for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {

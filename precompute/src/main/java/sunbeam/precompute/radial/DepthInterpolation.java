@@ -131,7 +131,6 @@ final class DepthInterpolation {
         return Math.max(0, Math.min(below - taps / 2 + 1, depths.length - taps));
     }
 
-    /** Returns the Lagrange weight of slice {@code firstTap + tap}. */
     double weight(double depth, int firstTap, int tap) {
         double weight = 1 / denominators[tap];
         for (int other = 0; other < taps; other++) {

@@ -123,7 +123,7 @@ public final class GaussianPyramid {
         });
     }
 
-    /** Adds up runs of {@code length} values that follow each other, times their weights. */
+    /** Sums consecutive runs of {@code length} values, times their weights. */
     private static void sum(
             float[] from, int first, int length, GaussianWeights runs, double share, float[] to, int at) {
         double[] weights = runs.weights();
@@ -143,7 +143,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Adds up four runs of {@code length} values that follow each other. */
+    /** Sums four consecutive runs, which share one pass over memory. */
     private static void add(
             float[] from, int first, int length, float w0, float w1, float w2, float w3, float[] to, int at) {
         int second = first + length;
@@ -154,7 +154,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Returns the number of values per node: the terms, padded with zeros. */
+    /** Values per node: the terms, padded with zeros. */
     int stride() {
         return stride;
     }

@@ -44,7 +44,7 @@ final class GaussianWeights {
         return count;
     }
 
-    /** Returns the weights; only the first {@link #count()} are valid. */
+    /** Only the first {@link #count()} are valid. */
     double[] weights() {
         return weights;
     }

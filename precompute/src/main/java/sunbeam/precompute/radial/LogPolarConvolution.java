@@ -129,7 +129,7 @@ final class LogPolarConvolution {
         return new Line(stride);
     }
 
-    /** Work memory for one ray. Not thread-safe. */
+    /** Work memory for one ray. */
     final class Line {
         private final int stride;
         private final double[] averages;
@@ -163,7 +163,7 @@ final class LogPolarConvolution {
             }
         }
 
-        /** Transforms two real terms in one complex transform. */
+        /** Two real terms per complex transform. */
         private void transformTerms() {
             for (int m = 0; m < terms; m += 2) {
                 for (int i = 0; i < 2; i++) {

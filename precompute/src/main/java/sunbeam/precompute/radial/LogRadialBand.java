@@ -103,7 +103,7 @@ final class LogRadialBand {
                 start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
     }
 
-    /** Returns ln |(u, v)| of the first position. */
+    /** ln |(u, v)| of the first position. */
     private double start() {
         return Math.log(low) - QuinticSpline.MARGIN * positionStep;
     }
@@ -120,7 +120,7 @@ final class LogRadialBand {
         return sectors;
     }
 
-    /** Returns the first ray of a sector; for {@code sectors()}, the number of rays. */
+    /** For {@code sectors()}, the number of rays. */
     int firstRay(int sector) {
         return (int) ((long) rays * sector / sectors);
     }

@@ -37,7 +37,7 @@ record SpectrumPlane(
         return (terms + TOGETHER - 1) / TOGETHER * TOGETHER;
     }
 
-    /** Returns the number of values per bin: the terms, padded with zeros. */
+    /** Values per bin: the terms, padded with zeros. */
     int stride() {
         return stride(terms);
     }

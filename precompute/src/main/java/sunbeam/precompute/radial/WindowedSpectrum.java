@@ -42,7 +42,7 @@ final class WindowedSpectrum {
         return new Sums();
     }
 
-    /** Evaluates the terms at single frequencies. Not thread-safe. */
+    /** Not thread-safe. */
     final class Sums {
         private final GaussianWeights x = new GaussianWeights(1 / (sigmaFrequency * bins.periodX()), reach);
         private final GaussianWeights y = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);

@@ -21,7 +21,7 @@ final class AxisSums {
         }
     }
 
-    /** Returns |sum over columns|^2 with the columns' weights. */
+    /** |sum over columns|^2 with the columns' weights. */
     double power(int weighting, AxisWeights alongX) {
         Complex sum = sum(weighting, alongX);
         return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();

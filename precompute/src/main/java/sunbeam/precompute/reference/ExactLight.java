@@ -22,6 +22,6 @@ public interface ExactLight {
     /** Estimates the number of complex products of {@link #xyz} with {@link Quadrature#INTEGRATED}, as a measure of its time. */
     double products(DirectionPair pair);
 
-    /** Returns the Gaussian window with the coherence area's effective area. */
+    /** Gaussian window of the same effective area. */
     CoherenceWindow window();
 }

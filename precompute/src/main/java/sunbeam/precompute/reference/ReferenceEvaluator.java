@@ -99,7 +99,7 @@ public final class ReferenceEvaluator {
         return Math.exp(-ratio * ratio);
     }
 
-    /** Complex products per wavelength: one for each sample and each weighting of its row. */
+    /** One for each sample and each weighting of its row. */
     double productCount(boolean ensemble) {
         int weightings = ensemble ? binsNear(0, axisY).length + 1 : 1;
         return (double) axisX.count() * axisY.count() * weightings;

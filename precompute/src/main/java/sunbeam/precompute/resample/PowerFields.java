@@ -221,7 +221,7 @@ public final class PowerFields {
         return projections;
     }
 
-    /** Means over the octave of phases around each node. */
+    /** Octaves of phases around the nodes. */
     private static final class PhaseOctaves {
         private final PhaseNodes nodes;
         // First node of each node's octave, and the node after the last.

@@ -36,7 +36,6 @@ final class Spread {
         return GAUSS_REACH * deviation + 0.5 * kernel.taps();
     }
 
-    /** Returns K at a distance in grid steps. */
     double value(double distance) {
         if (Math.abs(distance) > reach()) {
             return 0;

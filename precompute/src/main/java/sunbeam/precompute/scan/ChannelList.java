@@ -122,7 +122,6 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
 
     /** Kinds of channels in order of preference. */
     enum Kind {
-        /** Heights from a position sensor. */
         SENSOR_HEIGHT,
         /** Heights from the piezo voltage or an unnamed source. */
         HEIGHT,

@@ -3,13 +3,9 @@ package sunbeam.precompute.setting;
 /** Source of a setting's value (an option, a file, a control). It formats complaints about the value. */
 public interface Origin {
     enum Place {
-        /** An option of the command line. */
         OPTION,
-        /** A key of a file. */
         FILE,
-        /** A control of a window. */
         CONTROL,
-        /** The program itself. */
         PROGRAM
     }
 

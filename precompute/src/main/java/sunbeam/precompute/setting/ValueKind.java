@@ -25,7 +25,6 @@ public record ValueKind<T>(
         String range) {
     /** Form of a value in files. */
     public enum Form {
-        /** A text. */
         TEXT,
         /** A text with a number and its unit. */
         QUANTITY,

@@ -23,7 +23,6 @@ public record ArrayLayout(String sampler, int width, int height, int layers, Kin
     public enum Reading {
         /** None: single texels are fetched. */
         TEXELS,
-        /** Linear interpolation. */
         LINEAR
     }
 

@@ -13,13 +13,13 @@ final class CompactDisc {
     private static final int TRACKS = 32;
     private static final double TRACK_PITCH = 1.6e-6;
     private static final double SIDE = TRACKS * TRACK_PITCH;
-    /** Samples per side, 50 nm apart. */
+    /** 50 nm apart. */
     private static final int SAMPLES = 1024;
 
     private static final double PITCH = SIDE / SAMPLES;
     /** 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
     private static final int CHANNEL_BITS = 184;
-    /** Width of a pit at half depth, meters. */
+    /** At half depth, meters. */
     private static final double PIT_WIDTH = 500e-9;
 
     private static final double PIT_DEPTH = 110e-9;

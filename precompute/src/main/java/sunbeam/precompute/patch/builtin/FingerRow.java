@@ -55,7 +55,7 @@ final class FingerRow {
         return at(edge, place);
     }
 
-    /** Returns the absolute slope of {@link #edge} along x, per meter. */
+    /** Absolute slope of {@link #edge} along x, per meter. */
     double edgeSlope(double place) {
         return at(edgeSlope, place);
     }

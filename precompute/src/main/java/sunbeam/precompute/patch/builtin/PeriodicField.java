@@ -58,7 +58,7 @@ final class PeriodicField {
         return field;
     }
 
-    /** Returns the cosines and the sines of {@code count} equally spaced angles from 0 to below 2 pi. */
+    /** Cosines and sines of {@code count} equally spaced angles from 0 to below 2 pi. */
     private static double[][] circle(int count) {
         double[][] circle = new double[2][count];
         for (int i = 0; i < count; i++) {

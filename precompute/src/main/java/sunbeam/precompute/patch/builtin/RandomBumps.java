@@ -20,7 +20,6 @@ final class RandomBumps {
     static final double HEIGHT = 150e-9;
 
     static final double PITCH = 62.5e-9;
-    /** Samples of a bump along x and along y. */
     static final int COLUMNS = 8;
 
     static final int ROWS = 16;

@@ -13,12 +13,12 @@ final class SeededNoise {
         random = new SplittableRandom(seed);
     }
 
-    /** Returns a uniform number in [0, 1). */
+    /** In [0, 1). */
     double uniform() {
         return random.nextDouble();
     }
 
-    /** Returns a deviate of mean 0 and standard deviation 1. */
+    /** Mean 0, standard deviation 1. */
     double normal() {
         double radius = StrictMath.sqrt(-2 * StrictMath.log(1 - random.nextDouble()));
         return radius * StrictMath.cos(2 * StrictMath.PI * random.nextDouble());

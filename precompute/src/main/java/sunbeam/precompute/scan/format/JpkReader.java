@@ -67,7 +67,6 @@ final class JpkReader {
                 linear ? page.text(slot + UNIT) : "steps");
     }
 
-    /** Returns the first tag of the default slot. */
     private static int slot(TiffPage page) throws IOException {
         String wanted = page.text(DEFAULT_SLOT);
         int count = (int) Math.min(MOST_SLOTS, page.number(SLOTS, 0));

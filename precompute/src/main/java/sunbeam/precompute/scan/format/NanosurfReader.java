@@ -60,7 +60,7 @@ final class NanosurfReader {
         return sections;
     }
 
-    /** Adds a channel if it is an image; returns the bytes of its samples. */
+    /** Returns the bytes of the channel's samples. */
     private static long add(List<ScanChannel> channels, ScanBytes file, Header section, long offset) {
         int bits = section.count("SaveBits");
         String mode = section.text("SaveMode", "Binary");

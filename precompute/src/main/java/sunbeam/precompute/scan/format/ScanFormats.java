@@ -10,7 +10,6 @@ import sunbeam.precompute.scan.text.TextReader;
 
 /** All file formats of scans. A new reader needs one line here. */
 public final class ScanFormats {
-    /** Reader of pictures, whose heights the user must scale. */
     private static final ScanReader PICTURE =
             new ScanReader("image", PictureReader::recognizes, PictureReader::channels);
 

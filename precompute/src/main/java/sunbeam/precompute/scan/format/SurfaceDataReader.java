@@ -57,7 +57,7 @@ final class SurfaceDataReader {
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
 
-    /** Reads the numbers after the header; a trailer follows them. */
+    /** A trailer follows the numbers. */
     private static double[] numbers(ScanBytes file, long offset, long line, int count) throws IOException {
         Reader reader = new InputStreamReader(file.stream(offset), StandardCharsets.ISO_8859_1);
         return TextNumbers.read(new BufferedReader(reader), false, line, count).first(count);

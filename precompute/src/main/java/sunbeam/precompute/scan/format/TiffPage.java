@@ -104,7 +104,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return numbers.length == 0 ? otherwise : numbers[0];
     }
 
-    /** Returns the text of a tag; empty if it is missing. */
+    /** Empty if the tag is missing. */
     String text(int tag) {
         Entry entry = tags.getEntryById(tag);
         return entry != null && entry.getValue() instanceof String text ? text : "";

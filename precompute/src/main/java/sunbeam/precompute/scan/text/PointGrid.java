@@ -16,7 +16,6 @@ record PointGrid(Axis axisX, Axis axisY, double[] heights) {
     /** In pitches. Files round coordinates; those closer than twice this share of the largest gap belong to one grid line. */
     private static final double MOST_OFF = 0.05;
 
-    /** Largest share of cells without a point. */
     private static final double MOST_MISSING = 0.5;
 
     /** Equidistant coordinates in ascending order, in the file's unit. */

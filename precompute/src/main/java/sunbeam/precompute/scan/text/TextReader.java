@@ -18,7 +18,7 @@ import sunbeam.precompute.scan.ScanException;
  * @param decimalMark the user's choice; empty to detect it
  */
 public record TextReader(Optional<DecimalMark> decimalMark) {
-    /** Numbers per point: x, y, z. */
+    /** x, y, z. */
     private static final int POINT = 3;
     /** This many lines with three numbers must be points; fewer may be a matrix of three columns. */
     private static final int SURELY_POINTS = 16;
