@@ -3,11 +3,14 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,7 +30,52 @@ class FiguresTest {
         workplace = Workplace.in(root);
     }
 
-    /** Figure 4.6: seven periods over one are the array factor (sin 7 pi t / 7 sin pi t)^2, t = d sin theta / lambda. */
+    @Test
+    void fiveChecksOfTheThesissClaimsAgree() throws Exception {
+        String verdicts = workplace
+                .succeedHere("figures", "--output", "agree", "--size", "48", "--only", "2.8,3.1,4.5,5.4,5.10")
+                .stdout();
+
+        assertThat(verdicts)
+                .contains(
+                        "2.8 agrees: number",
+                        "3.1 agrees: number",
+                        "4.5 agrees: width of the maximum",
+                        "5.4 agrees: share of light on the left",
+                        "5.10 agrees: chroma of the light");
+    }
+
+    /** A wave that is symmetric has no bright side, as a blaze has. */
+    @Test
+    void aSurfaceThatIsNoBlazeFailsTheCheckOfBlaze() throws Exception {
+        BufferedImage wave = new BufferedImage(100, 100, BufferedImage.TYPE_BYTE_GRAY);
+        for (int i = 0; i < 10_000; i++) {
+            int height = (int) Math.round(127.5 * (1 + Math.sin(2 * Math.PI * (i % 100) / 100)));
+            wave.getRaster().setSample(i % 100, i / 100, 0, height);
+        }
+        Path patches = Files.createDirectory(workplace.resolve("waves"));
+        ImageIO.write(wave, "png", patches.resolve("wave.png").toFile());
+        Files.writeString(
+                patches.resolve("blaze.json"),
+                "{\"heights\": \"wave.png\", \"width\": \"2.5 um\", \"maxHeight\": \"200 nm\"}");
+
+        String verdicts = workplace
+                .succeedHere(
+                        "figures",
+                        "--output",
+                        "differ",
+                        "--patches",
+                        patches.toString(),
+                        "--size",
+                        "48",
+                        "--only",
+                        "5.4")
+                .stdout();
+
+        assertThat(verdicts).contains("5.4 differs: share of light on the left: blaze-full 0.5");
+    }
+
+    /** Figure 4.5: seven periods over one are the array factor (sin 7 pi t / 7 sin pi t)^2, t = d sin theta / lambda. */
     @Test
     void sevenPeriodsSharpenMaximaByTheArrayFactor() throws Exception {
         CsvFile one = response(1);

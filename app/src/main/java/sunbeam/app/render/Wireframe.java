@@ -4,7 +4,9 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.Comparator;
 import java.util.stream.IntStream;
@@ -14,15 +16,21 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 
-/** Draws a scene's mesh as the edges of its triangles; nearer triangles hide farther ones. */
+/** Draws a scene's mesh as the edges of its triangles, and its vertices' normals as strokes; nearer triangles hide farther ones. */
 public final class Wireframe {
     private static final Color EDGE = new Color(0xd0d6e0);
+    private static final Color NORMAL = new Color(0xffb040);
     private static final float STROKE = 0.5f;
+
+    /** Length of a normal's stroke relative to the radius of the mesh's bounds. */
+    private static final float NORMAL_LENGTH = 0.03f;
 
     private Wireframe() {}
 
-    public static BufferedImage draw(Scene scene, Mesh mesh, int width, int height) {
-        float[] vertices = vertices(scene, mesh);
+    /** @param normals true to draw the normals, too */
+    public static BufferedImage draw(Scene scene, Mesh mesh, boolean normals, int width, int height) {
+        float[] vertices = vertices(scene, mesh, 0);
+        float[] tips = vertices(scene, mesh, NORMAL_LENGTH);
         double scale = 0.5 * height / scene.view().halfHeight(width, height);
         int[] indices = mesh.indices();
         // Triangles in drawing order, farthest first, without those that reach behind the eye.
@@ -46,12 +54,11 @@ public final class Wireframe {
             Path2D outline = new Path2D.Double();
             for (int corner = 0; corner < 3; corner++) {
                 int vertex = indices[3 * triangle + corner];
-                double x = 0.5 * width + scale * vertices[3 * vertex] / depth(vertices, vertex);
-                double y = 0.5 * height - scale * vertices[3 * vertex + 1] / depth(vertices, vertex);
+                Point2D place = project(vertices, vertex, scale, width, height);
                 if (corner == 0) {
-                    outline.moveTo(x, y);
+                    outline.moveTo(place.getX(), place.getY());
                 } else {
-                    outline.lineTo(x, y);
+                    outline.lineTo(place.getX(), place.getY());
                 }
             }
             outline.closePath();
@@ -59,6 +66,12 @@ public final class Wireframe {
             graphics.fill(outline);
             graphics.setColor(EDGE);
             graphics.draw(outline);
+            graphics.setColor(NORMAL);
+            for (int corner = 0; normals && corner < 3; corner++) {
+                int vertex = indices[3 * triangle + corner];
+                graphics.draw(new Line2D.Double(
+                        project(vertices, vertex, scale, width, height), project(tips, vertex, scale, width, height)));
+            }
         }
         graphics.dispose();
         return image;
@@ -68,15 +81,29 @@ public final class Wireframe {
         return -vertices[3 * vertex + 2];
     }
 
-    /** Returns the vertices in camera space: x to the right, y up, z towards the viewer. */
-    private static float[] vertices(Scene scene, Mesh mesh) {
+    private static Point2D project(float[] vertices, int vertex, double scale, int width, int height) {
+        double depth = depth(vertices, vertex);
+        return new Point2D.Double(
+                0.5 * width + scale * vertices[3 * vertex] / depth,
+                0.5 * height - scale * vertices[3 * vertex + 1] / depth);
+    }
+
+    /**
+     * Returns the vertices in camera space: x to the right, y up, z towards the viewer.
+     *
+     * @param offset distance along the normals, relative to the radius of the mesh's bounds
+     */
+    private static float[] vertices(Scene scene, Mesh mesh, float offset) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
                 .mul(SceneGraphs.toWorld(
                         scene.orientation(), mesh.toVertexData().bounds()));
         float[] vertices = new float[mesh.positions().length];
+        float length = offset * mesh.toVertexData().bounds().radius();
         Vector3f place = new Vector3f();
         for (int i = 0; i < vertices.length; i += 3) {
-            view.transformPosition(place.set(mesh.positions()[i], mesh.positions()[i + 1], mesh.positions()[i + 2]));
+            place.set(mesh.normals()[i], mesh.normals()[i + 1], mesh.normals()[i + 2])
+                    .mul(length);
+            view.transformPosition(place.add(mesh.positions()[i], mesh.positions()[i + 1], mesh.positions()[i + 2]));
             vertices[i] = place.x;
             vertices[i + 1] = place.y;
             vertices[i + 2] = place.z;

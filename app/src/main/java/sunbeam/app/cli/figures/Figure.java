@@ -44,7 +44,7 @@ record Figure(
      *
      * @param label words for the caption that distinguish the picture from the others of the figure
      * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
-     *     {stem} for its name without the ending, {scene} for the file of the scene, {size} for its size, {slits} for the patch of
+     *     {stem} for its name without the ending, {scene} for the file of the scene, {size} for its size, {wavelengths} for those of a response, {slits} for the patch of
      *     {@link FigureInput}, {window} for a width at which a patch's orders are broader than pixels; a brdf-map without {file} draws a
      *     disc of the chosen size. Null for a plot
      * @param plot name of a {@link FigurePlot}; null for a command
@@ -191,8 +191,9 @@ record Figure(
      *
      * @param map side of a map, pixels
      * @param scene width and height of a scene, such as 480x360
+     * @param wavelengths wavelengths of a response in nm, such as 380:780:2
      */
-    record Sizes(int map, String scene) {}
+    record Sizes(int map, String scene, String wavelengths) {}
 
     private Drawing drawing(String patch, Picture picture, UnaryOperator<String> source, Sizes sizes, Path folder) {
         String stem = folder.resolve(stem(patch, picture)).toString();
@@ -202,7 +203,12 @@ record Figure(
             return new Drawing(number, patch, picture, file, List.of(), Optional.empty());
         }
         List<String> words = new ArrayList<>(Stream.of(picture.command().split(" ", -1))
-                .map(word -> expanded(word.replace("{size}", sizes.scene()), patch, source, file, stem))
+                .map(word -> expanded(
+                        word.replace("{size}", sizes.scene()).replace("{wavelengths}", sizes.wavelengths()),
+                        patch,
+                        source,
+                        file,
+                        stem))
                 .toList());
         if (!picture.command().startsWith("brdf-map") || picture.command().contains("{file}")) {
             return new Drawing(number, patch, picture, file, words, Optional.empty());

@@ -171,7 +171,7 @@ enum FigurePlot {
                 .toList();
         Figure.Drawing best = drawn.get(drawn.size() - 1);
         List<Figure.Drawing> compared = drawn.subList(0, drawn.size() - 1);
-        Plot.Axis errors = Plot.Axis.logarithmic("median relative error of Y");
+        Plot.Axis errors = Plot.Axis.logarithmic(Measure.ERROR.toString());
         return new Plot(new Plot.Frame("Taylor terms", Plot.Axis.linear("terms"), errors, WIDTH, HEIGHT))
                 .points(
                         "error",

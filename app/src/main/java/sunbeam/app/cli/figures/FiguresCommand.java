@@ -70,7 +70,9 @@ public final class FiguresCommand extends ReportingCommand {
             description = "Width and height of each map, 16 to 2048. Default: 256, with --quick 96.")
     private Integer size;
 
-    @Option(names = "--quick", description = "Draw maps of 96 pixels and scenes of 240 x 180, in half of the time.")
+    @Option(
+            names = "--quick",
+            description = "Draw maps of 96 pixels, scenes of 240 x 180 and responses in steps of 10 nm.")
     private boolean quick;
 
     @Option(
@@ -100,7 +102,7 @@ public final class FiguresCommand extends ReportingCommand {
     public Integer call() {
         int side = size != null ? size : quick ? QUICK : STANDARD;
         UsageException.requireWithin("--size", side, 16, LARGEST);
-        Figure.Sizes sizes = new Figure.Sizes(side, quick ? "240x180" : "480x360");
+        Figure.Sizes sizes = new Figure.Sizes(side, quick ? "240x180" : "480x360", quick ? "380:780:10" : "380:780:2");
         List<Figure> figures = Figure.select(only);
         List<Figure.Drawing> drawings = figures.stream()
                 .flatMap(figure -> figure.drawings(this::source, sizes, output).stream())

@@ -9,7 +9,6 @@ import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.input.InputException;
@@ -17,27 +16,25 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.Srgb;
-import sunbeam.precompute.numerics.Quantiles;
 
 /** Quantity that a {@link Check} measures in a picture, or in the file of numbers beside it. */
 enum Measure {
     CHROMA("mean chroma"),
     CHROMA_IN_THE_MIDDLE("chroma in the middle"),
     CHROMA_ON_THE_RIGHT("mean chroma on the right"),
+    CHROMA_OF_THE_LIGHT("chroma of the light"),
+    VARIETY_OF_HUES("variety of hues"),
     LIGHT_ON_THE_LEFT("share of light on the left"),
     LIGHT_ALONG_X("share of light along x"),
     MEDIAN_DIFFERENCE("median CIEDE2000"),
     DIFFERENCE("95th percentile of CIEDE2000"),
-    ERROR("median relative error of Y"),
+    ERROR("error of the light"),
     WIDTH("width of the maximum in degrees"),
     NUMBER("number"),
     DEVIATION("relative deviation from the thesis");
 
     /** Radius of the mirror direction's neighborhood in a map whose radius is 1. */
     private static final double NEAR = 0.03;
-
-    /** Luminances relative to the mirror's below which a relative error means nothing, as float32 does not resolve them. */
-    private static final double DARK = 1e-9;
 
     private final String label;
 
@@ -69,6 +66,8 @@ enum Measure {
             case CHROMA -> chroma(drawing, (x, y) -> true);
             case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
             case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
+            case CHROMA_OF_THE_LIGHT -> chromaOfLight(image(drawing));
+            case VARIETY_OF_HUES -> varietyOfHues(image(drawing));
             case LIGHT_ON_THE_LEFT ->
                 light(drawing, (x, y) -> x < -NEAR) / light(drawing, (x, y) -> Math.abs(x) > NEAR);
             case LIGHT_ALONG_X ->
@@ -103,15 +102,44 @@ enum Measure {
                 .orElse(0);
     }
 
+    /** Returns the mean chroma of all pixels, each weighted by its luminance. */
+    private static double chromaOfLight(BufferedImage image) {
+        double light = 0;
+        double colored = 0;
+        for (int pixel = 0; pixel < image.getWidth() * image.getHeight(); pixel++) {
+            double luminance = luminance(rgb(image, pixel));
+            light += luminance;
+            colored += luminance * CieLab.ofSrgb(rgb(image, pixel) & 0xffffff).chroma();
+        }
+        return colored / light;
+    }
+
+    /** Returns how far the pixels' colors in the plane of CIELAB's a and b cancel: 0 for a single hue, 1 for hues of all directions. */
+    private static double varietyOfHues(BufferedImage image) {
+        double a = 0;
+        double b = 0;
+        double chroma = 0;
+        for (int pixel = 0; pixel < image.getWidth() * image.getHeight(); pixel++) {
+            CieLab color = CieLab.ofSrgb(rgb(image, pixel) & 0xffffff);
+            a += color.a();
+            b += color.b();
+            chroma += color.chroma();
+        }
+        return 1 - Math.hypot(a, b) / chroma;
+    }
+
     /** Returns the sum of luminance in a region. */
     private static double light(Figure.Drawing drawing, Region region) {
         BufferedImage image = image(drawing);
         return pixels(image, region)
-                .map(pixel -> rgb(image, pixel))
-                .mapToDouble(rgb -> 0.2126 * Srgb.linear(rgb >> 16 & 0xff)
-                        + 0.7152 * Srgb.linear(rgb >> 8 & 0xff)
-                        + 0.0722 * Srgb.linear(rgb & 0xff))
+                .mapToDouble(pixel -> luminance(rgb(image, pixel)))
                 .sum();
+    }
+
+    private static double luminance(int rgb) {
+        return 0.2126 * Srgb.linear(rgb >> 16 & 0xff)
+                + 0.7152 * Srgb.linear(rgb >> 8 & 0xff)
+                + 0.0722 * Srgb.linear(rgb & 0xff);
     }
 
     private static IntStream pixels(BufferedImage image, Region region) {
@@ -130,18 +158,19 @@ enum Measure {
         return PictureDifference.of(image(drawing), image(base));
     }
 
-    /** Returns the median relative error of luminance between the linear colors of two maps, where there is light. */
+    /** Returns the sum of the errors of luminance of a map's linear colors, relative to the sum of its luminance. */
     static double error(Figure.Drawing drawing, Figure.Drawing base) {
         FloatBuffer ours = linear(drawing);
         FloatBuffer exact = linear(base);
-        IntToDoubleFunction error = i -> Math.abs(ours.get(i) / (double) exact.get(i) - 1);
-        return Quantiles.of(
-                IntStream.range(0, exact.limit() / 3)
-                        .map(pixel -> 3 * pixel + 1)
-                        .filter(i -> exact.get(i) > DARK)
-                        .mapToDouble(error)
-                        .toArray(),
-                0.5);
+        double wrong = 0;
+        double all = 0;
+        for (int y = 1; y < exact.limit(); y += 3) {
+            if (!Float.isNaN(exact.get(y))) {
+                wrong += Math.abs(ours.get(y) - exact.get(y));
+                all += exact.get(y);
+            }
+        }
+        return wrong / all;
     }
 
     /** Reads the XYZ that brdf-map --linear wrote beside a picture. */

@@ -17,12 +17,15 @@ public final class Overlays {
     @Option(
             names = "--strokes",
             description =
-                    "Also draw the direction of the nanostructure: dots on the skin, each with a stroke along the patch's x axis.")
+                    "Also draw the direction of the nanostructure: dots on the skin, each with a stroke along the patch's x axis. With --wireframe, strokes along the vertices' normals.")
     private boolean strokes;
 
-    /** True if an overlay is chosen. */
-    boolean isAny() {
-        return lightCone || strokes;
+    boolean hasLight() {
+        return lightCone;
+    }
+
+    boolean hasStrokes() {
+        return strokes;
     }
 
     /** Returns words for the picture's identity, by which {@code --resume} recognizes it. */

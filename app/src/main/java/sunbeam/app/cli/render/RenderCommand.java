@@ -221,16 +221,16 @@ public final class RenderCommand extends ReportingCommand {
         if (animation.isAsked()
                 || linear != null
                 || resume
-                || overlays.isAny()
+                || overlays.hasLight()
                 || certify.count().isPresent()) {
             throw new UsageException(
-                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone, --strokes and --certify out");
+                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
         }
         Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
         AtomicFile.checkWritable(file, force.overwrite(output));
         ReadMesh mesh = ReadMesh.load(scene.mesh());
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
-        BufferedImage image = Wireframe.draw(scene, mesh.mesh(), size.width(), size.height());
+        BufferedImage image = Wireframe.draw(scene, mesh.mesh(), overlays.hasStrokes(), size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
         Path written = PngWriter.write(file, force.overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));

@@ -101,7 +101,8 @@ class FiguresCommandTest {
                         "5.17",
                         "5.18");
         List<Figure.Drawing> drawings = all.stream()
-                .flatMap(figure -> figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36"), folder).stream())
+                .flatMap(figure ->
+                        figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder).stream())
                 .toList();
         assertThat(drawings).extracting(Figure.Drawing::file).doesNotHaveDuplicates();
         assertThat(drawings)
@@ -124,7 +125,8 @@ class FiguresCommandTest {
     @Test
     void eachCommandOfTheManifestIsOneOfTheProgram() {
         List<String> words = Figure.all().stream()
-                .flatMap(figure -> figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36"), folder).stream())
+                .flatMap(figure ->
+                        figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder).stream())
                 .filter(drawing -> drawing.picture().plot() == null)
                 .map(drawing -> drawing.command().get(0))
                 .distinct()
@@ -190,7 +192,8 @@ class FiguresCommandTest {
     @Test
     void aCheckWithoutItsPicturesHasNoVerdict() throws IOException {
         Figure figure = Figure.select(List.of("5.5")).get(0);
-        assertThat(figure.verdict(figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36"), folder)))
+        assertThat(figure.verdict(
+                        figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder)))
                 .isEmpty();
     }
 
