@@ -75,8 +75,8 @@ public final class FloatTarget extends Resource {
         gl.glDrawBuffers(drawBuffers.length, drawBuffers, 0);
         int status = gl.glCheckFramebufferStatus(GL3.GL_FRAMEBUFFER);
         if (status != GL3.GL_FRAMEBUFFER_COMPLETE) {
-            throw new GraphicsException(
-                    "target '" + label() + "' cannot be drawn to on this driver: " + GlNames.framebufferStatus(status));
+            throw new GraphicsException("target '" + label() + "' cannot be drawn to on this driver: "
+                    + GlNames.framebufferStatus(status) + "; LIBGL_ALWAYS_SOFTWARE=1 takes Mesa's software renderer");
         }
         device().check(gl, "taking memory for '" + label() + "'");
     }

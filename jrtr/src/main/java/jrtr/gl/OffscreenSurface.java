@@ -53,7 +53,7 @@ final class OffscreenSurface {
         } catch (RuntimeException | LinkageError failure) {
             throw new GraphicsException(
                     "no OpenGL 3.3 core context on display " + System.getenv("DISPLAY") + " (" + reason(failure)
-                            + "). Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1)",
+                            + "). Install a driver, or Mesa's software renderer (libgl1-mesa-dri, libgl1); a display needs 24 bits a pixel",
                     failure);
         } finally {
             display.close();

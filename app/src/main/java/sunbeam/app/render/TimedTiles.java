@@ -68,6 +68,11 @@ public final class TimedTiles {
         return true;
     }
 
+    /** Returns the mean time per pixel of the last picture. */
+    public double secondsPerPixel() {
+        return 1e-9 * averagePerPixel;
+    }
+
     /**
      * Returns the smallest power of two, up to {@link #COARSEST}, by which columns and rows must be divided so that a picture is drawn
      * within a time.

@@ -50,7 +50,7 @@ public final class Scenes {
         return SceneReader.read(file);
     }
 
-    /** Returns the place of a built-in scene's small picture, a JPEG of 72 x 54 pixels. */
+    /** Returns the place of a built-in scene's small picture, a JPEG of 48 x 36 pixels. */
     public static URL picture(String name) {
         return Scenes.class.getClassLoader().getResource("sunbeam/scenes/" + name + ".jpg");
     }

@@ -65,7 +65,7 @@ class SceneFileTest {
     @MethodSource("names")
     void aBuiltInSceneHasASmallPicture(String name) throws IOException {
         BufferedImage picture = ImageIO.read(Scenes.picture(name));
-        assertThat(new int[] {picture.getWidth(), picture.getHeight()}).containsExactly(72, 54);
+        assertThat(new int[] {picture.getWidth(), picture.getHeight()}).containsExactly(48, 36);
     }
 
     /** In place of each value stands, in turn, null and each kind of value: read, or refused with file, line and key. */

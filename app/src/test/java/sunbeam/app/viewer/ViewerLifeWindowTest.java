@@ -41,6 +41,9 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             JLabel label = (JLabel) blind.window().picture().getComponent(0);
             assertThat(label.isVisible()).isTrue();
             assertThat(label.getText()).contains("no OpenGL 3.3 here");
+            assertThat(Dialogs.all(blind.window().status(), JLabel.class))
+                    .extracting(JLabel::getText)
+                    .contains("No picture of this scene");
             blind.quit();
             return null;
         });

@@ -191,7 +191,7 @@ public final class GraphicsStage implements Stage {
         if (isMoving) {
             exposures.follow(state.firstPart(), () -> shownExposure(image, exposure));
         }
-        return new Preview(image, divisor, hasCoarsest(), exposure);
+        return new Preview(image, divisor, hasCoarsest(), exposure, 0);
     }
 
     /** Meters the picture, unless it was metered; returns false if interrupted. */
@@ -238,7 +238,9 @@ public final class GraphicsStage implements Stage {
                     double exposure = exposures.of(
                             state.firstPart(),
                             () -> AutoExposure.of(picture.reduced(1).linear()));
-                    return new Preview(image(picture, 1, exposure), stride, true, exposure);
+                    double pixels = (double) state.width() * state.height() * samples() * samples();
+                    double seconds = pixels * current.tiles().secondsPerPixel();
+                    return new Preview(image(picture, 1, exposure), stride, true, exposure, seconds);
                 });
     }
 

@@ -170,6 +170,9 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
 
     /** Dims the picture and shows the name of the loading part while the newest scene's mesh, patches or method are not on screen. */
     private void followLoad() {
+        if (failed) {
+            return;
+        }
         boolean old = shown == null || !shown.firstPart().suits(model.scene());
         window.picture().dim(old);
         if (old) {
@@ -234,6 +237,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     public void failed(String message) {
         failed = true;
         noPicture(message);
+        window.status().refused();
         window.picture().showMessage("No picture: " + message);
         window.status().message(message);
     }

@@ -124,8 +124,10 @@ final class SplitViewPresenter {
     void preview(ViewState state, Stage.Preview preview) {
         if (state == requested) {
             previewed = System.nanoTime();
-            String scale = StatusLine.scale(preview.divisor());
-            window.picture().divider().show(preview.image(), ownWords(), words() + ", preview" + scale, false);
+            String words = Text.format(
+                    "%s, preview%s, final in about %.0f s",
+                    words(), StatusLine.scale(preview.divisor()), Math.ceil(preview.secondsToFinal()));
+            window.picture().divider().show(preview.image(), ownWords(), words, false);
         }
     }
 

@@ -206,7 +206,7 @@ final class RenderLoopTest {
         private Optional<Preview> preview() {
             mayFail();
             meanwhile();
-            return Optional.of(new Preview(image(), 1, true, 1));
+            return Optional.of(new Preview(image(), 1, true, 1, 0));
         }
 
         private BufferedImage image() {
