@@ -190,7 +190,8 @@ public final class GaussianPyramid {
             double column = node(x, plane);
             double row = node(y, plane);
             int width = plane.side() * stride;
-            int at = ((int) (row - 0.5) * plane.side() + (int) (column - 0.5)) * stride;
+            int firstRow = (int) (row - 0.5);
+            int at = (firstRow * plane.side() + (int) (column - 0.5)) * stride;
             add(
                     plane.powers,
                     at,
