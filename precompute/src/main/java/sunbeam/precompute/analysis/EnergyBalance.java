@@ -21,22 +21,28 @@ public record EnergyBalance(double ratio, double wavelength) {
 
     // Samples along a side; a larger scan is evaluated in its middle.
     private static final int MOST_SAMPLES = 256;
-    // Distance of the wavelengths that largest tries, meters.
+    // Meters; the expansion of a deeper relief takes more than a second.
+    private static final double DEEPEST = 6e-6;
+    // Meters.
     private static final double WAVELENGTH_STEP = 20e-9;
 
     /**
-     * Returns the balance at the visible wavelength, in steps of 20 nm, where the ratio is largest.
+     * Returns the balance at the visible wavelength, in steps of 20 nm, where the ratio is largest; empty for a relief of more than 6 um,
+     * which takes too long.
      *
      * @param wi direction to the light, in the patch's frame
      */
-    public static EnergyBalance largest(HeightMap map, Direction wi) {
-        OrderSpectrum spectrum = new OrderSpectrum(middle(map));
+    public static Optional<EnergyBalance> largest(HeightMap map, Direction wi) {
+        HeightMap middle = middle(map);
+        if (middle.relief() > DEEPEST) {
+            return Optional.empty();
+        }
+        OrderSpectrum spectrum = new OrderSpectrum(middle);
         int steps = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / WAVELENGTH_STEP);
         return IntStream.rangeClosed(0, steps)
                 .parallel()
                 .mapToObj(i -> at(spectrum, wi, CieTable.MINIMUM_WAVELENGTH + i * WAVELENGTH_STEP))
-                .max(Comparator.comparingDouble(EnergyBalance::ratio))
-                .orElseThrow();
+                .max(Comparator.comparingDouble(EnergyBalance::ratio));
     }
 
     /** Returns the balance at a wavelength in meters, of the middle {@value #MOST_SAMPLES} samples along each side of a larger scan. */

@@ -71,8 +71,8 @@ public final class OrderSpectrum {
         return Band.of(-most, most);
     }
 
-    /** Returns the number of orders of a map that some light shows, for limits of memory. */
-    public static long size(HeightMap map) {
+    /** Returns the number of orders of a map that some light shows. */
+    public static long orders(HeightMap map) {
         return (long) visibleBins(map.columns(), map.width()).count()
                 * visibleBins(map.rows(), map.height()).count();
     }

@@ -43,8 +43,14 @@ class EnergyBalanceTest {
 
     @Test
     void wideGratingsKeepTheirEnergyWithoutAWord() {
-        EnergyBalance balance = EnergyBalance.largest(tracks(20e-6), ABOVE);
+        EnergyBalance balance = EnergyBalance.largest(tracks(20e-6), ABOVE).orElseThrow();
         assertThat(balance.ratio()).isBetween(0.95, EnergyBalance.LARGEST);
         assertThat(balance.warning()).isEmpty();
+    }
+
+    @Test
+    void aDeepReliefIsNotEvaluated() {
+        HeightMap deep = Surfaces.sampled(32, 4, 1e-6, (column, row) -> column < 16 ? 0 : 7e-6);
+        assertThat(EnergyBalance.largest(deep, ABOVE)).isEmpty();
     }
 }

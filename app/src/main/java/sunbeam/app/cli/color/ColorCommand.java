@@ -39,6 +39,7 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.Methods;
@@ -229,7 +230,7 @@ public final class ColorCommand extends ReportingCommand {
                     GaussianArea.of(limit.choices()).window(),
                     theta,
                     angles);
-            surface.energy().warning().ifPresent(own::add);
+            surface.energy().flatMap(EnergyBalance::warning).ifPresent(own::add);
             progress.step(1);
             if (methodOptions.explains()) {
                 own.forEach(warning -> err.println(Messages.warning(patch.name() + ": " + warning)));

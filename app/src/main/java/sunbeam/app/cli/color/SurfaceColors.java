@@ -135,7 +135,7 @@ final class SurfaceColors {
     }
 
     /** Returns the energy balance under the light of the first plane. */
-    EnergyBalance energy() {
+    Optional<EnergyBalance> energy() {
         return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
     }
 

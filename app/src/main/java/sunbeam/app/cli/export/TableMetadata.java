@@ -5,6 +5,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.terminal.Version;
@@ -87,9 +88,10 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
         fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
         fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
         fields.put("observer", choices.get(LightSettings.OBSERVER).label());
-        EnergyBalance energy = EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
-        fields.put("light_sent_out_from_above_by_mirrors", energy.ratio());
-        fields.put("light_sent_out_at_m", energy.wavelength());
+        Optional<EnergyBalance> energy =
+                EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
+        fields.put("light_sent_out_from_above_by_mirrors", energy.map(EnergyBalance::ratio).orElse(null));
+        fields.put("light_sent_out_at_m", energy.map(EnergyBalance::wavelength).orElse(null));
         fields.put(
                 "unit",
                 "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");

@@ -34,7 +34,8 @@ import sunbeam.precompute.units.Lengths;
  * Properties of a patch's heights, as lines for people and as fields for programs.
  *
  * @param thetaI angle of the light to the normal that the verdict is for, degrees
- * @param energy energy of all orders under light along the normal, at the wavelength where it is largest
+ * @param energy energy of all orders under light along the normal, at the wavelength where it is largest; empty for a deep
+ *     relief
  * @param spectrum power spectrum of the heights, periodic if the period is exact, else tapered at the edges
  * @param limit coherence length that the scan's size allows
  * @param drawing plan of method full for any pair of directions; empty if it is not requested or impossible
@@ -44,7 +45,7 @@ record Inspection(
         Patch patch,
         double thetaI,
         ModelError slopes,
-        EnergyBalance energy,
+        Optional<EnergyBalance> energy,
         GratingPeriod period,
         HeightSpectrum spectrum,
         ScanLimit limit,
@@ -109,7 +110,7 @@ record Inspection(
                 Math.toDegrees(Math.atan(slopes.largestSlope())),
                 100 * slopes.steepShare(),
                 ModelError.STEEPEST));
-        energy.warning().ifPresent(words -> lines.add("energy    from above, " + words));
+        energy.flatMap(EnergyBalance::warning).ifPresent(words -> lines.add("energy    from above, " + words));
         if (period.isSeen()) {
             lines.add("period    " + period.describe());
         }
@@ -171,8 +172,10 @@ record Inspection(
         fields.put("largest_slope", slopes.largestSlope());
         fields.put("share_steeper_than_" + Math.round(ModelError.STEEPEST) + "_deg", slopes.steepShare());
         fields.put("model", slopes.describe());
-        fields.put("light_sent_out_from_above_by_mirrors", energy.ratio());
-        fields.put("light_sent_out_at_m", energy.wavelength());
+        fields.put(
+                "light_sent_out_from_above_by_mirrors",
+                energy.map(EnergyBalance::ratio).orElse(null));
+        fields.put("light_sent_out_at_m", energy.map(EnergyBalance::wavelength).orElse(null));
         fields.put("plan", drawing.map(SpectrumPlan::summary).orElse(null));
         fields.put("cost", drawing.map(made -> made.cost(map.rows())).orElse(null));
         fields.put("plan_refused", refusal);

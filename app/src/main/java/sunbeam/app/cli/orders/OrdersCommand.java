@@ -41,6 +41,7 @@ import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
 
 /** Command {@code sunbeam orders}: how much light a surface sends into each diffraction order. */
 @Command(
@@ -57,8 +58,10 @@ import sunbeam.precompute.units.Decimals;
 public final class OrdersCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
-    // Largest numbers of orders of a patch (its amplitudes take up to 500 MB) and of evaluated orders (minutes).
-    private static final long MOST_ORDERS = 1_500_000;
+    // Most orders of a patch, for a relief of a micrometer (their amplitudes take 500 MB), and most evaluated orders
+    // (minutes).
+    private static final long MOST_ORDERS = 4_000_000;
+    private static final double DEEPEST = 20e-6;
     private static final long MOST_EVALUATIONS = 4_000_000_000L;
 
     @Mixin
@@ -154,11 +157,13 @@ public final class OrdersCommand extends ReportingCommand {
 
     private OrderTable table(
             Patch patch, GratingPeriod period, Choices choices, RefractiveIndex material, CieTable cie) {
-        long orders = OrderSpectrum.size(patch.heights());
-        if (orders > MOST_ORDERS) {
+        long orders = OrderSpectrum.orders(patch.heights());
+        double relief = patch.heights().relief();
+        // The terms of the expansion grow with the relief.
+        if (relief > DEEPEST || orders * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS) {
             throw new PatchException(Text.format(
-                    "%s: a patch of %s has too many orders; --crop a part of at most about 100um x 100um",
-                    patch.name(), patch.heights().describe()));
+                    "%s: %s with a relief of %s have too many orders; --crop a smaller part, whose relief is at most 20 um",
+                    patch.name(), patch.heights().describe(), Lengths.rounded(relief, 3)));
         }
         int lights = thetas.count() * wavelengths.count();
         if (orders * lights > MOST_EVALUATIONS) {
