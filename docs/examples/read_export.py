@@ -3,7 +3,7 @@
     sunbeam export blaze --format npz --output blaze.npz
     python3 read_export.py blaze.npz THETA_I PHI_I THETA_R PHI_R     (degrees)
 
-prints X, Y, Z of diffracted power and the gain that makes relative radiance of it. With RESULTS.csv of `sunbeam reflectance
+prints X, Y, Z of diffracted power (with --energy conserve over the divisor) and the gain that makes relative radiance of it. With RESULTS.csv of `sunbeam reflectance
 --average ensemble --coherence-length` (the table's) in place of angles, prints median and 95th percentile of relative differences.
 """
 
@@ -45,15 +45,27 @@ def gain(wi, wr):
     return (1 + 24 * (1 - c) ** 5) * k * k / (cosines**2 * wr[2]) * mask
 
 
+def divisor(archive, wi):
+    """Divisor of each channel by the direction of light, linear between samples; 1 without --energy conserve."""
+    if "divisor" not in archive:
+        return 1.0
+    values = archive["divisor"]
+    at = (np.array(wi[:2]) + 1) / 2 * (values.shape[1] - 1)
+    i, j = np.minimum(at.astype(int), values.shape[1] - 2)
+    s, t = at - (i, j)
+    return np.einsum("j,i,cji->c", [1 - t, t], [1 - s, s], values[:, j : j + 2, i : i + 2])
+
+
 if __name__ == "__main__":
     if len(sys.argv) not in (3, 6):
         sys.exit(__doc__)
     with np.load(sys.argv[1]) as archive:
         table, metadata = archive["C"], json.loads(archive["metadata.json"])
+        conserved = {name: archive[name] for name in archive.files if name == "divisor"}
     axes = {axis["name"]: axis for axis in metadata["axes"]}
     if len(sys.argv) == 6:
         wi, wr = direction(*map(float, sys.argv[2:4])), direction(*map(float, sys.argv[4:6]))
-        print(*color(table, axes, -(wi + wr)), gain(wi, wr))
+        print(*color(table, axes, -(wi + wr)) / divisor(conserved, wi), gain(wi, wr))
     else:
         rows = np.genfromtxt(sys.argv[2], delimiter=",", skip_header=1)
         xyz = np.array([color(table, axes, -direction(*row[:2]) - direction(*row[2:4])) for row in rows])

@@ -125,6 +125,7 @@ public final class SceneLoader {
                 samePlaces && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
                 && before.method().light().equals(scene.method().light())
+                && before.effectiveEnergy() == scene.effectiveEnergy()
                 && before.tabulatedSlopes() == scene.tabulatedSlopes();
         if (samePatches
                 && sameMethod
@@ -244,9 +245,13 @@ public final class SceneLoader {
         DoubleConsumer progressOfTables = share -> progress.accept(METHOD_PLANNED + (1 - METHOD_PLANNED) * share);
         Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));
         MethodPlan method = levels.map(ColorTablePlan::plan).orElse(planned);
-        ShaderTables tables = levels.isPresent()
+        ShaderTables made = levels.isPresent()
                 ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
                 : setup.tables(method, MethodUse.COLOR, GpuBaker::of, progressOfTables);
+        ShaderTables tables = scene.effectiveEnergy()
+                .divisor(patch.heights(), scene.method().seeing(patch).choices())
+                .map(divisor -> divisor.applyTo(made, setup.cie()))
+                .orElse(made);
         SceneShape shown = shape.get();
         return new SceneData(
                 scene,

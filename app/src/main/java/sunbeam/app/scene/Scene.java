@@ -1,6 +1,7 @@
 package sunbeam.app.scene;
 
 import static sunbeam.app.scene.SceneSettings.BODY_ALPHA;
+import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
@@ -189,6 +190,7 @@ public record Scene(
                 && patches.equals(other.patches)
                 && sharesBody(other)
                 && method.method().equals(other.method.method())
+                && effectiveEnergy() == other.effectiveEnergy()
                 && tabulatedSlopes() == other.tabulatedSlopes()
                 && get(INDEX).sharesSpectrum(other.get(INDEX));
     }
@@ -222,6 +224,11 @@ public record Scene(
     /** Returns this scene with its surroundings also under the thesis's preset, for a comparison of methods. */
     public Scene keepingSurroundings() {
         return with(SceneSettings.KEEPS_SURROUNDINGS, true);
+    }
+
+    /** Returns the treatment of energy; scalar with the thesis's preset and for methods that are not normalized to a mirror. */
+    public Energy effectiveEnergy() {
+        return method.isThesis() || !method.method().isNormalizedToMirror() ? Energy.SCALAR : get(ENERGY);
     }
 
     /** Returns the standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 with the thesis's preset. */

@@ -124,6 +124,13 @@ public final class SceneSettings {
                             + " form of refractiveindex.info, by wavelength.")
             .withStandard(SkinIndex.KERATIN);
 
+    public static final Setting<Energy> ENERGY = new Setting<>(
+                    "energy",
+                    Kinds.word("RULE", Energy.class),
+                    "scalar (default): as scalar theory has it, where flat orders send out more light than arrives."
+                            + " conserve: radiance divided by the excess; preset thesis has none.")
+            .withStandard(Energy.SCALAR);
+
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
                     "ground",
                     Kinds.<Optional<SceneColor>>text(
@@ -184,6 +191,7 @@ public final class SceneSettings {
             TONE,
             PRIMARIES,
             INDEX,
+            ENERGY,
             GROUND,
             SKY,
             SHADOWS,
@@ -198,7 +206,8 @@ public final class SceneSettings {
             Stream.concat(OF_SCENE.stream(), Stream.of(KEEPS_SURROUNDINGS)).collect(Collectors.toUnmodifiableList());
 
     /** Settings whose change requires loading. */
-    static final List<Setting<?>> PARTS = List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX);
+    static final List<Setting<?>> PARTS =
+            List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY);
 
     /** Settings that a command-line option can override. */
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()

@@ -51,10 +51,10 @@ public record EnergyBalance(double ratio, double wavelength) {
     }
 
     private static EnergyBalance at(OrderSpectrum spectrum, Direction wi, double wavelength) {
-        return new EnergyBalance(spectrum.total(wi, wavelength), wavelength);
+        return new EnergyBalance(spectrum.sum(wi, wavelength, 0), wavelength);
     }
 
-    private static HeightMap middle(HeightMap map) {
+    static HeightMap middle(HeightMap map) {
         int columns = Math.min(MOST_SAMPLES, map.columns());
         int rows = Math.min(MOST_SAMPLES, map.rows());
         int left = (map.columns() - columns) / 2;

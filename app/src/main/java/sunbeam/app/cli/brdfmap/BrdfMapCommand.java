@@ -1,5 +1,6 @@
 package sunbeam.app.cli.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
@@ -80,7 +81,7 @@ public final class BrdfMapCommand extends ReportingCommand {
     private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
-    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH, ENERGY));
 
     @Mixin
     private LightOptions light;
@@ -207,7 +208,7 @@ public final class BrdfMapCommand extends ReportingCommand {
             double factor = exposureRule.of(
                     maps.stream().map(MaterialMap.Drawn::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
-                            setups.get(0).exact(firstMap.method()),
+                            firstMap.exact(),
                             pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
                             firstMap::overStandard,
                             environment().progress())
@@ -223,6 +224,7 @@ public final class BrdfMapCommand extends ReportingCommand {
             Map<String, String> text = sheet.text();
             text.put("Light", light.describe());
             text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
+            text.put("Energy", asked.written(ENERGY));
             text.put("Method", choices.get(0).get(METHOD).label());
             text.put("Options", Methods.describe(choices.get(0)));
             text.put("Index", index.describe(material));

@@ -1,9 +1,11 @@
 package sunbeam.app.cli.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.UploadedTables;
@@ -11,7 +13,10 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.map.BrdfMapRenderer;
 import sunbeam.app.gpu.map.DiscDirections;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.scene.Energy;
 import sunbeam.app.terminal.Progress;
+import sunbeam.precompute.analysis.EnergyDivisor;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -22,6 +27,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
@@ -38,6 +44,8 @@ final class MaterialMap {
     private final double turn;
     private final boolean squared;
     private final List<ReflectionPart> parts;
+    // Light of each part, divided where energy is conserved.
+    private final List<CieTable> lights = new ArrayList<>();
     private final List<MethodPlan> plans = new ArrayList<>();
 
     /**
@@ -64,8 +72,14 @@ final class MaterialMap {
         this.turn = choices.get(ROTATE_PATCH);
         this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
         this.parts = ReflectionPart.of(index, setup.cie());
+        Direction inPatch = light.turned(-turn);
+        Optional<EnergyDivisor> divisor =
+                choices.get(ENERGY, Energy.SCALAR).divisor(setup.patch().heights(), choices);
         for (ReflectionPart part : parts) {
-            plans.add(method.plan(setup.surface().withLight(part.cie()), VisibleRange.of(light.turned(-turn))));
+            CieTable divided =
+                    divisor.map(found -> found.under(inPatch, part.cie())).orElse(part.cie());
+            lights.add(divided);
+            plans.add(method.plan(setup.surface().withLight(divided), VisibleRange.of(inPatch)));
         }
     }
 
@@ -75,6 +89,11 @@ final class MaterialMap {
 
     MethodPlan plan() {
         return plans.get(0);
+    }
+
+    /** Returns the reference for a material without dispersion. */
+    ExactLight exact() {
+        return setup.withLight(lights.get(0)).exact(method);
     }
 
     /** Returns the reflectance relative to the standard material's, for a material without dispersion. */

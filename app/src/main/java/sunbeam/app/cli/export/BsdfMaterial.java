@@ -2,10 +2,13 @@ package sunbeam.app.cli.export;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -34,7 +37,13 @@ record BsdfMaterial(
     // Share of the square's rows that is distributed evenly over azimuths, so that dark azimuths have rows, too.
     private static final double EVEN_SHARE = 0.3;
 
-    static BsdfMaterial of(BsdfShape shape, ColorGrid grid, List<ColorGrid> bands, ProgressDisplay display) {
+    /** @param divisor divisor of radiance by first direction and wavelength, if energy is conserved */
+    static BsdfMaterial of(
+            BsdfShape shape,
+            ColorGrid grid,
+            List<ColorGrid> bands,
+            ProgressDisplay display,
+            Optional<EnergyDivisor> divisor) {
         LinearDensity azimuths = azimuths(grid, shape.rows());
         float[][] densities = new float[shape.slices()][];
         float[][] spectra = new float[shape.slices()][];
@@ -50,7 +59,14 @@ record BsdfMaterial(
                 int samples = shape.side() * shape.side();
                 spectra[slice] = new float[shape.bands().count() * samples];
                 luminance[slice] = new float[samples];
-                new Slice(shape, map, slice, bands).fill(spectra[slice], luminance[slice]);
+                Direction first = Direction.ofDegrees(
+                        Math.toDegrees(shape.theta(slice % shape.thetas())),
+                        Math.toDegrees(shape.phi(slice / shape.thetas())));
+                double[] shares = DoubleStream.of(shape.bands().nanometers())
+                        .map(nm -> divisor.map(found -> 1 / found.at(first, nm * NANOMETER))
+                                .orElse(1.0))
+                        .toArray();
+                new Slice(shape, map, slice, bands, shares).fill(spectra[slice], luminance[slice]);
                 progress.step(1);
             });
         }
@@ -154,7 +170,7 @@ record BsdfMaterial(
     }
 
     /** Computes the spectra of one first direction, the slice's, from its map and from color grids of all bands. */
-    private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands) {
+    private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
         // Least cosine of the second direction in the divisor of the luminance, which would else be infinite at the
         // horizon.
         private static final double LEAST_COSINE = 0.03;
@@ -198,7 +214,7 @@ record BsdfMaterial(
                         .xyz(-length * Math.cos(azimuth), -length * Math.sin(azimuth), -depth);
                 for (int c = 0; c < ColorGrid.CHANNELS && b + c < nanometers.length; c++) {
                     double wavelength = nanometers[b + c] * NANOMETER;
-                    double value = factor * powers[c] / (wavelength * wavelength);
+                    double value = factor * shares[b + c] * powers[c] / (wavelength * wavelength);
                     spectra[(b + c) * shape.side() * shape.side() + sample] = (float) value;
                     sum += value;
                 }

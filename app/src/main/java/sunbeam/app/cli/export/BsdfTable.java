@@ -82,7 +82,7 @@ final class BsdfTable implements TableWriter {
     public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         BsdfShape shape = shape(grid.shape());
         BsdfMaterial material = BsdfMaterial.of(
-                shape, grid, baker.bands(grid, shape.bands()), metadata.setup().progress());
+                shape, grid, baker.bands(grid, shape.bands()), metadata.setup().progress(), metadata.divisor());
         errors = errors(material, grid, metadata);
         note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
@@ -170,7 +170,10 @@ final class BsdfTable implements TableWriter {
             double power = exact.power(query.pair(), query.wavelength());
             double read = material.eval(query.pair(), query.wavelength())
                     / BsdfMaterial.reflected(query.pair(), exact.window().sigmaMeters(), query.wavelength());
-            return Comparison.ofPower(read, power);
+            double divisor = metadata.divisor()
+                    .map(found -> found.at(query.pair().wi(), query.wavelength()))
+                    .orElse(1.0);
+            return Comparison.ofPower(read * divisor, power);
         });
         return ErrorStatistics.of(compared.stream()
                 .filter(one -> Math.max(one.exact()[0], one.computed()[0]) > LEAST_POWER)

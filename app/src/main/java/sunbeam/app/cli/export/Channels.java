@@ -4,9 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.DoubleStream;
+import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.optics.Direction;
 
 /**
  * Channels along the last axis of an exported array of colors.
@@ -68,6 +70,13 @@ record Channels(Kind kind, SpectralBands bands) {
 
     List<ColorGrid> grids(ColorGrid grid, GridBaker baker) {
         return kind == Kind.SPECTRAL ? baker.bands(grid, bands) : List.of(grid);
+    }
+
+    /** Returns the divisor of a channel under a light: for colors, the mean by luminance. */
+    double divisor(EnergyDivisor divisor, int channel, Direction light, CieTable cie) {
+        return kind == Kind.SPECTRAL
+                ? divisor.at(light, bands.nanometers()[channel] * 1e-9)
+                : divisor.ofColors(light, cie);
     }
 
     /** @param values array that receives all channels of the texel */

@@ -1,6 +1,8 @@
 package sunbeam.app.cli.export;
 
+import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
@@ -14,11 +16,13 @@ import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.DirectionSampler;
+import sunbeam.app.scene.Energy;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -60,6 +64,9 @@ public final class ExportCommand extends ReportingCommand {
 
     @Mixin
     private JsonOption json;
+
+    @Mixin
+    private final SettingOptions energy = new SettingOptions(List.of(ENERGY));
 
     @Mixin
     private ForceOption force;
@@ -116,6 +123,11 @@ public final class ExportCommand extends ReportingCommand {
             throw new UsageException("--theta-max " + largestAngle + " is out of range; give 5 to 90");
         }
         UsageException.requireWithin("--samples", samples == null ? 0 : samples, 0, MOST_SAMPLES);
+        Energy rule = energy.choices().get(ENERGY);
+        if (rule != Energy.SCALAR && !format.dividesByLight()) {
+            throw new UsageException("--energy conserve is for --format npz and bsdf, and " + format
+                    + " has no divisor by direction of light; leave it out");
+        }
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
         TableWriter writer = format.writer(arrays, asked, tolerance);
         OutputLimit limit = new OutputLimit(writer, output, most());
@@ -135,7 +147,15 @@ public final class ExportCommand extends ReportingCommand {
         GridBaker baker = new GridBaker(setup, plan, tolerance);
         ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
         ColorGrid read = writer.asRead(grid);
-        TableMetadata metadata = new TableMetadata(setup, choices, read, errors(setup, baker, read, writer));
+        // Orders are as wide as the table has them.
+        double width =
+                Math.max(Energy.SHORTEST_WINDOW, read.level().area().window().coherenceLength());
+        TableMetadata metadata = new TableMetadata(
+                setup,
+                choices,
+                read,
+                errors(setup, baker, read, writer),
+                rule.divisor(setup.patch().heights(), choices.with(COHERENCE_LENGTH, width)));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, metadata);
         PrintWriter out = out(output);
         PrintWriter text = json.text(out);

@@ -28,6 +28,11 @@ enum ExportFormat {
         return tolerance;
     }
 
+    /** True if the format has a divisor of radiance by direction of light. */
+    boolean dividesByLight() {
+        return this == NPZ || this == BSDF;
+    }
+
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);
@@ -35,7 +40,7 @@ enum ExportFormat {
 
     /** @param asked settings of the light */
     TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
-        if (this != NPZ && this != BSDF) {
+        if (!dividesByLight()) {
             arrays.refuse(toString());
         }
         return switch (this) {

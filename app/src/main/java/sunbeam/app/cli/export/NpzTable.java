@@ -5,13 +5,16 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.Direction;
 
 /** Writes a NumPy archive: array {@code C} of shape (w, v, u, channel), the axes {@code w}, {@code v}, {@code u}, and metadata.json. */
 record NpzTable(Channels channels) implements TableWriter {
@@ -22,6 +25,8 @@ record NpzTable(Channels channels) implements TableWriter {
     private static final double VALUE_BYTES = 8 / 3.0;
     // Lowest bits of a float's significand that are rounded away, which leaves 14: the others deflate well.
     private static final int DROPPED_BITS = 10;
+    // Directions of light along each axis of the divisor.
+    private static final int LIGHTS = 25;
 
     @Override
     public void check(Path output, Overwrite overwrite) {
@@ -67,6 +72,13 @@ record NpzTable(Channels channels) implements TableWriter {
                         shape.u().count(),
                         channels.count());
                 zip.closeEntry();
+                if (metadata.divisor().isPresent()) {
+                    zip.putNextEntry(NpyWriter.entry("divisor.npy"));
+                    float[] divisors =
+                            divisors(metadata.divisor().get(), metadata.setup().cie());
+                    NpyWriter.write(zip, divisors, channels.count(), LIGHTS, LIGHTS);
+                    zip.closeEntry();
+                }
             }
         }));
     }
@@ -95,6 +107,17 @@ record NpzTable(Channels channels) implements TableWriter {
             }
         }
         return colors;
+    }
+
+    /** Returns the divisor of each channel over y and x of the direction of light, -1 to 1. */
+    private float[] divisors(EnergyDivisor divisor, CieTable cie) {
+        float[] values = new float[channels.count() * LIGHTS * LIGHTS];
+        IntStream.range(0, values.length).parallel().forEach(i -> {
+            Direction light = EnergyDivisor.light(
+                    2.0 * (i % LIGHTS) / (LIGHTS - 1) - 1, 2.0 * (i / LIGHTS % LIGHTS) / (LIGHTS - 1) - 1);
+            values[i] = (float) channels.divisor(divisor, i / (LIGHTS * LIGHTS), light, cie);
+        });
+        return values;
     }
 
     private static float rounded(float value) {

@@ -10,6 +10,7 @@ import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.analysis.EnergyBalance;
+import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
@@ -18,8 +19,12 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Metadata that every output states: the color grid as a reader of the file sees it, its errors, and the requested light. */
-record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors) {
+/**
+ * Metadata that every output states: the color grid as a reader of the file sees it, its errors, the requested light, and the
+ * divisor by direction of light if energy is conserved.
+ */
+record TableMetadata(
+        DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors, Optional<EnergyDivisor> divisor) {
     /** Full width at half maximum of a Gaussian, in standard deviations. */
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
@@ -88,10 +93,12 @@ record TableMetadata(DiffractionSetup setup, Choices choices, ColorGrid grid, Gr
         fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
         fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
         fields.put("observer", choices.get(LightSettings.OBSERVER).label());
-        Optional<EnergyBalance> energy =
-                EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
-        fields.put("light_sent_out_from_above_by_mirrors", energy.map(EnergyBalance::ratio).orElse(null));
+        Optional<EnergyBalance> energy = EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
+        fields.put(
+                "light_sent_out_from_above_by_mirrors",
+                energy.map(EnergyBalance::ratio).orElse(null));
         fields.put("light_sent_out_at_m", energy.map(EnergyBalance::wavelength).orElse(null));
+        fields.put("energy", divisor.isPresent() ? "conserve: rho is divided by divisor(y, x of light)" : "scalar");
         fields.put(
                 "unit",
                 "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");

@@ -3,6 +3,7 @@ package sunbeam.app.cli.reflectance;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.input.DirectionList;
@@ -11,6 +12,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.errors.Comparison;
@@ -100,6 +102,20 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
             values[BRDF] *= over;
         }
         return values;
+    }
+
+    /** Divides rho and BRDF of rows with a wavelength; the colors of other rows are under divided light. */
+    List<double[]> divided(Optional<EnergyDivisor> divisor, List<double[]> results) {
+        if (divisor.isEmpty() || !list.spectral()) {
+            return results;
+        }
+        return display.map("Energy", IntStream.range(0, list.size()).boxed().toList(), row -> {
+            double[] values = results.get(row).clone();
+            double sent = divisor.get().at(list.pair(row).wi(), list.wavelength(row));
+            values[RHO] /= sent;
+            values[BRDF] /= sent;
+            return values;
+        });
     }
 
     private double[] spectral(ExactLight light, int row) {

@@ -1,5 +1,6 @@
 package sunbeam.app.cli.reflectance;
 
+import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
@@ -35,11 +36,13 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.VisibleRange;
@@ -63,7 +66,7 @@ public final class ReflectanceCommand extends ReportingCommand {
     private PatchOptions patchOptions;
 
     @Mixin
-    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH, ENERGY));
 
     @Mixin
     private MethodOptions methodOptions;
@@ -112,9 +115,14 @@ public final class ReflectanceCommand extends ReportingCommand {
         AtomicFile.checkWritable(output, force.overwrite());
         PrintWriter err = err();
         PrintWriter out = out(output);
-        DiffractionSetup setup = new DiffractionSetup(patchOptions.load(asked, environment(), err), environment(), err)
+        DiffractionSetup loaded = new DiffractionSetup(patchOptions.load(asked, environment(), err), environment(), err)
                 .withLight(LightTable.of(asked));
-        Choices choices = setup.limitToScan(asked, err);
+        Choices choices = loaded.limitToScan(asked, err);
+        Optional<EnergyDivisor> divisor =
+                turn.choices().get(ENERGY).divisor(loaded.patch().heights(), choices);
+        DiffractionSetup setup = divisor.isEmpty() || list.spectral()
+                ? loaded
+                : loaded.withLight(divisor.get().under(light(list), loaded.cie()));
         Method method = Methods.of(choices);
         boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
         Map<String, Object> report = new LinkedHashMap<>();
@@ -139,12 +147,24 @@ public final class ReflectanceCommand extends ReportingCommand {
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.certificate(
                 count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
-        write(list, ensemble, evaluator.indexed(material, setup.cie(), results));
+        write(list, ensemble, evaluator.divided(divisor, evaluator.indexed(material, setup.cie(), results)));
         report.put("plan", plan.summary());
         certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));
         json.print(out, report, List.of(output));
         return CertifyOption.judge(certificate, plan, choices, json.text(out), err)
                 .code();
+    }
+
+    /** Returns the direction of light of all rows, by which their colors are divided over wavelength. */
+    private Direction light(DirectionList list) {
+        Direction light = list.pair(0).wi();
+        for (int row = 1; row < list.size(); row++) {
+            if (!list.pair(row).wi().equals(light)) {
+                throw new UsageException("--energy conserve divides by direction of light and wavelength: give "
+                        + directions + " one light, or the column wavelength");
+            }
+        }
+        return light;
     }
 
     private RefractiveIndex material(DirectionList list) {

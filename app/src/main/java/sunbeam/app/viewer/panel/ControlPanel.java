@@ -1,6 +1,7 @@
 package sunbeam.app.viewer.panel;
 
 import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
+import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
 import static sunbeam.app.scene.SceneSettings.GROUND;
 import static sunbeam.app.scene.SceneSettings.INDEX;
@@ -111,6 +112,7 @@ public final class ControlPanel extends JTabbedPane {
                 ROTATE_PATCH,
                 colorTab.slider(ROTATE_PATCH, -180, 180, Math::toRadians, Math::toDegrees, SettingRows::degrees));
         colorTab.text(INDEX);
+        colorTab.box(ENERGY, SettingRows.words(ENERGY), false);
         colorTab.row(EXPOSURE, automatic, "Automatic: chosen from the picture.");
         automatic.addActionListener(event -> enter(
                 EXPOSURE,

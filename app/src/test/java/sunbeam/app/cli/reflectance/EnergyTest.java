@@ -1,0 +1,272 @@
+package sunbeam.app.cli.reflectance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import java.util.zip.ZipFile;
+import jrtr.gl.RenderContext;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.directions.DirectionsRenderer;
+import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.analysis.EnergyDivisor;
+import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
+
+/** {@code --energy conserve} on tracks of a DVD: 740 nm wide, 120 nm deep. */
+@NeedsDisplay
+class EnergyTest {
+    private static final double TRACK = 740e-9;
+    private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
+
+    @TempDir
+    private Path folder;
+
+    private final StringWriter err = new StringWriter();
+    private String[] disc;
+
+    @BeforeEach
+    void writeTracks() throws IOException {
+        String row =
+                String.join(" ", Collections.nCopies(32, "0")) + " " + String.join(" ", Collections.nCopies(32, "120"));
+        Files.write(folder.resolve("dvd.txt"), Collections.nCopies(8, row));
+        disc = new String[] {
+            "--patch",
+            folder.resolve("dvd.txt").toString(),
+            "--width",
+            "740nm",
+            "--height",
+            "92.5nm",
+            "--height-unit",
+            "nm",
+            "--periodic"
+        };
+    }
+
+    private int run(String... arguments) {
+        err.getBuffer().setLength(0);
+        String[] all = Stream.of(arguments)
+                .flatMap(word -> word.equals("DISC") ? Arrays.stream(disc) : Stream.of(word))
+                .map(word ->
+                        word.startsWith("@") ? folder.resolve(word.substring(1)).toString() : word)
+                .toArray(String[]::new);
+        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(new StringWriter()), new PrintWriter(err))
+                .run(all);
+    }
+
+    private void list(String header, List<String> rows) throws IOException {
+        List<String> lines = new ArrayList<>(List.of(header));
+        lines.addAll(rows);
+        Files.write(folder.resolve("in.csv"), lines);
+    }
+
+    private double[] column(String file, String name) throws IOException {
+        List<String> lines = Files.readAllLines(folder.resolve(file));
+        int column = List.of(lines.get(0).split(",")).indexOf(name);
+        return lines.stream()
+                .skip(1)
+                .mapToDouble(line -> Double.parseDouble(line.split(",")[column]))
+                .toArray();
+    }
+
+    @Test
+    void aDiscReflectsNoMoreThanItsShareOfRedLight() throws IOException {
+        // A grid over the three orders at 720 nm, in widths of their Gaussians.
+        double width = 720e-9 * WINDOW.sigmaFrequency();
+        List<String> rows = new ArrayList<>();
+        for (int m = -1; m <= 1; m++) {
+            for (int i = -24; i <= 24; i++) {
+                for (int j = -12; j <= 12; j++) {
+                    double x = m * 720e-9 / TRACK + i * width / 6;
+                    double y = j * width / 4;
+                    double theta = Math.toDegrees(Math.asin(Math.min(0.9999, Math.hypot(x, y))));
+                    rows.add("0,0," + theta + "," + Math.toDegrees(Math.atan2(y, x)) + ",720");
+                }
+            }
+        }
+        list("theta_i,phi_i,theta_r,phi_r,wavelength", rows);
+        double[] sums = new double[2];
+        for (String rule : List.of("scalar", "conserve")) {
+            assertThat(run(
+                            "reflectance",
+                            "DISC",
+                            "--average",
+                            "ensemble",
+                            "--directions",
+                            "@in.csv",
+                            "--output",
+                            "@out.csv",
+                            "--force",
+                            "--energy",
+                            rule))
+                    .as(err.toString())
+                    .isZero();
+            // brdf cos theta_r d omega is brdf dx dy.
+            sums[rule.equals("scalar") ? 0 : 1] =
+                    Arrays.stream(column("out.csv", "brdf")).sum() * width / 6 * width / 4;
+        }
+        // Schlick's factor at half of 77 degrees is 1 % above 0.04.
+        assertThat(sums[0]).isGreaterThan(1.5 * 0.04);
+        assertThat(sums[1]).isBetween(0.98 * 0.04, 1.012 * 0.04);
+    }
+
+    @Test
+    void colorsUnderOneLightAreDividedAtEachWavelength() throws IOException {
+        List<String> rows = new ArrayList<>();
+        for (int i = 1; i < 60; i++) {
+            rows.add("10,0," + (i * 1.4) + "," + (i % 2 == 0 ? 180 : 0));
+        }
+        list("theta_i,phi_i,theta_r,phi_r", rows);
+        String[] command = {
+            "reflectance", "DISC", "--average", "ensemble", "--directions", "@in.csv", "--output", "@c.csv", "--force"
+        };
+        assertThat(run(command)).isZero();
+        double[] scalar = column("c.csv", "Y");
+        assertThat(run(Stream.concat(Arrays.stream(command), Stream.of("--energy", "conserve", "--certify", "30"))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isZero();
+        double[] conserved = column("c.csv", "Y");
+        double least = 1;
+        for (int i = 0; i < scalar.length; i++) {
+            // Twice the plan's 95th percentile.
+            assertThat(conserved[i]).isLessThanOrEqualTo(1.006 * scalar[i]);
+            least = scalar[i] > 0 ? Math.min(least, conserved[i] / scalar[i]) : least;
+        }
+        assertThat(least).isLessThan(0.8);
+    }
+
+    @Test
+    void aScenesShaderDividesByTheDirectionOfLight() {
+        MethodProbe probe = new MethodProbe(folder, disc);
+        MethodPlan plan = probe.plan(VisibleRange.all(), "--average=ensemble");
+        EnergyDivisor divisor = new EnergyDivisor(probe.setup().patch().heights(), WINDOW);
+        ShaderTables tables = divisor.applyTo(
+                probe.setup().tables(plan, MethodUse.COLOR, GpuBaker::of),
+                probe.setup().cie());
+        List<Query> queries = new ArrayList<>();
+        for (int theta = 0; theta < 80; theta += 5) {
+            queries.add(new Query(
+                    new DirectionPair(Direction.ofDegrees(theta, 11.0 * theta), Direction.ofDegrees(20, 40)), 0));
+        }
+        List<float[]> results;
+        try (RenderContext context = RenderContext.offscreen();
+                UploadedTables method = UploadedTables.upload(context, tables);
+                DirectionsRenderer renderer = new DirectionsRenderer(context, method, false)) {
+            results = renderer.evaluate(queries, count -> {});
+        }
+        double most = 1;
+        for (int i = 0; i < queries.size(); i++) {
+            DirectionPair pair = queries.get(i).pair();
+            double expected = divisor.ofColors(pair.wi(), probe.setup().cie());
+            most = Math.max(most, expected);
+            // Lines between directions 5 degrees apart; orders that leave bend the mean over luminance.
+            assertThat(Gain.relativeRadiance(pair) / results.get(i)[3])
+                    .as("light %s", pair.wi())
+                    .isCloseTo(expected, within(0.06 * expected));
+        }
+        assertThat(most).isGreaterThan(1.2);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "reflectance DISC --method reference | is not for method reference",
+                "reflectance DISC --preset thesis | is not for the thesis's preset",
+                "reflectance DISC --coherence-length 4um | needs a coherence length of 5um at least",
+                "brdf-map DISC --size 16 --method gem --spacing 1um | is not for method gem",
+                "reflectance DISC | give",
+            })
+    void whereNoDivisorIsRightOneLineSaysSo(String command, String words) throws IOException {
+        list("theta_i,phi_i,theta_r,phi_r", List.of("0,0,10,0", "1,0,10,0"));
+        List<String> all = new ArrayList<>(List.of(command.split(" ")));
+        all.addAll(List.of("--energy", "conserve", "--output", command.startsWith("brdf") ? "@o.png" : "@o.csv"));
+        if (command.startsWith("reflectance")) {
+            all.addAll(List.of("--directions", "@in.csv"));
+        }
+        assertThat(run(all.toArray(String[]::new))).as(err.toString()).isEqualTo(2);
+        assertThat(err.toString()).contains("--energy conserve").contains(words);
+        assertThat(folder.resolve("o.csv")).doesNotExist();
+    }
+
+    @Test
+    void anExportHasTheDivisorOrRefuses() throws IOException {
+        Path dvd = folder.resolve("dvd.txt");
+        String[] surface = {
+            "--width",
+            "740nm",
+            "--height",
+            "92.5nm",
+            "--height-unit",
+            "nm",
+            "--periodic",
+            "--samples",
+            "0",
+            "--size",
+            "2MB",
+            "--coherence-length",
+            "10um",
+            "--energy",
+            "conserve"
+        };
+        assertThat(run(Stream.concat(
+                                Stream.of("export", dvd.toString(), "--format", "html", "--output", "@p.html"),
+                                Arrays.stream(surface))
+                        .toArray(String[]::new)))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("--energy conserve is for --format npz and bsdf");
+        assertThat(run(Stream.concat(
+                                Stream.of("export", dvd.toString(), "--format", "npz", "--output", "@t.npz"),
+                                Arrays.stream(surface))
+                        .toArray(String[]::new)))
+                .as(err.toString())
+                .isIn(0, 3);
+        try (ZipFile archive = new ZipFile(folder.resolve("t.npz").toFile())) {
+            byte[] array =
+                    archive.getInputStream(archive.getEntry("divisor.npy")).readAllBytes();
+            FloatBuffer values = ByteBuffer.wrap(array, array.length - 4 * 3 * 625, 4 * 3 * 625)
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .asFloatBuffer();
+            // The middle of 25 x 25 is light from above; colors have one divisor.
+            double above = new EnergyDivisor(
+                            new MethodProbe(folder, disc).setup().patch().heights(),
+                            CoherenceWindow.ofCoherenceLength(10e-6))
+                    .ofColors(
+                            Direction.ofDegrees(0, 0),
+                            new MethodProbe(folder, disc).setup().cie());
+            // The table's window may be shorter by a mip level, with wider orders.
+            assertThat((double) values.get(312)).isCloseTo(above, within(0.1));
+            assertThat(values.get(312 + 625)).isEqualTo(values.get(312));
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package sunbeam.precompute.analysis;
+
+import java.util.stream.IntStream;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.TableArray;
+
+/**
+ * Divisor of radiance with which a surface sends out no more light than arrives: the light of all orders relative to a mirror's, where
+ * that is more than 1, by direction of light and wavelength. It does not depend on the direction of view, so that reciprocity is lost. Of
+ * more than 256 samples along a side, the middle is evaluated. Thread-safe.
+ */
+public final class EnergyDivisor {
+    // Directions of light along each axis of a table.
+    private static final int LIGHTS = 24;
+    // Nanometers in a cell of wavelengths of a color: few orders leave sharp peaks at the horizon, many a smooth sum.
+    private static final int CELL_OF_FEW = 4;
+    private static final int CELL_OF_MANY = 20;
+    private static final long FEW_ORDERS = 5000;
+    private static final double NANOMETER = 1e-9;
+    // Largest sine of a light's angle to the normal, where the irradiance is 0 at 1.
+    private static final double LOWEST_LIGHT = 0.999;
+
+    private final OrderSpectrum spectrum;
+    private final double sigmaFrequency;
+    private final int cell;
+
+    public EnergyDivisor(HeightMap map, CoherenceWindow window) {
+        HeightMap middle = EnergyBalance.middle(map);
+        spectrum = new OrderSpectrum(middle);
+        cell = OrderSpectrum.orders(middle) < FEW_ORDERS ? CELL_OF_FEW : CELL_OF_MANY;
+        sigmaFrequency = window.sigmaFrequency();
+    }
+
+    /** Returns the divisor, at least 1, for a light in the patch's frame and a wavelength in meters. */
+    public double at(Direction wi, double wavelength) {
+        return Math.max(1, spectrum.sum(wi, wavelength, sigmaFrequency));
+    }
+
+    /** Returns the weights over wavelength that divide colors under one direction of light. */
+    public CieTable under(Direction wi, CieTable cie) {
+        double[] divisors = IntStream.rangeClosed(0, cie.weighted().length - 1)
+                .parallel()
+                .mapToDouble(i -> at(wi, CieTable.MINIMUM_WAVELENGTH + i * NANOMETER))
+                .toArray();
+        return cie.times(wavelength ->
+                1 / divisors[(int) Math.rint((wavelength - CieTable.MINIMUM_WAVELENGTH) / NANOMETER)]);
+    }
+
+    /**
+     * Returns the divisor of all colors under a light, with which the luminance of all directions is that of the exact divisors. At a
+     * single wavelength it is wrong by their ratio.
+     */
+    public double ofColors(Direction wi, CieTable cie) {
+        double sent = 0;
+        double conserved = 0;
+        for (int first = 0; first < cie.weighted().length; first += cell) {
+            double weight = 0;
+            double moment = 0;
+            for (int i = first; i < Math.min(first + cell, cie.weighted().length); i++) {
+                weight += cie.weighted()[i][1];
+                moment += cie.weighted()[i][1] * i;
+            }
+            if (weight > 0) {
+                double ratio =
+                        spectrum.sum(wi, CieTable.MINIMUM_WAVELENGTH + moment / weight * NANOMETER, sigmaFrequency);
+                sent += weight * ratio;
+                conserved += weight * Math.min(1, ratio);
+            }
+        }
+        return conserved > 0 ? sent / conserved : 1;
+    }
+
+    /** Returns the direction of light at (x, y), the nearest one above the horizon. */
+    public static Direction light(double x, double y) {
+        double outside = Math.max(1, Math.hypot(x, y) / LOWEST_LIGHT);
+        return Direction.ofDisc(x / outside, y / outside);
+    }
+
+    /** Returns a shader's tables with 1 / {@link #ofColors} over the directions of light (shaders/include/gain.glsl). */
+    public ShaderTables applyTo(ShaderTables tables, CieTable cie) {
+        float[] shares = new float[LIGHTS * LIGHTS];
+        IntStream.range(0, shares.length).parallel().forEach(i -> {
+            double x = 2 * (i % LIGHTS + 0.5) / LIGHTS - 1;
+            double y = 2 * (i / LIGHTS + 0.5) / LIGHTS - 1;
+            shares[i] = (float) (1 / ofColors(light(x, y), cie));
+        });
+        return new ShaderTables.Builder(tables.shader())
+                .all(tables)
+                .define("ENERGY_CONSERVED", 1)
+                .array(TableArray.of(
+                        ArrayLayout.flat("energyShares", LIGHTS, LIGHTS, 1).linear(), shares))
+                .trial(tables.trial())
+                .build(tables.windowSigma(), tables.specularReach());
+    }
+}

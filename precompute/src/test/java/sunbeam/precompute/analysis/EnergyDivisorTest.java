@@ -1,0 +1,123 @@
+package sunbeam.precompute.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.color.Observer;
+import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.HeightMap;
+
+class EnergyDivisorTest {
+    private static final double TRACK = 740e-9;
+    private static final double DEPTH = 120e-9;
+    private static final int SAMPLES = 64;
+    private static final CoherenceWindow SUNLIGHT =
+            CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
+
+    /** Tracks of a DVD. */
+    private static HeightMap tracks() {
+        return Surfaces.sampled(SAMPLES, 2, TRACK / SAMPLES, (column, row) -> column < SAMPLES / 2 ? 0 : DEPTH);
+    }
+
+    /** |F_m|^2 of the sampled tracks. */
+    private static double power(int m, double phase) {
+        double share = m % 2 == 0 ? 0 : 1 / (SAMPLES / 2.0 * Math.sin(Math.PI * m / SAMPLES));
+        return m == 0 ? Math.pow(Math.cos(phase / 2), 2) : Math.pow(Math.sin(phase / 2) * share, 2);
+    }
+
+    /**
+     * Share of the light that leaves a lossless surface: the integral of brdf cos theta_r over the hemisphere, by direct sums in disc
+     * coordinates, r = sin alpha.
+     */
+    private static double furnace(Direction wi, double wavelength, CoherenceWindow window) {
+        int steps = 4000;
+        double sigma = window.sigmaFrequency() * wavelength;
+        double sum = 0;
+        for (int m = -3; m <= 3; m++) {
+            double middle = -wi.x() - m * wavelength / TRACK;
+            // The window's Gaussian reaches a few degrees: only lines near the order's height are summed.
+            for (int row = -40; row <= 40; row++) {
+                double y = -wi.y() + sigma * row / 10;
+                double half = Math.sqrt(Math.max(0, 1 - y * y));
+                for (int i = 0; i < steps; i++) {
+                    double alpha = Math.PI * ((i + 0.5) / steps - 0.5);
+                    double x = half * Math.sin(alpha);
+                    double far = (Math.pow(x - middle, 2) + Math.pow(y + wi.y(), 2)) / (sigma * sigma);
+                    if (far < 40) {
+                        DirectionPair pair = new DirectionPair(wi, Direction.ofDisc(x, y));
+                        double power = Math.exp(-far) * power(m, 2 * Math.PI / wavelength * pair.w() * DEPTH);
+                        double area = half * Math.cos(alpha) * Math.PI / steps * sigma / 10;
+                        sum += Gain.brdf(pair, window, wavelength) / Gain.reflectance(pair.cosThetaD()) * power * area;
+                    }
+                }
+            }
+        }
+        return sum;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0, 720", "0, 0, 737", "0, 0, 745", "0, 0, 550", "12, 0, 590", "20, 30, 560", "70, 90, 500"})
+    void theFurnaceOfALosslessDiscHoldsWithTheDivisor(double theta, double phi, double nanometers) {
+        Direction wi = Direction.ofDegrees(theta, phi);
+        double sent = furnace(wi, nanometers * 1e-9, SUNLIGHT);
+        double divisor = new EnergyDivisor(tracks(), SUNLIGHT).at(wi, nanometers * 1e-9);
+        // 1 %: what is left of the light beside an order's Gaussian where it crosses the horizon.
+        assertThat(sent / divisor).isLessThan(1.01);
+        assertThat(divisor).isCloseTo(Math.max(1, sent), within(0.01 * sent));
+    }
+
+    @Test
+    void theDiscsExcessIsKnown() {
+        double divisor = new EnergyDivisor(tracks(), SUNLIGHT).at(Direction.ofDegrees(0, 0), 720e-9);
+        // 1.52 of the sharp orders (EnergyBalanceTest), a little less as the Gaussians reach beyond the horizon.
+        assertThat(divisor).isBetween(1.5, 1.55);
+    }
+
+    @Test
+    void aMirrorAndAShallowSurfaceAreNotDivided() {
+        HeightMap mirror = Surfaces.of(16, 16, 100e-9, (x, y) -> 0);
+        EnergyDivisor divisor = new EnergyDivisor(mirror, SUNLIGHT);
+        // float32 amplitudes; under grazing light a part of the mirror's Gaussian is beyond the horizon.
+        assertThat(divisor.at(Direction.ofDegrees(40, 10), 500e-9)).isCloseTo(1, within(1e-4));
+        assertThat(divisor.ofColors(Direction.ofDegrees(40, 10), CieTable.load()))
+                .isCloseTo(1, within(1e-4));
+    }
+
+    @Test
+    void colorsKeepTheLuminanceOfTheExactDivisors() {
+        EnergyDivisor divisor = new EnergyDivisor(tracks(), SUNLIGHT);
+        Direction wi = Direction.ofDegrees(10, 0);
+        CieTable light = CieTable.load();
+        CieTable divided = divisor.under(wi, light);
+        OrderSpectrum spectrum = new OrderSpectrum(tracks());
+        double exact = 0;
+        double all = 0;
+        for (int i = 0; i <= 400; i++) {
+            double wavelength = (380 + i) * 1e-9;
+            double sent = spectrum.sum(wi, wavelength, SUNLIGHT.sigmaFrequency());
+            exact += sent * divided.at(wavelength, 1);
+            all += sent * light.at(wavelength, 1);
+        }
+        // Cells of 4 nm under a sum with a peak of 5 nm.
+        assertThat(all / divisor.ofColors(wi, light)).isCloseTo(exact, within(0.01 * exact));
+        assertThat(divisor.ofColors(wi, light)).isGreaterThan(1.01);
+    }
+
+    @Test
+    void aLasersDivisorIsThatOfItsWavelength() {
+        EnergyDivisor divisor = new EnergyDivisor(tracks(), SUNLIGHT);
+        CieTable laser = CieTable.of(Observer.CIE1931, Illuminant.of("E"), WavelengthBand.parse("700nm"));
+        Direction wi = Direction.ofDegrees(0, 0);
+        assertThat(divisor.ofColors(wi, laser)).isCloseTo(divisor.at(wi, 700e-9), within(0.01));
+    }
+}
