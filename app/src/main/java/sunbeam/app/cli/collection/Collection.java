@@ -31,6 +31,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.units.Decimals;
@@ -52,8 +53,8 @@ public final class Collection {
     private static final List<String> OF_ONE = List.of("--with", "--linear");
 
     /** Failures that all further runs would have, too. */
-    private static final Set<ExitCode> FINAL =
-            Set.of(ExitCode.NO_GRAPHICS, ExitCode.CANNOT_WRITE, ExitCode.OUTPUT_EXISTS, ExitCode.INTERRUPTED);
+    private static final Set<Integer> FINAL =
+            Set.of(ExitCode.NO_GRAPHICS.code(), ExitCode.CANNOT_WRITE.code(), ExitCode.OUTPUT_EXISTS.code());
 
     private static final int MOST = 100_000;
     private static final int NAMES_OF_FOLDER = 3;
@@ -125,19 +126,23 @@ public final class Collection {
         Overwrite overwrite = resumes || parsed.hasMatchedOption("--force") ? Overwrite.REPLACE : Overwrite.REFUSE;
         CollectionFolder folder = CollectionFolder.open(folder(overwrite), task, overwrite, resumes);
         List<ObjectNode> rows = new ArrayList<>();
-        try (Progress progress = display.start("Surfaces", items.size())) {
+        String kept = "interrupted; what is finished is kept, add --resume to go on";
+        try (Progress progress = display.start("Surfaces", items.size());
+                ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)))) {
             for (Item item : items) {
                 String hash = ResumeOption.hash(hashed(item));
                 Optional<ObjectNode> earlier = folder.find(item.patch(), item.stem(), hash);
                 ObjectNode row = earlier.orElseGet(() -> run(item, folder, hash));
-                int code = row.get("exit_code").intValue();
+                if (code(row) == ExitCode.INTERRUPTED.code()) {
+                    return code(row);
+                }
                 if (failed(row)) {
                     String message = row.get("message").textValue();
                     err.println(
                             Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
                 }
-                if (FINAL.stream().anyMatch(last -> last.code() == code)) {
-                    return code;
+                if (FINAL.contains(code(row))) {
+                    return code(row);
                 }
                 if (earlier.isEmpty()) {
                     folder.append(row);
@@ -146,16 +151,16 @@ public final class Collection {
                 progress.step(1);
             }
         }
-        List<Path> written = folder.write(parsed.commandSpec().name(), rows);
-        print(out, rows, written);
-        return rows.stream()
-                .filter(Collection::failed)
+        print(out, rows, folder.write(parsed.commandSpec().name(), rows));
+        return Stream.concat(rows.stream().filter(Collection::failed), rows.stream())
+                .mapToInt(Collection::code)
+                .filter(code -> code != ExitCode.OK.code())
                 .findFirst()
-                .or(() -> rows.stream()
-                        .filter(row -> row.get("exit_code").intValue() != ExitCode.OK.code())
-                        .findFirst())
-                .map(row -> row.get("exit_code").intValue())
                 .orElse(ExitCode.OK.code());
+    }
+
+    private static int code(ObjectNode row) {
+        return row.get("exit_code").intValue();
     }
 
     private void check() {

@@ -30,14 +30,30 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.plot.ThumbnailSheet;
 import sunbeam.app.files.plot.ThumbnailSheet.Thumbnail;
+import sunbeam.precompute.units.Decimals;
 
 /**
  * Output of a collection: {@code table.csv}, {@code sheet.png} with its further pages, {@code reports.jsonl} with a line for each surface,
  * and the files of each surface in {@code surfaces}. The files of a part have its number in their names.
  */
 final class CollectionFolder {
-    /** Fields of a report that are columns of the table, by the names of the columns. */
-    private static final Map<String, String> COLUMNS = columns();
+    /** Fields of a report that are columns of the table, as JSON pointers. */
+    private static final List<String> COLUMNS = List.of(
+            "/theta_i_deg",
+            "/verdict_code",
+            "/verdict",
+            "/period_m",
+            "/period_low_m",
+            "/period_high_m",
+            "/about_m",
+            "/direction_deg",
+            "/first_orders_deg",
+            "/purest/srgb",
+            "/purest/theta_r_deg",
+            "/purest/dominant_m",
+            "/purest/purity",
+            "/faults",
+            "/notes");
 
     private static final String REPORTS = "reports";
     private final ObjectMapper json = new ObjectMapper();
@@ -50,29 +66,6 @@ final class CollectionFolder {
         this.folder = folder;
         this.part = part;
         this.overwrite = overwrite;
-    }
-
-    private static Map<String, String> columns() {
-        Map<String, String> columns = new LinkedHashMap<>();
-        for (String name : List.of(
-                "theta_i_deg",
-                "verdict_code",
-                "verdict",
-                "period_m",
-                "period_low_m",
-                "period_high_m",
-                "about_m",
-                "direction_deg",
-                "first_orders_deg",
-                "faults",
-                "notes")) {
-            columns.put(name, "/" + name);
-        }
-        columns.put("purest_srgb", "/purest/srgb");
-        columns.put("purest_theta_r_deg", "/purest/theta_r_deg");
-        columns.put("purest_dominant_m", "/purest/dominant_m");
-        columns.put("purest_purity", "/purest/purity");
-        return columns;
     }
 
     /**
@@ -191,11 +184,11 @@ final class CollectionFolder {
 
     private static Map<String, String> cells(ObjectNode row) {
         Map<String, String> cells = new LinkedHashMap<>();
-        for (String own : List.of("file", "exit_code", "message", "picture")) {
-            cells.put(own, row.get(own).asText());
-        }
-        COLUMNS.forEach(
-                (name, pointer) -> cells.put(name, cell(row.path("report").at(pointer))));
+        List.of("file", "exit_code", "message")
+                .forEach(name -> cells.put(name, row.get(name).asText()));
+        COLUMNS.forEach(pointer -> cells.put(
+                pointer.substring(1).replace('/', '_'), cell(row.path("report").at(pointer))));
+        cells.put("picture", row.get("picture").asText());
         return cells;
     }
 
@@ -217,20 +210,24 @@ final class CollectionFolder {
             return new Thumbnail(Optional.empty(), name, row.get("message").asText());
         }
         Path picture = Path.of(row.get("picture").asText());
-        JsonNode theta = report.path("theta_i_deg");
+        double theta = report.path("theta_i_deg").asDouble();
         String sentence = report.path("verdict").asText().split(": ", 2)[0];
         try {
             BufferedImage whole = ImageIO.read(picture.toFile());
+            if (whole == null) {
+                throw new InputException(picture + " is no picture any more; remove it and run again with --resume");
+            }
             JsonNode area = report.path("thumbnail_px");
-            Rectangle part = new Rectangle(
-                            area.path(0).asInt(),
-                            area.path(1).asInt(),
-                            area.path(2).asInt(whole.getWidth()),
-                            area.path(3).asInt(whole.getHeight()))
-                    .intersection(new Rectangle(whole.getWidth(), whole.getHeight()));
+            Rectangle all = new Rectangle(whole.getWidth(), whole.getHeight());
+            Rectangle part = all.intersection(new Rectangle(
+                    area.path(0).asInt(),
+                    area.path(1).asInt(),
+                    area.path(2).asInt(),
+                    area.path(3).asInt()));
+            Rectangle shown = part.isEmpty() ? all : part;
             return new Thumbnail(
-                    Optional.of(Thumbnail.reduced(whole.getSubimage(part.x, part.y, part.width, part.height))),
-                    name,
+                    Optional.of(Thumbnail.reduced(whole.getSubimage(shown.x, shown.y, shown.width, shown.height))),
+                    theta == 0 ? name : name + ", light at " + Decimals.format(theta) + "\u00b0",
                     sentence);
         } catch (IOException failure) {
             throw InputException.of(picture, failure);
