@@ -85,8 +85,9 @@ public final class EnergyDivisor {
     public ShaderTables applyTo(ShaderTables tables, CieTable cie) {
         float[] shares = new float[LIGHTS * LIGHTS];
         IntStream.range(0, shares.length).parallel().forEach(i -> {
+            int row = i / LIGHTS;
             double x = 2 * (i % LIGHTS + 0.5) / LIGHTS - 1;
-            double y = 2 * (i / LIGHTS + 0.5) / LIGHTS - 1;
+            double y = 2 * (row + 0.5) / LIGHTS - 1;
             shares[i] = (float) (1 / ofColors(light(x, y), cie));
         });
         return new ShaderTables.Builder(tables.shader())
