@@ -9,8 +9,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.text.Text;
 
 /**
- * Light that the scalar model sends into all orders of a surface ({@link OrderSpectrum}), relative to the light that a mirror of the same
- * material reflects.
+ * Total diffracted light of a surface in the scalar model ({@link OrderSpectrum}), relative to a mirror of the same material.
  *
  * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
  * @param wavelength meters
@@ -19,9 +18,9 @@ public record EnergyBalance(double ratio, double wavelength) {
     /** Ratio above which {@link #warning} reports a surface. */
     public static final double LARGEST = 1.05;
 
-    // Samples along a side; a larger scan is evaluated in its middle.
+    // Samples along a side, beyond which only the middle is evaluated.
     private static final int MOST_SAMPLES = 256;
-    // Meters; the expansion of a deeper relief takes more than a second.
+    // Meters; deeper reliefs take more than a second.
     private static final double DEEPEST = 6e-6;
     // Meters.
     private static final double WAVELENGTH_STEP = 20e-9;
@@ -45,7 +44,7 @@ public record EnergyBalance(double ratio, double wavelength) {
                 .max(Comparator.comparingDouble(EnergyBalance::ratio));
     }
 
-    /** Returns the balance at a wavelength in meters, of the middle {@value #MOST_SAMPLES} samples along each side of a larger scan. */
+    /** Returns the balance at a wavelength in meters, of at most {@value #MOST_SAMPLES} samples along each side. */
     public static EnergyBalance at(HeightMap map, Direction wi, double wavelength) {
         return at(new OrderSpectrum(middle(map)), wi, wavelength);
     }

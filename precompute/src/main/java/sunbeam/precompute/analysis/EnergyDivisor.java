@@ -10,14 +10,14 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
 /**
- * Divisor of radiance with which a surface sends out no more light than arrives: the light of all orders relative to a mirror's, where
- * that is more than 1, by direction of light and wavelength. It does not depend on the direction of view, so that reciprocity is lost. Of
- * more than 256 samples along a side, the middle is evaluated. Thread-safe.
+ * Divisor of radiance that conserves energy: the light of all orders relative to a mirror's where that exceeds 1, by direction of light and
+ * wavelength. It does not depend on the direction of view, so reciprocity is lost. Of larger maps only the middle 256 samples along a side
+ * are evaluated. Thread-safe.
  */
 public final class EnergyDivisor {
     // Directions of light along each axis of a table.
     private static final int LIGHTS = 24;
-    // Nanometers in a cell of wavelengths of a color: few orders leave sharp peaks at the horizon, many a smooth sum.
+    // Nanometers of a cell of wavelengths: few orders have sharp peaks at the horizon, many a smooth sum.
     private static final int CELL_OF_FEW = 4;
     private static final int CELL_OF_MANY = 20;
     private static final long FEW_ORDERS = 5000;
@@ -51,10 +51,7 @@ public final class EnergyDivisor {
                 1 / divisors[(int) Math.rint((wavelength - CieTable.MINIMUM_WAVELENGTH) / NANOMETER)]);
     }
 
-    /**
-     * Returns the divisor of all colors under a light, with which the luminance of all directions is that of the exact divisors. At a
-     * single wavelength it is wrong by their ratio.
-     */
+    /** Returns one divisor for all wavelengths, which gives the luminance of all directions together that exact divisors give. */
     public double ofColors(Direction wi, CieTable cie) {
         double sent = 0;
         double conserved = 0;

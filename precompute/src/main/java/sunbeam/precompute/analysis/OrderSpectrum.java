@@ -42,7 +42,7 @@ public final class OrderSpectrum {
     // [(bin * terms + term) * 2]: real and imaginary parts
     private final float[] values;
 
-    /** Receives the orders that lie above the horizon. */
+    /** Receives the orders above the horizon. */
     @FunctionalInterface
     interface Visitor {
         /**
@@ -57,7 +57,7 @@ public final class OrderSpectrum {
         void visit(int x, int y, DirectionPair pair, double real, double imaginary);
     }
 
-    /** Transforms one period of a surface, without missing samples. */
+    /** Transforms one period of a surface. */
     public OrderSpectrum(HeightMap map) {
         width = map.width();
         height = map.height();
@@ -79,7 +79,7 @@ public final class OrderSpectrum {
         return Band.of(-most, most);
     }
 
-    /** Returns the number of orders of a map that some light shows. */
+    /** Returns the number of orders of a map that are visible under some light. */
     public static long orders(HeightMap map) {
         return (long) visibleBins(map.columns(), map.width()).count()
                 * visibleBins(map.rows(), map.height()).count();

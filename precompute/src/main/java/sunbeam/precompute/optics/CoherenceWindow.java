@@ -49,8 +49,8 @@ public record CoherenceWindow(double sigmaMeters) {
     }
 
     /**
-     * Returns the |(u, v)| up to which a direction sees gloss and no order (docs/color.md): the specular peak of visible light, and light
-     * scattered by surface waves longer than both 5 um and two periods.
+     * Returns the |(u, v)| below which only gloss is seen, and no orders (docs/color.md): the specular peak of visible light, and light
+     * scattered by waves of the surface longer than both 5 um and two periods.
      *
      * @param period the surface's period, meters; 0 if none is known
      */

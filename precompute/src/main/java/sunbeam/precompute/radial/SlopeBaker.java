@@ -38,9 +38,7 @@ public final class SlopeBaker implements ColorBaker {
     /** Wavelengths of a step, and per slice of |w| its sums over terms. */
     private record Nodes(WavelengthNodes wavelengths, Map<Double, Slice> slices) {}
 
-    /**
-     * Slice of one |w|. Per wavelength it has the first of the planes around its sigma_f, and a factor for each term of these.
-     */
+    /** Slice of one |w|: per wavelength the first of the planes around its sigma_f, and a factor for each term of these. */
     private record Slice(int[] planes, float[][] factors) {}
 
     /** @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table */
