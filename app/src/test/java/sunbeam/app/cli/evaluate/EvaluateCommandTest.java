@@ -11,10 +11,12 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -25,6 +27,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.optics.Gain;
 
 /** Few wavelengths where a test does not name others. */
 final class EvaluateCommandTest {
@@ -121,6 +125,29 @@ final class EvaluateCommandTest {
         assertThat(1e18 * report().at("/peaks_at_maxima/variance_m2").doubleValue())
                 .isCloseTo(0.16, within(0.1));
         assertThat(report().has("peaks_interpolated")).isFalse();
+        // The published source has the maxima of power, 2499.997 nm.
+        assertThat(meanPeriodOfPower()).isCloseTo(2499.997, within(0.3));
+    }
+
+    /** Mean of the periods (nm) at which the response without its gain is largest, over the wavelengths. */
+    private double meanPeriodOfPower() throws IOException {
+        GratingPlane plane = new GratingPlane(Math.toRadians(75), 0, 0);
+        List<double[]> rows = new ArrayList<>();
+        for (String line : Files.readAllLines(folder.resolve("result.csv"))) {
+            rows.add(Stream.of(line.replace("wavelength_nm", "0").split(","))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray());
+        }
+        double[] angles = rows.remove(0);
+        return rows.stream()
+                .mapToDouble(row -> IntStream.range(1, row.length)
+                        .boxed()
+                        .max(Comparator.comparingDouble(
+                                i -> row[i] / Gain.relativeRadiance(plane.pair(Math.toRadians(angles[i])))))
+                        .map(i -> row[0] / Math.abs(plane.u(Math.toRadians(angles[i]))))
+                        .orElseThrow())
+                .average()
+                .orElseThrow();
     }
 
     /** The shader's tolerance of 1e-3 in power moves a peak by thousandths of its width. */
