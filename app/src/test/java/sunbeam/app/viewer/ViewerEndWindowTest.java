@@ -13,6 +13,8 @@ import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.Main;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
@@ -64,8 +66,10 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         assertThat(different(ImageIO.read(picture.toFile()), picture(), false)).isZero();
     }
 
-    @Test
-    void theProcessEndsWithoutAWordWhenItsWindowIsClosedDuringAComputation() throws Exception {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theProcessEndsWithoutAWordWhenItsWindowIsClosedAtOnceOrDuringAComputation(boolean hasPicture)
+            throws Exception {
         Path scene = folder.resolve("scene.json");
         SceneWriter.write(scene, Overwrite.REFUSE, costly(scene()));
         Path out = folder.resolve("out");
@@ -75,7 +79,8 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
                 System.getProperty("java.class.path"),
                 "-Djava.awt.headless=false",
                 ClosedSoon.class.getName(),
-                scene.toString());
+                scene.toString(),
+                String.valueOf(hasPicture));
         builder.environment().putAll(Map.of("XDG_CACHE_HOME", folder.toString()));
         Process process =
                 builder.redirectErrorStream(true).redirectOutput(out.toFile()).start();
@@ -110,25 +115,27 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         });
     }
 
-    /** The program, with somebody who closes its window during the first refinement. */
+    /** The program, with a thread that closes its window before the first picture or during its refinement. */
     static final class ClosedSoon {
         static final String CLOSING = "closing";
 
         private ClosedSoon() {}
 
         public static void main(String[] arguments) {
-            Thread closer = new Thread(ClosedSoon::close, "closer");
+            boolean hasPicture = Boolean.parseBoolean(arguments[1]);
+            Thread closer = new Thread(() -> close(hasPicture), "closer");
             closer.setDaemon(true);
             closer.start();
             Main.main(List.of("view", arguments[0]).toArray(String[]::new));
         }
 
-        private static void close() {
+        private static void close(boolean hasPicture) {
             try {
                 await(() -> onEvents(() -> {
                     for (Window window : Window.getWindows()) {
                         if (window instanceof ViewerWindow viewer
-                                && viewer.picture().picture().isPresent()
+                                && viewer.isShowing()
+                                && viewer.picture().picture().isPresent() == hasPicture
                                 && !viewer.picture().isFinal()) {
                             System.out.println(CLOSING);
                             viewer.dispatchEvent(new WindowEvent(viewer, WindowEvent.WINDOW_CLOSING));

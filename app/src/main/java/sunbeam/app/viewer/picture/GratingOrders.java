@@ -40,14 +40,20 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
         return x * x + y * y < 1 ? Optional.of(new Point2D.Double(x, y)) : Optional.empty();
     }
 
-    /** Paints the marks on the BRDF map, a disc of diameter {@code side} whose left edge is at {@code left}, in pixels. */
-    void paint(Graphics2D graphics, MapLabels labels, double left, double side) {
+    /**
+     * Paints the marks on the BRDF map, a disc of diameter {@code side} whose left edge is at {@code left}, in pixels.
+     *
+     * @param withMirror whether order 0 is marked, which all gratings share
+     */
+    void paint(Graphics2D graphics, MapLabels labels, boolean withMirror, double left, double side) {
         double apart = 0.5 * side * GREEN * wave.length();
         int step = (int) Math.max(1, Math.ceil(CLOSEST / apart));
         int last = (int) Math.floor(2 / (WAVELENGTHS.get(0) * wave.length()));
         // Low orders come first, since a label that would cover another is left out.
         for (int order = 0; order <= last; order += step) {
-            paint(graphics, labels, order, left, side);
+            if (order > 0 || withMirror) {
+                paint(graphics, labels, order, left, side);
+            }
             if (order > 0) {
                 paint(graphics, labels, -order, left, side);
             }

@@ -119,7 +119,9 @@ public final class MapView extends JComponent {
             graphics.setFont(graphics.getFont().deriveFont(10f));
             MapLabels labels = new MapLabels(graphics, new Rectangle(getWidth(), side));
             paintAxes(graphics, labels, left, side);
-            orders.forEach(grating -> grating.paint(graphics, labels, left, side));
+            for (int i = 0; i < orders.size(); i++) {
+                orders.get(i).paint(graphics, labels, i == 0, left, side);
+            }
             marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
         }
         graphics.setColor(getForeground());
