@@ -40,19 +40,12 @@ public record EnergyBalance(double ratio, double wavelength) {
         int steps = (int) Math.round((CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH) / WAVELENGTH_STEP);
         return IntStream.rangeClosed(0, steps)
                 .parallel()
-                .mapToObj(i -> at(spectrum, wi, CieTable.MINIMUM_WAVELENGTH + i * WAVELENGTH_STEP))
+                .mapToDouble(i -> CieTable.MINIMUM_WAVELENGTH + i * WAVELENGTH_STEP)
+                .mapToObj(wavelength -> new EnergyBalance(spectrum.sum(wi, wavelength, 0), wavelength))
                 .max(Comparator.comparingDouble(EnergyBalance::ratio));
     }
 
-    /** Returns the balance at a wavelength in meters, of at most {@value #MOST_SAMPLES} samples along each side. */
-    public static EnergyBalance at(HeightMap map, Direction wi, double wavelength) {
-        return at(new OrderSpectrum(middle(map)), wi, wavelength);
-    }
-
-    private static EnergyBalance at(OrderSpectrum spectrum, Direction wi, double wavelength) {
-        return new EnergyBalance(spectrum.sum(wi, wavelength, 0), wavelength);
-    }
-
+    /** Returns the middle {@value #MOST_SAMPLES} samples along each side of a larger scan. */
     static HeightMap middle(HeightMap map) {
         int columns = Math.min(MOST_SAMPLES, map.columns());
         int rows = Math.min(MOST_SAMPLES, map.rows());

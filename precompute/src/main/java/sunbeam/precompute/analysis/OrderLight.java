@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.analysis.OrderLattice.Order;
@@ -18,11 +19,19 @@ import sunbeam.precompute.optics.RefractiveIndex;
  * Efficiencies, shares of the incident light, of a surface's orders under one light: of a piece of a surface the integral around each
  * order, over half the distance to the next.
  *
+ * @param wi direction to the light, in the patch's frame
+ * @param wavelength meters
  * @param efficiencies efficiencies of the orders above the horizon
  * @param between share of the light that leaves between the orders of a grating
  * @param mirror share that a flat mirror of the material reflects
  */
-public record OrderLight(Map<Order, Efficiency> efficiencies, double between, double mirror) {
+public record OrderLight(
+        OrderLattice lattice,
+        Direction wi,
+        double wavelength,
+        Map<Order, Efficiency> efficiencies,
+        double between,
+        double mirror) {
     // Largest number of parts of a scan along each axis, whose differences give the interval.
     private static final int PARTS = 4;
 
@@ -124,7 +133,19 @@ public record OrderLight(Map<Order, Efficiency> efficiencies, double between, do
                 rest.power += field.power;
             }
         });
-        return new OrderLight(efficiencies, rest.power, index.reflectance(wavelength, wi.z()));
+        double mirror = index.reflectance(wavelength, wi.z());
+        return new OrderLight(lattice, wi, wavelength, efficiencies, rest.power, mirror);
+    }
+
+    /** Returns the direction of an order; empty beyond the horizon. */
+    public Optional<Direction> direction(Order order) {
+        return lattice.direction(order, wi, wavelength);
+    }
+
+    /** Returns the efficiency of an order: NaN beyond the horizon, 0 beside it if all light of the order is beyond. */
+    public Efficiency at(Order order) {
+        double none = direction(order).isPresent() ? 0 : Double.NaN;
+        return efficiencies.getOrDefault(order, new Efficiency(none, none, none));
     }
 
     /** Returns the share of the light that leaves the surface. */

@@ -104,16 +104,26 @@ public final class OrderSpectrum {
      * @param wavelength wavelength in meters, within 380..780 nm
      */
     void forEach(Direction wi, double wavelength, Visitor visitor) {
+        forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
+            if (square > 0) {
+                DirectionPair pair = new DirectionPair(wi, new Direction(outX, outY, Math.sqrt(square)));
+                double[] amplitude = amplitude(x, y, wavelength, pair);
+                visitor.visit(x, y, pair, amplitude[0], amplitude[1]);
+            }
+        });
+    }
+
+    /** Receives a bin with the x, y and z^2 of its direction; z^2 is negative beyond the horizon. */
+    private interface BinVisitor {
+        void visit(int x, int y, double outX, double outY, double square);
+    }
+
+    private void forEachBin(Direction wi, double wavelength, BinVisitor visitor) {
         for (int y = bandY.first(); y <= bandY.last(); y++) {
+            double outY = -wi.y() - wavelength * y / height;
             for (int x = bandX.first(); x <= bandX.last(); x++) {
                 double outX = -wi.x() - wavelength * x / width;
-                double outY = -wi.y() - wavelength * y / height;
-                double square = 1 - outX * outX - outY * outY;
-                if (square > 0) {
-                    DirectionPair pair = new DirectionPair(wi, new Direction(outX, outY, Math.sqrt(square)));
-                    double[] amplitude = amplitude(x, y, wavelength, pair);
-                    visitor.visit(x, y, pair, amplitude[0], amplitude[1]);
-                }
+                visitor.visit(x, y, outX, outY, 1 - outX * outX - outY * outY);
             }
         }
     }
@@ -144,21 +154,16 @@ public final class OrderSpectrum {
      */
     public double sum(Direction wi, double wavelength, double sigmaFrequency) {
         double blur = wavelength * sigmaFrequency;
-        double sum = 0;
-        for (int y = bandY.first(); y <= bandY.last(); y++) {
-            for (int x = bandX.first(); x <= bandX.last(); x++) {
-                double outX = -wi.x() - wavelength * x / width;
-                double outY = -wi.y() - wavelength * y / height;
-                double square = 1 - outX * outX - outY * outY;
-                if (square > Math.min(FARTHEST, NEAR_HORIZON * blur)) {
-                    Direction out = new Direction(outX, outY, Math.sqrt(square));
-                    sum += power(x, y, wavelength, new DirectionPair(wi, out));
-                } else if (square > -3 * REACH * blur) {
-                    sum += atHorizon(x, y, wavelength, wi, outX, outY, blur);
-                }
+        double[] sum = new double[1];
+        forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
+            if (square > Math.min(FARTHEST, NEAR_HORIZON * blur)) {
+                Direction out = new Direction(outX, outY, Math.sqrt(square));
+                sum[0] += power(x, y, wavelength, new DirectionPair(wi, out));
+            } else if (square > -3 * REACH * blur) {
+                sum[0] += atHorizon(x, y, wavelength, wi, outX, outY, blur);
             }
-        }
-        return sum;
+        });
+        return sum[0];
     }
 
     /** Integrates an order over its Gaussian along the radius r = sin alpha; dr / cos alpha = d alpha takes the pole at the horizon. */

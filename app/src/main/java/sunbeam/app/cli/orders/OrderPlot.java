@@ -2,15 +2,15 @@ package sunbeam.app.cli.orders;
 
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
-import sunbeam.app.cli.orders.OrderTable.Incidence;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.analysis.OrderLight;
 import sunbeam.precompute.analysis.OrderLight.Efficiency;
 
-/** Plots of the strongest orders' efficiencies, of their sum and of a mirror, one for each angle of incidence. */
+/** Plots of the strongest orders' efficiencies, of their sum and of a mirror. */
 final class OrderPlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 560;
@@ -23,74 +23,45 @@ final class OrderPlot {
     static BufferedImage draw(OrderTable table) {
         Sheet sheet = new Sheet(WIDTH)
                 .heading(table.patch().name() + ": " + table.verdict().sentence());
-        if (table.nanometers().length == 1 && table.incidences().size() > 1) {
-            return sheet.row(overAngle(table)).draw();
+        int angles = table.thetas().length;
+        String azimuth = ", azimuth of the light " + OrderTable.written(table.phi()) + " degrees";
+        if (table.wavelengths().length == 1 && angles > 1) {
+            List<OrderLight> lights =
+                    table.lights().stream().map(lit -> lit.get(0)).toList();
+            String title = OrderTable.nanometers(lights.get(0)) + azimuth;
+            return sheet.row(plot(title, "angle of incidence theta_i / degrees", table.thetas(), lights))
+                    .draw();
         }
-        int step = (table.incidences().size() + MOST - 1) / MOST;
-        for (int i = 0; i < table.incidences().size(); i += step) {
-            sheet.row(overWavelength(table, table.incidences().get(i)));
+        double[] nanometers =
+                Arrays.stream(table.wavelengths()).map(meters -> 1e9 * meters).toArray();
+        for (int i = 0; i < angles; i += (angles + MOST - 1) / MOST) {
+            String title = "light at " + OrderTable.written(table.thetas()[i]) + " degrees" + azimuth;
+            sheet.row(plot(title, "wavelength / nm", nanometers, table.lights().get(i)));
         }
         return sheet.draw();
     }
 
-    private static BufferedImage overWavelength(OrderTable table, Incidence incidence) {
-        Plot plot = plot(
-                "light at " + OrderTable.written(incidence.theta()) + " degrees, azimuth "
-                        + OrderTable.written(table.phi()) + " degrees",
-                "wavelength / nm");
-        for (Order order : table.strongest(incidence)) {
-            add(plot, table, order, table.nanometers(), table.values(incidence, order, Efficiency::value));
-        }
-        return plot.line("all light", table.nanometers(), incidence.all(OrderLight::sum))
-                .outline("flat mirror", table.nanometers(), incidence.all(OrderLight::mirror))
-                .draw();
-    }
-
-    private static BufferedImage overAngle(OrderTable table) {
-        double[] angles =
-                table.incidences().stream().mapToDouble(Incidence::theta).toArray();
-        Plot plot = plot(
-                OrderTable.written(table.nanometers()[0]) + " nm, azimuth of the light "
-                        + OrderTable.written(table.phi()) + " degrees",
-                "angle of incidence theta_i / degrees");
-        for (Order order : table.strongest(table.incidences().get(angles.length / 2))) {
-            double[] values = table.incidences().stream()
-                    .mapToDouble(incidence -> table.at(incidence, order, 0).value())
-                    .toArray();
-            add(plot, table, order, angles, values);
-        }
-        return plot.line(
-                        "all light",
-                        angles,
-                        table.incidences().stream()
-                                .mapToDouble(
-                                        incidence -> incidence.lights().get(0).sum())
-                                .toArray())
-                .outline(
-                        "flat mirror",
-                        angles,
-                        table.incidences().stream()
-                                .mapToDouble(
-                                        incidence -> incidence.lights().get(0).mirror())
-                                .toArray())
-                .draw();
-    }
-
-    private static Plot plot(String title, String x) {
-        return Plot.linear(title, x, "efficiency / share of the incident light", WIDTH, HEIGHT)
+    private static BufferedImage plot(String title, String axis, double[] x, List<OrderLight> lights) {
+        Plot plot = Plot.linear(title, axis, "efficiency / share of the incident light", WIDTH, HEIGHT)
                 .fromZero();
-    }
-
-    /** Adds an order's line where it is above the horizon. */
-    private static void add(Plot plot, OrderTable table, Order order, double[] x, double[] values) {
-        int[] seen = IntStream.range(0, x.length)
-                .filter(i -> Double.isFinite(values[i]))
-                .toArray();
-        if (seen.length > 0) {
+        for (Order order : OrderTable.strongest(lights)) {
+            double[] values = OrderTable.values(lights, order, Efficiency::value);
+            int[] seen = IntStream.range(0, x.length)
+                    .filter(i -> Double.isFinite(values[i]))
+                    .toArray();
             plot.line(
-                    "order " + order.in(table.lattice()),
+                    "order " + order.in(lights.get(0).lattice()),
                     Arrays.stream(seen).mapToDouble(i -> x[i]).toArray(),
                     Arrays.stream(seen).mapToDouble(i -> values[i]).toArray());
         }
+        return plot.line(
+                        "all light",
+                        x,
+                        lights.stream().mapToDouble(OrderLight::sum).toArray())
+                .outline(
+                        "flat mirror",
+                        x,
+                        lights.stream().mapToDouble(OrderLight::mirror).toArray())
+                .draw();
     }
 }

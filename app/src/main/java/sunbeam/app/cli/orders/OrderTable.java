@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -19,7 +18,6 @@ import sunbeam.precompute.analysis.OrderLattice;
 import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.analysis.OrderLight;
 import sunbeam.precompute.analysis.OrderLight.Efficiency;
-import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
@@ -32,114 +30,100 @@ import sunbeam.precompute.units.Decimals;
 /**
  * Efficiencies of a surface's orders over wavelength and angle of incidence (docs/evaluation.md).
  *
+ * @param thetas angles of the light to the normal, degrees
  * @param phi azimuth of the light, degrees
- * @param nanometers wavelengths, ascending
- * @param incidences one for each angle of the light to the normal
+ * @param wavelengths meters, ascending
+ * @param lights orders by angle, then by wavelength
  * @param cie light and observer for the orders' colors
  */
 record OrderTable(
         Patch patch,
         GratingPeriod period,
         OrderLattice lattice,
+        double[] thetas,
         double phi,
-        double[] nanometers,
-        List<Incidence> incidences,
+        double[] wavelengths,
+        List<List<OrderLight>> lights,
         CieTable cie) {
-    private static final double NANOMETERS_PER_METER = 1e9;
-    // Light near the horizon, whose bins are all beyond it.
-    private static final Efficiency DARK = new Efficiency(0, 0, 0);
-    private static final Efficiency NONE = new Efficiency(Double.NaN, Double.NaN, Double.NaN);
-    /** Number of orders in the report and in the plot. */
-    static final int STRONGEST = 6;
+    private static final int STRONGEST = 6;
     // Largest number of orders beyond the horizon in the report.
     private static final int NAMED = 12;
-    private static final int DIGITS = 4;
+    private static final double NANOMETER = 1e-9;
     // Luminance, 1 for white, of an order's color on the screen: that of pure red, the darkest bright color but blue.
     private static final double LUMINANCE = 0.2;
+    private static final List<String> COLUMNS = List.of(
+            "theta_i",
+            "phi_i",
+            "theta_r",
+            "phi_r",
+            "wavelength",
+            "m",
+            "n",
+            "efficiency",
+            "low",
+            "high",
+            "sum",
+            "mirror");
 
-    /**
-     * Orders under one direction of light.
-     *
-     * @param theta angle of the light to the normal, degrees
-     * @param lights orders at each wavelength
-     */
-    record Incidence(double theta, Direction wi, List<OrderLight> lights) {
-        /** Returns all orders that are above the horizon at some wavelength, ascending. */
-        List<Order> orders() {
-            return lights.stream()
-                    .flatMap(light -> light.efficiencies().keySet().stream())
-                    .distinct()
-                    .sorted(Comparator.comparingInt(Order::n).thenComparingInt(Order::m))
-                    .toList();
-        }
-
-        double[] all(ToDoubleFunction<OrderLight> value) {
-            return lights.stream().mapToDouble(value).toArray();
-        }
+    Verdict verdict() {
+        return Verdict.of(patch, period);
     }
 
-    /** Returns an order's efficiency at a wavelength, given by its index; NaN beyond the horizon. */
-    Efficiency at(Incidence incidence, Order order, int wavelength) {
-        return direction(incidence, order, wavelength)
-                .map(wr -> incidence.lights.get(wavelength).efficiencies().getOrDefault(order, DARK))
-                .orElse(NONE);
+    /** Returns the orders above the horizon under some of these lights, ascending. */
+    private static List<Order> orders(List<OrderLight> some) {
+        return some.stream()
+                .flatMap(light -> light.efficiencies().keySet().stream())
+                .distinct()
+                .sorted(Comparator.comparingInt(Order::n).thenComparingInt(Order::m))
+                .toList();
     }
 
-    /** Returns a number of an order's efficiency at each wavelength, NaN where the order is beyond the horizon. */
-    double[] values(Incidence incidence, Order order, ToDoubleFunction<Efficiency> value) {
-        return IntStream.range(0, nanometers.length)
-                .mapToDouble(i -> value.applyAsDouble(at(incidence, order, i)))
-                .toArray();
-    }
-
-    /** Returns the orders with the most light over all wavelengths, the strongest first. */
-    List<Order> strongest(Incidence incidence) {
-        return incidence.orders().stream()
-                .sorted(Comparator.comparingDouble(order -> -Arrays.stream(values(incidence, order, Efficiency::value))
+    /** Returns the orders with the most light, the strongest first. */
+    static List<Order> strongest(List<OrderLight> some) {
+        return orders(some).stream()
+                .sorted(Comparator.comparingDouble(order -> -Arrays.stream(values(some, order, Efficiency::value))
                         .filter(Double::isFinite)
                         .sum()))
                 .limit(STRONGEST)
                 .toList();
     }
 
-    Verdict verdict() {
-        return Verdict.of(patch, period);
+    /** Returns a number of an order's efficiency under each light, NaN beyond the horizon. */
+    static double[] values(List<OrderLight> some, Order order, ToDoubleFunction<Efficiency> value) {
+        return some.stream()
+                .mapToDouble(light -> value.applyAsDouble(light.at(order)))
+                .toArray();
     }
 
-    Optional<Direction> direction(Incidence incidence, Order order, int wavelength) {
-        return lattice.direction(order, incidence.wi, nanometers[wavelength] / NANOMETERS_PER_METER);
+    /** Returns the lights under which an order is above the horizon: those of the shortest wavelengths. */
+    private static List<OrderLight> visible(List<OrderLight> some, Order order) {
+        return some.stream().filter(light -> light.direction(order).isPresent()).toList();
     }
 
     /** Returns the report's lines: the strongest orders under the first light at the middle wavelength. */
     List<String> lines() {
-        Incidence incidence = incidences.get(0);
-        int middle = nanometers.length / 2;
-        OrderLight light = incidence.lights.get(middle);
+        List<OrderLight> first = lights.get(0);
+        OrderLight middle = first.get(first.size() / 2);
         List<String> lines = new ArrayList<>();
         lines.add(Text.format(
-                "light at %s degrees, azimuth %s degrees, %s nm: %.5f of it leaves, %.5f between the orders; a flat mirror sends %.5f",
-                written(incidence.theta),
-                written(phi),
-                written(nanometers[middle]),
-                light.sum(),
-                light.between(),
-                light.mirror()));
-        for (Order order : strongest(incidence)) {
-            Efficiency efficiency = at(incidence, order, middle);
+                "light at %s degrees, azimuth %s degrees, %s: %.5f of it leaves, %.5f between the orders; a flat mirror sends %.5f",
+                written(thetas[0]), written(phi), nanometers(middle), middle.sum(), middle.between(), middle.mirror()));
+        for (Order order : strongest(first)) {
+            Efficiency efficiency = middle.at(order);
             String interval = efficiency.low() == efficiency.value()
                     ? ""
                     : Text.format(" (%.5f to %.5f)", efficiency.low(), efficiency.high());
             lines.add("  order " + order.in(lattice)
-                    + direction(incidence, order, middle)
+                    + middle.direction(order)
                             .map(wr -> Text.format(
                                     " at theta_r %.1f, phi_r %.1f degrees: %.5f%s, color %s",
-                                    theta(wr), phi(wr), efficiency.value(), interval, srgb(xyz(incidence, order))))
+                                    theta(wr), phi(wr), efficiency.value(), interval, srgb(xyz(first, order))))
                             .orElse(" beyond the horizon"));
         }
-        List<String> hidden = incidence.orders().stream()
-                .filter(order ->
-                        direction(incidence, order, nanometers.length - 1).isEmpty())
-                .map(order -> order.in(lattice) + " from " + written(nanometers[visible(incidence, order)]) + " nm")
+        List<String> hidden = orders(first).stream()
+                .filter(order -> visible(first, order).size() < first.size())
+                .map(order -> order.in(lattice) + " from "
+                        + nanometers(first.get(visible(first, order).size())))
                 .toList();
         if (!hidden.isEmpty()) {
             lines.add("  beyond the horizon: " + String.join(", ", hidden.subList(0, Math.min(NAMED, hidden.size())))
@@ -149,14 +133,11 @@ record OrderTable(
     }
 
     static String written(double value) {
-        return Decimals.rounded(value, DIGITS);
+        return Decimals.format(Math.rint(1000 * value) / 1000 + 0.0);
     }
 
-    /** Returns the number of wavelengths at which an order is above the horizon; they are the shortest. */
-    private int visible(Incidence incidence, Order order) {
-        return (int) IntStream.range(0, nanometers.length)
-                .filter(i -> direction(incidence, order, i).isPresent())
-                .count();
+    static String nanometers(OrderLight light) {
+        return written(light.wavelength() / NANOMETER) + " nm";
     }
 
     private static double theta(Direction direction) {
@@ -168,27 +149,25 @@ record OrderTable(
     }
 
     /** Returns X, Y, Z of an order's light, relative to the luminance of the incident light of these wavelengths. */
-    double[] xyz(Incidence incidence, Order order) {
+    private double[] xyz(List<OrderLight> some, Order order) {
+        double[] efficiencies = Arrays.stream(values(some, order, Efficiency::value))
+                .map(value -> Double.isNaN(value) ? 0 : value)
+                .toArray();
+        int last = wavelengths.length - 1;
+        double step = last > 0 ? wavelengths[1] - wavelengths[0] : 1;
         double[] sums = new double[4];
-        double last = nanometers[nanometers.length - 1];
-        for (double at = nanometers[0]; at <= last; at++) {
-            double position = nanometers.length == 1 ? 0 : (at - nanometers[0]) / (nanometers[1] - nanometers[0]);
-            int below = Math.max(0, Math.min((int) position, nanometers.length - 2));
-            int above = Math.min(below + 1, nanometers.length - 1);
-            double share = position - below;
-            double efficiency =
-                    (1 - share) * zeroIfHidden(at(incidence, order, below).value())
-                            + share * zeroIfHidden(at(incidence, order, above).value());
+        // Lamps have lines: their weights are summed at each nanometer, between which efficiencies are linear.
+        for (double at = wavelengths[0]; at <= wavelengths[last] + NANOMETER / 2; at += NANOMETER) {
+            double place = Math.min(last, (at - wavelengths[0]) / step);
+            int below = (int) place;
+            double rest = place - below;
+            double efficiency = (1 - rest) * efficiencies[below] + rest * efficiencies[Math.min(last, below + 1)];
             for (int c = 0; c < 3; c++) {
-                sums[c] += efficiency * cie.at(at / NANOMETERS_PER_METER, c);
+                sums[c] += efficiency * cie.at(at, c);
             }
-            sums[3] += cie.at(at / NANOMETERS_PER_METER, 1);
+            sums[3] += cie.at(at, 1);
         }
         return new double[] {sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]};
-    }
-
-    private static double zeroIfHidden(double efficiency) {
-        return Double.isNaN(efficiency) ? 0 : efficiency;
     }
 
     private static String srgb(double... xyz) {
@@ -198,43 +177,30 @@ record OrderTable(
     /** Returns one row for each order, wavelength and angle of incidence; its directions are columns of {@code reflectance}. */
     AtomicFile.StreamContent csv() {
         List<double[]> rows = new ArrayList<>();
-        for (Incidence incidence : incidences) {
-            for (Order order : incidence.orders()) {
-                for (int i = 0; i < visible(incidence, order); i++) {
-                    Direction wr = direction(incidence, order, i).orElseThrow();
-                    Efficiency efficiency = at(incidence, order, i);
-                    OrderLight light = incidence.lights.get(i);
+        for (int i = 0; i < thetas.length; i++) {
+            for (Order order : orders(lights.get(i))) {
+                for (OrderLight light : visible(lights.get(i), order)) {
+                    Direction wr = light.direction(order).orElseThrow();
+                    Efficiency found = light.at(order);
+                    double nanometers = light.wavelength() / NANOMETER;
                     rows.add(new double[] {
-                        incidence.theta,
+                        thetas[i],
                         phi,
                         theta(wr),
                         phi(wr),
-                        nanometers[i],
+                        nanometers,
                         order.m(),
                         order.n(),
-                        efficiency.value(),
-                        efficiency.low(),
-                        efficiency.high(),
+                        found.value(),
+                        found.low(),
+                        found.high(),
                         light.sum(),
                         light.mirror()
                     });
                 }
             }
         }
-        List<String> names = List.of(
-                "theta_i",
-                "phi_i",
-                "theta_r",
-                "phi_r",
-                "wavelength",
-                "m",
-                "n",
-                "efficiency",
-                "low",
-                "high",
-                "sum",
-                "mirror");
-        return CsvWriter.numbers(names, rows.size(), rows::get);
+        return CsvWriter.numbers(COLUMNS, rows.size(), rows::get);
     }
 
     /** Returns all results by name, for JSON. */
@@ -244,52 +210,44 @@ record OrderTable(
         tree.put(
                 "lattice_per_m",
                 Stream.concat(Stream.of(lattice.first()), lattice.second().stream())
-                        .map(OrderTable::pair)
+                        .map(frequency -> List.of(frequency.x(), frequency.y()))
                         .toList());
         tree.put("light", cie.description());
-        tree.put("wavelengths_m", meters());
-        tree.put("incidences", incidences.stream().map(this::tree).toList());
-        return tree;
-    }
-
-    private double[] meters() {
-        return Arrays.stream(nanometers)
-                .map(nanometer -> nanometer / NANOMETERS_PER_METER)
-                .toArray();
-    }
-
-    private static double[] pair(SpatialFrequency frequency) {
-        return new double[] {frequency.x(), frequency.y()};
-    }
-
-    private Map<String, Object> tree(Incidence incidence) {
-        Map<String, Object> tree = new LinkedHashMap<>();
-        tree.put("theta_i_deg", incidence.theta);
-        tree.put("phi_i_deg", phi);
-        tree.put("mirror", incidence.all(OrderLight::mirror));
-        tree.put("sum", incidence.all(OrderLight::sum));
-        tree.put("between_orders", incidence.all(OrderLight::between));
+        tree.put("wavelengths_m", wavelengths);
         tree.put(
-                "orders",
-                incidence.orders().stream().map(order -> tree(incidence, order)).toList());
+                "incidences",
+                IntStream.range(0, thetas.length)
+                        .mapToObj(i -> tree(thetas[i], lights.get(i)))
+                        .toList());
         return tree;
     }
 
-    private Map<String, Object> tree(Incidence incidence, Order order) {
-        int visible = visible(incidence, order);
-        List<Direction> directions = IntStream.range(0, visible)
-                .mapToObj(i -> direction(incidence, order, i).orElseThrow())
+    private Map<String, Object> tree(double theta, List<OrderLight> some) {
+        Map<String, Object> tree = new LinkedHashMap<>();
+        tree.put("theta_i_deg", theta);
+        tree.put("phi_i_deg", phi);
+        tree.put("mirror", some.stream().map(OrderLight::mirror).toList());
+        tree.put("sum", some.stream().map(OrderLight::sum).toList());
+        tree.put("between_orders", some.stream().map(OrderLight::between).toList());
+        tree.put("orders", orders(some).stream().map(order -> tree(some, order)).toList());
+        return tree;
+    }
+
+    private Map<String, Object> tree(List<OrderLight> some, Order order) {
+        List<OrderLight> visible = visible(some, order);
+        List<Direction> directions = visible.stream()
+                .flatMap(light -> light.direction(order).stream())
                 .toList();
-        double[] xyz = xyz(incidence, order);
+        double[] xyz = xyz(some, order);
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("m", order.m());
         tree.put("n", order.n());
-        tree.put("beyond_horizon_from_m", visible < nanometers.length ? meters()[visible] : null);
+        tree.put("beyond_horizon_from_m", visible.size() < some.size() ? wavelengths[visible.size()] : null);
         tree.put("theta_r_deg", directions.stream().map(OrderTable::theta).toList());
         tree.put("phi_r_deg", directions.stream().map(OrderTable::phi).toList());
-        tree.put("efficiency", Arrays.copyOf(values(incidence, order, Efficiency::value), visible));
-        tree.put("efficiency_low", Arrays.copyOf(values(incidence, order, Efficiency::low), visible));
-        tree.put("efficiency_high", Arrays.copyOf(values(incidence, order, Efficiency::high), visible));
+        tree.put("efficiency", values(visible, order, Efficiency::value));
+        tree.put("efficiency_low", values(visible, order, Efficiency::low));
+        tree.put("efficiency_high", values(visible, order, Efficiency::high));
         tree.put("xyz", xyz);
         tree.put("srgb", xyz[1] > 0 ? srgb(xyz) : null);
         return tree;

@@ -6,10 +6,10 @@ import static sunbeam.precompute.plan.LightSettings.OBSERVER;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -176,28 +176,21 @@ public final class OrdersCommand extends ReportingCommand {
         double phi = choices.find(PHI_I)
                 .map(Math::toDegrees)
                 .orElseGet(() -> Math.toDegrees(lattice.first().azimuth()));
-        double[] nanometers = wavelengths.values();
-        List<Direction> directions = IntStream.range(0, thetas.count())
-                .mapToObj(i -> Direction.ofDegrees(thetas.values()[i], phi))
-                .toList();
+        double[] meters =
+                Arrays.stream(wavelengths.values()).map(nm -> nm / 1e9).toArray();
+        boolean sampled = patch.repetition() != Patch.Repetition.PERIODIC;
         List<OrderLight> all = environment()
                 .progress()
                 .map(
                         "Orders of " + patch.name(),
                         IntStream.range(0, lights).boxed().toList(),
-                        i -> OrderLight.of(
-                                spectrum,
-                                lattice,
-                                material,
-                                directions.get(i / nanometers.length),
-                                nanometers[i % nanometers.length] * 1e-9,
-                                patch.repetition() != Patch.Repetition.PERIODIC));
-        List<OrderTable.Incidence> incidences = IntStream.range(0, thetas.count())
-                .mapToObj(i -> new OrderTable.Incidence(
-                        thetas.values()[i],
-                        directions.get(i),
-                        all.subList(i * nanometers.length, (i + 1) * nanometers.length)))
-                .collect(Collectors.toList());
-        return new OrderTable(patch, period, lattice, phi, nanometers, incidences, cie);
+                        i -> {
+                            Direction wi = Direction.ofDegrees(thetas.values()[i / meters.length], phi);
+                            return OrderLight.of(spectrum, lattice, material, wi, meters[i % meters.length], sampled);
+                        });
+        List<List<OrderLight>> byAngle = IntStream.range(0, thetas.count())
+                .mapToObj(i -> all.subList(i * meters.length, (i + 1) * meters.length))
+                .toList();
+        return new OrderTable(patch, period, lattice, thetas.values(), phi, meters, byAngle, cie);
     }
 }
