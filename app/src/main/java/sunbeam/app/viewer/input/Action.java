@@ -222,10 +222,6 @@ enum Action {
         return state.filter(isOn -> isOn.test(viewer)).isPresent();
     }
 
-    String description() {
-        return description;
-    }
-
     /** Returns all keys; menus show the first. */
     List<KeyStroke> strokes() {
         return Arrays.stream(keys.split(", ", -1))
@@ -236,14 +232,15 @@ enum Action {
                 .toList();
     }
 
-    /** Returns the keys as text, such as Ctrl+Shift+Z. */
-    String keyNames() {
-        return Arrays.stream(keys.split(", ", -1))
+    /** Returns the row of the help, with keys such as Ctrl+Shift+Z. */
+    Help help() {
+        String names = Arrays.stream(keys.split(", ", -1))
                 .filter(key -> !key.startsWith("released"))
                 .map(key -> Arrays.stream(key.replace("typed ", "").split(" ", -1))
                         .map(Action::capitalized)
                         .collect(Collectors.joining("+")))
                 .collect(Collectors.joining(", "));
+        return new Help(names, description);
     }
 
     private static String capitalized(String word) {

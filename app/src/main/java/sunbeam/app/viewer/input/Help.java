@@ -21,10 +21,10 @@ record Help(String input, String description) {
         return Stream.concat(
                         Stream.of(MouseAction.values())
                                 .filter(action -> action.group() == group)
-                                .map(action -> new Help(action.gesture(), action.description())),
+                                .map(MouseAction::help),
                         Stream.of(Action.values())
                                 .filter(action -> action.group() == group)
-                                .map(action -> new Help(action.keyNames(), action.description())))
+                                .map(Action::help))
                 .toList();
     }
 

@@ -18,8 +18,6 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
 import javax.swing.text.JTextComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -80,7 +78,7 @@ public final class KeyControls {
     }
 
     private static JMenuItem item(Viewer viewer, Action action, JMenu menu) {
-        String description = action.description();
+        String description = action.help().description();
         String text = description.substring(0, 1).toUpperCase(Locale.ROOT) + description.substring(1);
         JMenuItem item = action.isSwitch() ? new JCheckBoxMenuItem(text) : new JMenuItem(text);
         KeyStroke stroke = action.strokes().get(0);
@@ -97,7 +95,7 @@ public final class KeyControls {
         button.setName(action.name());
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.setFocusable(false);
-        button.setToolTipText(action.description() + " (" + action.keyNames() + ")");
+        button.setToolTipText(action.help().description() + " (" + action.help().input() + ")");
         button.addActionListener(event -> action.run(viewer, action.strokes().get(0)));
         viewer.player().onChange(() -> button.setSelected(action.isOn(viewer)));
         return button;
@@ -135,17 +133,10 @@ public final class KeyControls {
     }
 
     private static void onOpening(JMenu menu, Runnable work) {
-        menu.addMenuListener(new MenuListener() {
-            @Override
-            public void menuSelected(MenuEvent event) {
+        menu.addItemListener(event -> {
+            if (menu.isSelected()) {
                 work.run();
             }
-
-            @Override
-            public void menuDeselected(MenuEvent event) {}
-
-            @Override
-            public void menuCanceled(MenuEvent event) {}
         });
     }
 

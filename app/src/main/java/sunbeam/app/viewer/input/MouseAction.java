@@ -103,12 +103,8 @@ enum MouseAction {
         return group;
     }
 
-    String gesture() {
-        return gesture;
-    }
-
-    String description() {
-        return description;
+    Help help() {
+        return new Help(gesture, description);
     }
 
     boolean fits(MouseEvent event) {

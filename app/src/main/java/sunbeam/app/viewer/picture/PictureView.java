@@ -3,6 +3,7 @@ package sunbeam.app.viewer.picture;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
@@ -24,8 +25,9 @@ public final class PictureView extends JComponent {
     public static final Color VEIL = new Color(0, 0, 0, 160);
 
     private static final int MARGIN = 24;
+    private static final String HINT_SEPARATOR = "  \u00b7  ";
     private static final String HINT =
-            "drag: turn  \u00b7  right drag, or hold L: light  \u00b7  wheel: zoom  \u00b7  F1: all keys";
+            String.join(HINT_SEPARATOR, "drag: turn", "right drag, or hold L: light", "wheel: zoom", "F1: all keys");
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
@@ -258,11 +260,22 @@ public final class PictureView extends JComponent {
                                 scaled, number, (pixel.x + 0.5) / pixelScale(), (pixel.y + 0.5) / pixelScale()));
             }
             if (isHintShown) {
-                int width = scaled.getFontMetrics().stringWidth(HINT);
-                Divider.label(scaled, HINT, (getWidth() - width) / 2, getHeight() - 2 * MARGIN);
+                paintHint(scaled);
             }
             scaled.dispose();
             cone.ifPresent(light -> light.paint((Graphics2D) graphics.create(), getWidth(), getHeight()));
+        }
+    }
+
+    /** Paints the line about the mouse near the bottom; in a narrow view as one line for each part. */
+    private void paintHint(Graphics2D graphics) {
+        FontMetrics metrics = graphics.getFontMetrics();
+        boolean isWide = metrics.stringWidth(HINT) + 2 * MARGIN <= getWidth();
+        String[] lines = isWide ? new String[] {HINT} : HINT.split(HINT_SEPARATOR, -1);
+        for (int i = 0; i < lines.length; i++) {
+            int x = (getWidth() - metrics.stringWidth(lines[i])) / 2;
+            int y = getHeight() - 2 * MARGIN - (lines.length - 1 - i) * (metrics.getHeight() + 4);
+            Divider.label(graphics, lines[i], x, y);
         }
     }
 }

@@ -46,6 +46,19 @@ class PictureViewTest {
         assertThat(view.picture()).contains(black);
     }
 
+    @Test
+    void inANarrowViewTheLineIsBrokenAndNotCut() {
+        PictureView view = new PictureView();
+        view.setSize(260, 300);
+        view.showPicture(new BufferedImage(260, 300, BufferedImage.TYPE_INT_RGB), 260, 300, true);
+        int[] painted = painted(view);
+        assertThat(painted).contains(0xffffffff);
+        for (int y = 0; y < 300; y++) {
+            assertThat(painted[260 * y]).as("left edge").isEqualTo(0xff000000);
+            assertThat(painted[260 * y + 259]).as("right edge").isEqualTo(0xff000000);
+        }
+    }
+
     private static int[] painted(PictureView view) {
         BufferedImage image = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
         view.paintComponent(image.createGraphics());
