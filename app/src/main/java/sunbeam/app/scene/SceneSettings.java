@@ -38,7 +38,7 @@ public final class SceneSettings {
     public static final Setting<MeshUnit> MESH_UNIT = new Setting<>(
                     "meshUnit",
                     Kinds.word("UNIT", MeshUnit.class),
-                    "What the numbers in the mesh file are: m, cm, mm, um or in (inches). glTF is in m by definition.")
+                    "Unit of a mesh file: m, cm, mm, um or in (inches). glTF is always in m.")
             .withStandard(MeshUnit.M);
 
     public static final Setting<String> TEXTURE = new Setting<>(
@@ -47,34 +47,36 @@ public final class SceneSettings {
     public static final Setting<Scales> SCALES = new Setting<>(
                     "scales",
                     Kinds.word("KIND", Scales.class),
-                    "Scales of mesh snake: smooth (15 rows, a sunbeam snake's), keeled (21 rows, a rat snake's) or none.")
+                    "Scales of mesh snake: smooth (15 rows, as of a sunbeam snake), keeled (21 rows, as of a rat snake) or none.")
             .withStandard(Scales.NONE);
 
     /** Rotation of the patch in radians, counterclockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
                     "rotatePatch",
                     Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
-                    "Turn of the nanostructure in the tangent plane in degrees, counter-clockwise from outside.")
+                    "Rotation of the nanostructure in the tangent plane in degrees, counter-clockwise seen from outside.")
             .withStandard(0.0);
 
     /** Image of the directions of the nanostructure's x axis, relative to the tangent. */
     public static final Setting<String> ORIENTATION_MAP = new Setting<>(
                     "orientationMap",
                     Kinds.text("FILE"),
-                    "Where the nanostructure's x points, before it is turned: an image file on the mesh's texture whose red and"
-                            + " green are x and y of a direction (a flow map), or none.")
+                    "Directions of the nanostructure's x axis, before its rotation: an image file on the mesh's texture"
+                            + " coordinates whose red and green are x and y (a flow map), or none.")
             .withStandard(OrientationMap.NONE);
 
     /** Key of the object {@code patch}: image whose colors select the patches. */
     static final Setting<String> PATCH_MAP = new Setting<>(
-            "map", Kinds.text("FILE"), "An image file on the mesh's texture, each color of which has a patch.");
+            "map",
+            Kinds.text("FILE"),
+            "An image file on the mesh's texture coordinates, each of whose colors has a patch.");
 
     /** Standard deviation of the slopes, along either axis, of relief that is finer than a pixel, as an angle in radians. */
     public static final Setting<Double> ROUGHNESS = new Setting<>(
                     "roughness",
                     Kinds.angle(0, Math.toRadians(MOST_ROUGHNESS_DEGREES)),
-                    "Slopes of the skin's relief that is finer than a pixel, their standard deviation in degrees, 0 to 10;"
-                            + " preset thesis has none.")
+                    "Standard deviation of the slopes of relief finer than a pixel, in degrees, 0 to 10; preset thesis has"
+                            + " none.")
             .withStandard(0.0);
 
     public static final Setting<OptionalDouble> EXPOSURE = new Setting<>(
@@ -85,12 +87,11 @@ public final class SceneSettings {
     public static final Setting<Tone> TONE = new Setting<>(
             "tone",
             Kinds.word("CURVE", Tone.class),
-            "What becomes of light brighter than the screen: compress (default) keeps its hue, clip cuts each channel, as the"
-                    + " thesis does, gamma also has the exponent 1 / 2.5 of its program.");
+            "Light brighter than the screen: compress (default) keeps its hue, clip limits each channel (thesis), gamma"
+                    + " limits each channel and has an exponent of 1 / 2.5 (the thesis's program).");
 
     public static final String PRIMARIES_HELP =
-            "The red, green and blue that colors are written in: srgb (default), or cie-rgb, shown as if it were sRGB, as the"
-                    + " thesis does and --preset thesis by default.";
+            "Primaries of the picture: srgb (default), or cie-rgb shown as if it were sRGB (default with --preset thesis).";
 
     /** Primaries of pictures; by default sRGB, with the thesis's preset CIE RGB. */
     public static final Setting<Primaries> PRIMARIES =
@@ -100,9 +101,9 @@ public final class SceneSettings {
     public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(
                     "bodyAlpha",
                     Kinds.word("WHAT", BodyAlpha.class),
-                    "What hides the body below diffracted light: light (default), as far as it is as bright as white; fresnel,"
-                            + " the reflectance, as the thesis's program does and --preset thesis by default; draft, nothing:"
-                            + " the texture is added without light, as by algorithm 3.4 of its text 000.")
+                    "Opacity of diffracted light over the body: light (default), its brightness relative to white; fresnel,"
+                            + " the reflectance (the thesis's program; default with --preset thesis); draft, none: the"
+                            + " unlit texture is added (algorithm 3.4 of the thesis's text 000).")
             .inFiles("alpha");
 
     public static final Setting<Double> DIFFRACTION = weight("diffraction", "Factor of the diffracted light.", 1);
@@ -111,7 +112,7 @@ public final class SceneSettings {
 
     public static final Setting<Double> DIFFUSE = weight("diffuse", "Share of Lambert's reflection on the body.", 1);
 
-    public static final Setting<Double> AMBIENT = weight("ambient", "Share of light from everywhere.", 0);
+    public static final Setting<Double> AMBIENT = weight("ambient", "Share of ambient light.", 0);
 
     public static final Setting<SkinIndex> INDEX = new Setting<>(
                     "index",
@@ -127,8 +128,8 @@ public final class SceneSettings {
     public static final Setting<Energy> ENERGY = new Setting<>(
                     "energy",
                     Kinds.word("RULE", Energy.class),
-                    "scalar (default): as scalar theory has it, where flat orders send out more light than arrives."
-                            + " conserve: radiance divided by the excess; preset thesis has none.")
+                    "scalar (default): scalar theory, in which orders at grazing angles can send out more light than"
+                            + " arrives. conserve: radiance divided by this excess; not with preset thesis.")
             .withStandard(Energy.SCALAR);
 
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
@@ -144,7 +145,7 @@ public final class SceneSettings {
     public static final Setting<Double> SKY = new Setting<>(
                     "sky",
                     Kinds.number("FACTOR", 0, 100),
-                    "Radiance of the sky above, which gloss reflects, white under the light being 1; preset thesis has 0.")
+                    "Radiance of the sky that gloss reflects, relative to lit white; preset thesis has 0.")
             .withStandard(0.0);
 
     public static final Setting<Boolean> SHADOWS = new Setting<>(
@@ -160,15 +161,14 @@ public final class SceneSettings {
     public static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
                     Kinds.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
-                    "Color behind the mesh, not exposed.")
+                    "Color behind the mesh; exposure does not change it.")
             .withStandard(new SceneColor(0));
 
     /** Angle between the picture's bottom and top in radians. */
     static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
                     "fieldOfView",
                     Kinds.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
-                    "Angle between the bottom and top of a picture of 4:3 or wider; a narrower one shows as much from left"
-                            + " to right.")
+                    "Angle between the bottom and top of a picture of 4:3 or wider; narrower ones have the horizontal angle of 4:3.")
             .withStandard(Math.toRadians(30));
 
     public static final Setting<Double> INTENSITY =

@@ -42,7 +42,7 @@ public record GemMethod(
 
     public static final MethodType TYPE = new MethodType(
             "gem",
-            "a grating's spacing alone, for comparison only.",
+            "formula with a grating's spacing alone, for comparison only.",
             List.of(PRESET, SPACING, ORDERS, GEM_FORM, COHERENCE_LENGTH, FRESNEL),
             choices -> new GemMethod(
                     choices.find(SPACING),

@@ -68,7 +68,7 @@ public record PqMethod(
     private static final String COEFFICIENTS = "periodCoefficients";
 
     public static final MethodType TYPE = new MethodType(
-                    "pq", "the patch repeated Q times, sharp edge.", settings(), PqMethod::of)
+                    "pq", "the patch repeated Q times, with sharp edges.", settings(), PqMethod::of)
             .fixing(AVERAGE, Average.COHERENT);
 
     public PqMethod {

@@ -27,7 +27,7 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
     /** For this type the preset determines the window's origin only. */
     public static final MethodType TYPE = new MethodType(
             "reference",
-            "direct sums in double precision on the processor; slow, the truth; not for maps.",
+            "exact sums in double precision on the processor; slow, not for maps.",
             settings(),
             ReferenceMethod::of);
 

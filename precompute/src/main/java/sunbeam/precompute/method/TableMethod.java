@@ -25,7 +25,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     public static final MethodType TYPE = new MethodType(
             "table",
-            "colors of full, tabulated beforehand: the fastest where many pixels look into one table; for a single small map or a short list full is.",
+            "colors of full, tabulated in advance: fastest if many pixels share a table; full is faster for a small map or a short list.",
             List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
             TableMethod::of);
 

@@ -16,7 +16,7 @@ import sunbeam.precompute.setting.Setting;
 public final class PatchSettings {
     /** Meters. */
     public static final Setting<Double> WIDTH =
-            side("width", "Extent along x of an image, or of a file that does not say it, for example 65um.");
+            side("width", "Extent along x of an image, or of another file without a size, for example 65um.");
 
     /** Meters. */
     public static final Setting<Double> HEIGHT =
@@ -45,57 +45,56 @@ public final class PatchSettings {
             "heightUnit",
             Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
                     .alsoWritten(Map.of("\u00b5m", "um", "\u03bcm", "um")),
-            "Unit of the heights in a file that does not say it: pm, nm, um, mm or m.");
+            "Unit of the heights of a file without one: pm, nm, um, mm or m.");
 
     public static final Setting<Integer> COLUMNS = new Setting<>(
             "columns",
             Kinds.integer("N", 1, ScanLimits.LONGEST_SIDE),
-            "How many numbers make a row, in a file that does not say it.");
+            "Numbers per row of a file that does not state it.");
 
     public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
             "decimalMark",
             Kinds.word("MARK", DecimalMark.class),
-            "Of a text: point or comma. Default: commas are decimal marks where blanks, tabs or semicolons separate the"
-                    + " numbers and none has a point.");
+            "Decimal mark of a text file: point or comma. Default: comma if blanks, tabs or semicolons separate the"
+                    + " numbers and no number has a point.");
 
     public static final Setting<String> CHANNEL = new Setting<>(
             "channel",
             Kinds.text("CHANNEL").alsoWritten(Map.of("gray", "grey")),
-            "Channel that holds the heights: the name or number that inspect lists, of an image grey, red, green, blue"
-                    + " or alpha. Default: of a scan, heights from a sensor before those from a voltage, trace before"
-                    + " retrace.");
+            "Channel of the heights: a name or number that inspect lists; for an image grey, red, green, blue or alpha."
+                    + " Default for scans: heights from a sensor before heights from a voltage, trace before retrace.");
 
     public static final Setting<Crop> CROP = new Setting<>(
             "crop",
             Crop.KIND,
-            "Use this part of the scan alone, measured from its lower left corner: LEFT:RIGHT,BOTTOM:TOP, for example"
+            "Part of the scan to use, measured from its lower left corner: LEFT:RIGHT,BOTTOM:TOP, for example"
                     + " 5um:25um,0um:10um.");
 
     public static final Setting<Leveling> LEVEL = new Setting<>(
                     "level",
                     Kinds.word("KIND", Leveling.class),
-                    "What is subtracted from the heights: none, mean, plane, rows (the plane, then each row's mean),"
-                            + " median-rows, quadratic (tilt and bow). Default: plane for a file, mean for a descriptor"
-                            + " and for what is periodic.")
+                    "Subtract from the heights: none, mean, plane, rows (the plane, then each row's mean), median-rows,"
+                            + " quadratic (tilt and bow). Default: plane for files, mean for descriptors and periodic"
+                            + " surfaces.")
             .inFiles("levelling");
 
     public static final Setting<Boolean> DESPIKE = new Setting<>(
             "despike",
             Kinds.flag(),
-            "Replace single samples that stand far above or below all around them by the median of these; says how many"
-                    + " and how high.");
+            "Replace spikes, single samples far above or below their surroundings, by the median around them; reports"
+                    + " their number and height.");
 
     public static final Setting<Edges> EDGES = new Setting<>(
             "edges",
             Kinds.word("KIND", Edges.class),
-            "Where the scan's repetition begins: repeat as it is, or blend opposite borders over a tenth of each side."
-                    + " Default: blend for a file, repeat for a descriptor and for what is periodic.");
+            "Borders of the repeated scan: repeat them as they are, or blend opposite ones over a tenth of each side."
+                    + " Default: blend for files, repeat for descriptors and periodic surfaces.");
 
     public static final Setting<Boolean> PERIODIC = new Setting<>(
             "periodic",
             Kinds.flag(),
-            "The patch is a period of the surface (its negation: it is not, whatever it looks like). A scan that is none is"
-                    + " seen with a coherence length of at most its shorter side.");
+            "The patch is one period of the surface; negated, a piece of it. The coherence length of a piece is at most its"
+                    + " shorter side.");
 
     /** Settings that turn a file's samples into meters. */
     public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, DECIMAL_MARK);

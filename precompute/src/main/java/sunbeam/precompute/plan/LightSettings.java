@@ -22,8 +22,8 @@ public final class LightSettings {
                             UnaryOperator.identity(),
                             String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
                     "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
-                            + " (E: equal power), or a CSV file of two columns, the wavelength in nm, 380 to 780 in steps of 20"
-                            + " at most, and the power.")
+                            + " (E: equal power), or a CSV file with two columns: wavelengths in nm, from 380 to 780 in steps of"
+                            + " at most 20, and power.")
             .withStandard("D65");
 
     /** Band of wavelengths that passes a filter. */
@@ -34,7 +34,7 @@ public final class LightSettings {
                             WavelengthBand::parse,
                             WavelengthBand::toString,
                             "a wavelength, 532nm, or a band, 500nm..600nm"),
-                    "Light of a filter or a laser: a band, 500nm..600nm, or one wavelength, 532nm, whose line is 1 nm wide.")
+                    "Light through a filter, a band such as 500nm..600nm, or of a laser, a wavelength such as 532nm (a line 1 nm wide).")
             .withStandard(WavelengthBand.VISIBLE);
 
     public static final Setting<Observer> OBSERVER = new Setting<>(

@@ -20,14 +20,15 @@ public final class MethodSettings {
     public static final Setting<Preset> PRESET = new Setting<>(
             "preset",
             Kinds.word("PRESET", Preset.class),
-            "thesis: 37 Taylor terms, 380..780 nm in steps of 5 nm, 3 x 3 bins anchored with floor, window on the corner,"
-                    + " coherent; Fresnel's factor squared, CIE RGB, clipped highlights, on a mesh body seen by Fresnel's"
-                    + " factor; pq by ring, gem in its form. Other options override it one by one.");
+            "thesis: the thesis's values, each of which other options override: 37 Taylor terms, 380..780 nm in steps of"
+                    + " 5 nm, 3 x 3 bins anchored with floor, window on the corner, coherent average, Fresnel's factor"
+                    + " squared, CIE RGB, clipped highlights, light blended over meshes by Fresnel's factor, pq by ring, gem in"
+                    + " the thesis's form.");
 
     public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
             "fresnel",
             Kinds.word("COUNT", FresnelFactor.class),
-            "How often Fresnel's reflectance counts in the radiance: once (default) or squared (thesis).");
+            "Power of Fresnel's reflectance in the radiance: once (default) or squared (thesis).");
 
     public static final Setting<Double> TOLERANCE = new Setting<>(
                     "tolerance",
@@ -39,16 +40,16 @@ public final class MethodSettings {
                                     "finer than float32 can reach, which is %s; give that or more, or evaluate directions by"
                                             + " method reference",
                                     Decimals.format(ErrorBudget.FINEST))),
-                    "Relative error of power and color that the plan is made for, 1e-5 to 1. Below 2e-5 float32 keeps it"
-                            + " in the median, but not three times it at the 95th percentile; method reference goes"
-                            + " further. Settings below override parts of the plan.")
+                    "Relative error of power and color, 1e-5 to 1, which determines terms, bins and wavelengths. Below"
+                            + " 2e-5 float32 keeps it in the median, but not three times it at the 95th percentile;"
+                            + " method reference is more exact.")
             .withStandard(ErrorBudget.STANDARD);
 
     public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
             "expansion", Kinds.word("KIND", ExpansionKind.class), "Expansion of exp(i k w h): taylor or lowrank.");
 
     public static final Setting<Integer> TERMS =
-            new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of its terms.");
+            new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of terms of the expansion.");
 
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
@@ -58,7 +59,7 @@ public final class MethodSettings {
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
             Kinds.word("BIN", Neighborhood.Anchor.class),
-            "With preset thesis: the bin in their middle, floor (default) or nearest.");
+            "With preset thesis: the central bin, floor (default) or nearest.");
 
     public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(
             "wavelengthStep",
@@ -69,32 +70,32 @@ public final class MethodSettings {
     public static final Setting<WindowOrigin> WINDOW_ORIGIN = new Setting<>(
             "windowOrigin",
             Kinds.word("PLACE", WindowOrigin.class),
-            "Where the coherence window's maximum lies on the patch: centre (default) or corner (thesis).");
+            "Place of the coherence window's maximum on the patch: centre (default) or corner (thesis).");
 
     /** Four standard deviations of the window, meters. */
     public static final Setting<Double> COHERENCE_LENGTH = new Setting<>(
                     "coherenceLength",
                     Kinds.length(100e-9, 10e-3),
-                    "Four standard deviations of the coherence window, 100nm to 10mm; 65 um are sunlight's.")
+                    "Four standard deviations of the coherence window, 100nm to 10mm; sunlight has 65 um.")
             .withStandard(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
 
     public static final Setting<Average> AVERAGE = new Setting<>(
                     "average",
                     Kinds.word("KIND", Average.class),
-                    "coherent: one coherence area, with its speckle. ensemble: the mean over all positions of the window.")
+                    "coherent: one coherence area, with speckle. ensemble: the mean over all positions of the window.")
             .withStandard(Average.COHERENT);
 
     /** Interpolation between the bins of one period's DFT. */
     public static final Setting<PeriodInterpolation> INTERPOLATION = new Setting<>(
             "interpolation",
             Kinds.word("KIND", PeriodInterpolation.class),
-            "For pq: sinc (default) or linear between the bins of one period's DFT; ring: sinc over nine bins alone (thesis).");
+            "For pq: interpolation between the bins of one period's DFT: sinc (default), linear, or ring (sinc over nine bins, thesis).");
 
     public static final Setting<Integer> REPLICAS = new Setting<>(
             "replicas",
             Kinds.integer("Q", 1, Replicas.MOST),
-            "For pq: repeat the patch Q times along both axes. Default: as fills the coherence length. With reference:"
-                    + " the exact sum over the replicas instead of the Gaussian window.");
+            "For pq: repeat the patch Q times along both axes. Default: the number that fills the coherence length. For"
+                    + " reference: sum over these replicas instead of the Gaussian window.");
 
     /** Distance of a grating's lines, meters. Finer lines diffract no visible light; coarser ones are no grating. */
     public static final Setting<Double> SPACING = new Setting<>(
@@ -107,14 +108,13 @@ public final class MethodSettings {
     public static final Setting<Integer> ORDERS = new Setting<>(
             "orders",
             Kinds.integer("N", 1, 100),
-            "For gem: orders of the grating beside the mirror's, 8 (default, GPU Gems); all visible ones in the thesis's"
-                    + " form.");
+            "For gem: orders on each side of the mirror's: 8 (default, GPU Gems); in the thesis's form all visible ones.");
 
     /** Form of the grating formula. */
     public static final Setting<GemForm> GEM_FORM = new Setting<>(
             "gemForm",
             Kinds.word("FORM", GemForm.class),
-            "For gem: stam (default, GPU Gems), or thesis, as its program draws maps: within |v| < 0.01, fading by"
+            "For gem: stam (default, GPU Gems), or thesis (its program for maps): light at |v| < 0.01 only, times"
                     + " exp(-(1.5 u / w)^2).");
 
     private MethodSettings() {}

@@ -76,7 +76,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         ByteBuffer buffer = ByteBuffer.allocate(count);
         while (buffer.hasRemaining()) {
             if (channel.read(buffer, offset + buffer.position()) < 0) {
-                throw new ScanException("shrinks while it is read; copy it to a folder that nobody writes to");
+                throw new ScanException("became shorter while it was read; copy it to another folder");
             }
         }
         return buffer.flip();

@@ -31,8 +31,7 @@ final class GwyddionReader {
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         if (file.startsWith("GWYO")) {
-            throw new ScanException(
-                    "was written by Gwyddion 1, which nobody has used since 2006; save it anew with Gwyddion 2");
+            throw new ScanException("was written by Gwyddion 1, before 2006; save it again with Gwyddion 2");
         }
         GwyddionObject container = GwyddionObject.read(file, file.cursor(4, ByteOrder.LITTLE_ENDIAN), 0);
         Map<Integer, ScanChannel> channels = new TreeMap<>();
