@@ -22,8 +22,8 @@ public final class LightSettings {
                             UnaryOperator.identity(),
                             String.join(", ", Illuminant.NAMES) + ", or a file (.csv)"),
                     "Spectrum of the light: " + String.join(", ", Illuminant.NAMES)
-                            + " (E: equal power), or a CSV file with two columns: wavelengths in nm, from 380 to 780 in steps of"
-                            + " at most 20, and power.")
+                            + " (E: equal power), or a CSV file: columns of wavelengths in nm, 380 to 780 in steps of at most 20,"
+                            + " and of power.")
             .withStandard("D65");
 
     /** Band of wavelengths that passes a filter. */

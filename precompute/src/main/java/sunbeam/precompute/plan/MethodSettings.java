@@ -76,7 +76,7 @@ public final class MethodSettings {
     public static final Setting<Double> COHERENCE_LENGTH = new Setting<>(
                     "coherenceLength",
                     Kinds.length(100e-9, 10e-3),
-                    "Four standard deviations of the coherence window, 100nm to 10mm; sunlight has 65 um.")
+                    "Four standard deviations of the coherence window, 100nm to 10mm; sunlight: 65 um.")
             .withStandard(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
 
     public static final Setting<Average> AVERAGE = new Setting<>(
