@@ -2,15 +2,22 @@ package sunbeam.app.work;
 
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.ForkJoinPool;
 import java.util.function.Supplier;
 
 /**
- * Computation in the common thread pool, while the caller does something else. Two computations that are partly serial take less time in
- * parallel.
+ * Computation in a pool of threads, while the caller does something else. Two computations that are partly serial take less time in
+ * parallel. The pool is not the common one, which on two processors has one thread: parallel streams of several other threads share its
+ * queue, and in Java 17 those wait for each other in a loop that takes a whole processor.
  *
  * @param <T> type of the result
  */
 public final class BackgroundTask<T> {
+    // Computations that run at the same time while a scene is loaded: the parts, the mesh, the sky and the textures.
+    private static final int LEAST_THREADS = 4;
+    private static final ForkJoinPool POOL =
+            new ForkJoinPool(Math.max(LEAST_THREADS, Runtime.getRuntime().availableProcessors()));
+
     private final CompletableFuture<T> future;
 
     private BackgroundTask(CompletableFuture<T> future) {
@@ -19,7 +26,7 @@ public final class BackgroundTask<T> {
 
     /** Starts the computation. */
     public static <T> BackgroundTask<T> start(Supplier<T> work) {
-        return new BackgroundTask<>(CompletableFuture.supplyAsync(work));
+        return new BackgroundTask<>(CompletableFuture.supplyAsync(work, POOL));
     }
 
     /** Waits for the result; throws the exception of the computation if it failed. */
