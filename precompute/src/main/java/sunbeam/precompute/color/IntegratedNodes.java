@@ -59,17 +59,22 @@ public final class IntegratedNodes {
      * @param widestStep largest step of 1 / lambda, in cycles per meter
      */
     public static WavelengthNodes of(CieTable cie, double widestStep) {
-        return select(new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate(), false);
+        return select(new IntegratedNodes(cie, Scale.WAVE_NUMBER, widestStep).integrate(), false, 0);
     }
 
     /** Returns nodes at equal steps of ln lambda, from the first to the last of nonzero weight. */
     public static WavelengthNodes logarithmic(CieTable cie, double widestStep) {
-        return select(new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate(), true);
+        return logarithmic(cie, widestStep, 0);
     }
 
-    private static WavelengthNodes select(WavelengthNodes all, boolean contiguous) {
+    /** Returns nodes at equal steps of ln lambda, from the first to the last with a weight above {@code leastWeight} times white's. */
+    public static WavelengthNodes logarithmic(CieTable cie, double widestStep, double leastWeight) {
+        return select(new IntegratedNodes(cie, Scale.LOGARITHM, widestStep).integrate(), true, leastWeight);
+    }
+
+    private static WavelengthNodes select(WavelengthNodes all, boolean contiguous, double leastWeight) {
         int[] nonzero = IntStream.range(0, all.count())
-                .filter(node -> Arrays.stream(all.weights()[node]).anyMatch(weight -> weight != 0))
+                .filter(node -> Arrays.stream(all.weights()[node]).anyMatch(weight -> Math.abs(weight) > leastWeight))
                 .toArray();
         int[] nodes = contiguous
                 ? IntStream.rangeClosed(nonzero[0], nonzero[nonzero.length - 1]).toArray()

@@ -1,8 +1,6 @@
 package sunbeam.precompute.color;
 
-import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
-import java.util.stream.IntStream;
 
 /**
  * Quadrature nodes and weights over wavelengths: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's
@@ -15,16 +13,6 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
 
     public int count() {
         return wavelengths.length;
-    }
-
-    /** Returns the nodes with a weight of at least {@code least} in X, Y or Z. */
-    public WavelengthNodes withWeight(double least) {
-        int[] nodes = IntStream.range(0, count())
-                .filter(node -> Arrays.stream(weights[node]).anyMatch(weight -> Math.abs(weight) >= least))
-                .toArray();
-        return new WavelengthNodes(
-                Arrays.stream(nodes).mapToDouble(node -> wavelengths[node]).toArray(),
-                Arrays.stream(nodes).mapToObj(node -> weights[node]).toArray(double[][]::new));
     }
 
     /** Integrates a power, given as a function of the wavelength in meters, to X, Y, Z. */

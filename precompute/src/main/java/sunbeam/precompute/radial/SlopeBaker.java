@@ -23,9 +23,6 @@ public final class SlopeBaker implements ColorBaker {
     private static final double WIDEST_STEP = 0.06;
     /** The same in units of sigma_f / |f|, where orders are narrow. */
     private static final double ORDER_STEP = 0.9;
-    /** Ratio of the steps from which each sample takes the widest that suits. */
-    private static final double STEP_RATIO = 0.5;
-
     /** Least weight of a wavelength, relative to white. */
     private static final double LEAST_WEIGHT = 1e-5;
 
@@ -72,19 +69,17 @@ public final class SlopeBaker implements ColorBaker {
         IntStream.range(0, columns.length - 1).parallel().forEach(column -> {
             int end;
             for (int first = columns[column]; first < columns[column + 1]; first = end) {
-                int step = step(uvw, first);
+                int halvings = halvings(uvw, first);
                 end = first + 1;
-                while (end < columns[column + 1] && step(uvw, end) == step) {
+                while (end < columns[column + 1] && halvings(uvw, end) == halvings) {
                     end++;
                 }
                 // Two threads may compute the same nodes or slice; neither waits.
-                Nodes ofStep = nodes.get(step);
+                Nodes ofStep = nodes.get(halvings);
                 if (ofStep == null) {
-                    double width = WIDEST_STEP * Math.pow(STEP_RATIO, step);
-                    ofStep = new Nodes(
-                            IntegratedNodes.logarithmic(cie, width).withWeight(LEAST_WEIGHT),
-                            new ConcurrentHashMap<>());
-                    nodes.put(step, ofStep);
+                    double step = WIDEST_STEP / (1 << halvings);
+                    ofStep = new Nodes(IntegratedNodes.logarithmic(cie, step, LEAST_WEIGHT), new ConcurrentHashMap<>());
+                    nodes.put(halvings, ofStep);
                 }
                 bake(ofStep, uvw, first, end, xyz);
             }
@@ -93,15 +88,14 @@ public final class SlopeBaker implements ColorBaker {
         return xyz;
     }
 
-    /** Returns the number of times that {@link #WIDEST_STEP} is multiplied by {@link #STEP_RATIO} for a sample. */
-    private int step(float[] uvw, int sample) {
+    /** Returns the number of times that {@link #WIDEST_STEP} is halved for a sample. */
+    private int halvings(float[] uvw, int sample) {
         double radius = Math.hypot(uvw[COLORS * sample], uvw[COLORS * sample + 1]);
         double depth = Math.abs(uvw[COLORS * sample + 2]);
         // Relief widens orders least at the shortest wavelength.
         double shortest = CieTable.MINIMUM_WAVELENGTH;
         double order = sigmaFrequency(table, level, depth, shortest) * shortest / radius;
-        double ratio = ORDER_STEP * order / WIDEST_STEP;
-        return ratio >= 1 ? 0 : (int) Math.ceil(Math.log(ratio) / Math.log(STEP_RATIO));
+        return DirectBaker.halvings(WIDEST_STEP, ORDER_STEP * order);
     }
 
     private Slice slice(WavelengthNodes nodes, double depth) {
