@@ -34,6 +34,8 @@ import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -87,7 +89,7 @@ public final class Collection {
         boolean possible = command.commandSpec().mixins().values().stream()
                 .anyMatch(mixin -> mixin.userObject() instanceof CollectionOptions);
         Collection collection = new Collection(command, runner);
-        List<String> names = collection.names();
+        List<String> names = collection.arguments();
         boolean several = names.size() > 1
                 || names.stream().anyMatch(Surfaces::isFolder)
                 || command.hasMatchedOption(CollectionOptions.TASK)
@@ -95,11 +97,19 @@ public final class Collection {
         return possible && several ? Optional.of(collection) : Optional.empty();
     }
 
-    /** Returns the surfaces and folders that the command line names; the default patch of the command if it names none. */
+    /** Returns the surfaces and folders that are named without {@code --patch}. */
+    private List<String> arguments() {
+        return parsed.matchedPositionals().stream()
+                .distinct()
+                .flatMap(argument -> argument.originalStringValues().stream())
+                .toList();
+    }
+
+    /** Returns the surfaces and folders that the command line names; the command's default if there are none. */
     private List<String> names() {
-        Stream<String> arguments =
-                parsed.matchedPositionals().stream().flatMap(argument -> argument.originalStringValues().stream());
-        return Stream.concat(arguments, value("--patch").stream()).toList();
+        return arguments().isEmpty()
+                ? List.of(value("--patch").orElse(Choices.none().get(PatchSettings.PATCH)))
+                : arguments();
     }
 
     private Optional<String> value(String option) {
@@ -167,6 +177,10 @@ public final class Collection {
         OF_ONE.stream().filter(parsed::hasMatchedOption).findFirst().ifPresent(option -> {
             throw new UsageException(option + " is for one patch; leave it out, or give one patch and one --theta-i");
         });
+        if (value(OUTPUT).filter(name -> name.endsWith(".png")).isPresent()) {
+            throw new UsageException(
+                    OUTPUT + " of several patches or angles is a folder; give a name without .png, or one patch");
+        }
         if (parsed.hasMatchedOption("--patch") && !parsed.matchedPositionals().isEmpty()) {
             throw new UsageException(
                     "'" + names().get(0) + "' and --patch both name a patch; give one of them, or all without --patch");
@@ -174,7 +188,7 @@ public final class Collection {
     }
 
     private List<Item> items() {
-        List<String> names = names().isEmpty() ? List.of("blaze") : Surfaces.of(names());
+        List<String> names = Surfaces.of(names());
         List<String> angles = angles();
         if ((long) names.size() * angles.size() > MOST) {
             throw new UsageException(names.size() + " surfaces under " + angles.size() + " angles are more than " + MOST
@@ -224,7 +238,12 @@ public final class Collection {
     }
 
     private static Stream<String> words(OptionSpec option) {
-        return option.originalStringValues().stream().map(value -> option.longestName() + "=" + value);
+        String name = option.longestName();
+        return option.originalStringValues().stream().map(value -> {
+            boolean isFlag = option.arity().max() == 0;
+            boolean isOff = isFlag && value.equals("false");
+            return isOff ? name.replaceFirst("^--", "--no-") : isFlag ? name : name + "=" + value;
+        });
     }
 
     /** Returns what determines the report of a run: its options, and the file of the heights if the surface is a descriptor. */

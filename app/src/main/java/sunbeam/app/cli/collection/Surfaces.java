@@ -1,6 +1,7 @@
 package sunbeam.app.cli.collection;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -13,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import sunbeam.app.files.input.InputException;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 
 /** Lists the surfaces that the arguments of a command name. A folder stands for its files, in the order of their names. */
@@ -33,9 +35,16 @@ final class Surfaces {
     /**
      * Returns the names of surfaces.
      *
+     * @throws UsageException if a name is no file that is there
      * @throws InputException if a folder cannot be read or has no file
      */
     static List<String> of(List<String> names) {
+        for (String name : names) {
+            if (!BuiltInPatches.names().contains(name) && !new File(name).exists()) {
+                throw new UsageException("'" + name + "' is no built-in patch and no file that is there; values follow"
+                        + " options, without blanks or in quotes");
+            }
+        }
         return names.stream()
                 .flatMap(name -> isFolder(name) ? files(Path.of(name)).stream() : Stream.of(name))
                 .toList();

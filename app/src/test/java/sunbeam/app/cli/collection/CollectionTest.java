@@ -232,7 +232,9 @@ final class CollectionTest {
         assertThat(run(
                         "brdf-map",
                         scans.toString(),
+                        "--periodic",
                         "blaze",
+                        "--explain",
                         "--size",
                         "40",
                         "--no-annotate",
@@ -265,6 +267,10 @@ final class CollectionTest {
         assertThat(run("color", scans.toString(), "--with", "blaze", "--output", report.toString()))
                 .isEqualTo(2);
         assertThat(err.toString()).contains("--with is for one patch").hasLineCount(1);
+        assertThat(run("color", scans.toString(), "--output", "a.png")).isEqualTo(2);
+        assertThat(err.toString()).contains("--output", "folder").hasLineCount(1);
+        assertThat(inspect("blaze", "no-such-file")).isEqualTo(2);
+        assertThat(err.toString()).contains("'no-such-file' is no").hasLineCount(1);
         assertThat(run("evaluate", scans.toString())).isEqualTo(4);
         assertThat(err.toString()).contains("scans", "folder").hasLineCount(1);
         Files.writeString(report.resolve("table.csv"), "mine");
