@@ -50,11 +50,11 @@ final class TablePromiseTest {
 
         // In steps of the law the 95th percentile is 0.15.
         assertThat(result.exitCode()).as(result::toString).isZero();
-        assertThat(result.stderr()).contains("it is made again in steps of");
+        assertThat(result.stderr()).contains("baked again in steps of");
 
         // What was found out is kept.
         SunbeamResult again = map(workplace, "--output", "again.png");
         assertThat(again.exitCode()).as(again::toString).isZero();
-        assertThat(again.stderr()).doesNotContain("made again");
+        assertThat(again.stderr()).doesNotContain("baked again");
     }
 }

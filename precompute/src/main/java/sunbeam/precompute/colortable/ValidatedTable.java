@@ -32,7 +32,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     // Largest ratio of errors after and before two refinements at which refinement goes on; above, errors have another
     // cause. One refinement is no evidence, since the 95th percentile of few directions jumps.
     private static final double IMPROVEMENT = 0.8;
-    private static final String CLOSE = ", which is closer to the limit than it should be";
+    private static final String CLOSE = ", close to the limit";
 
     /**
      * Receivers of messages about deviations from the plan.
@@ -148,13 +148,13 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
                 if (!table.errors.keep(tolerance)) {
                     refused.accept(next);
                 }
-                diagnostics.note().accept("table: " + words + CLOSE + ": for smaller steps there is no room");
+                diagnostics.note().accept("table: " + words + CLOSE + "; memory does not suffice for smaller steps");
                 return table;
             }
             diagnostics
                     .note()
                     .accept(Text.format(
-                            "table: %s, too close to that or beyond it; it is made again in steps of %.2g",
+                            "table: %s, beyond or close to the limit; baked again in steps of %.2g",
                             words, next.step()));
             beforeThat = before;
             before = excess;
@@ -166,10 +166,10 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         String steps = Text.format("steps of %.2g in (u, v)", grid.design().step())
                 + (grid.slices() > 1 ? ", " + grid.slices() + " slices in w" : "");
         return errors.count() == 0
-                ? steps + ", tried where light goes: nowhere, all directions are dark"
+                ? steps + ", not checked: all directions are dark"
                 : Text.format(
-                        "%s, tried at %d directions: errs by %.2g in the median, %.2g at the 95th and %.2g at the 98th percentile"
-                                + " beside what it was made of (%.2g in the median and %.2g at the 95th are promised of both together)",
+                        "%s, checked at %d directions: errors relative to its source of %.2g in the median, %.2g at the 95th and %.2g at the 98th percentile"
+                                + " (limits for both together: %.2g in the median, %.2g at the 95th)",
                         steps,
                         errors.count(),
                         errors.median(),

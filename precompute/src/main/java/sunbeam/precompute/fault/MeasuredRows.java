@@ -128,7 +128,7 @@ final class MeasuredRows {
                                 place.firstRow() + run[1])
                         .area(whole));
         String words = Text.format(
-                "%s %s of %d (from the top) hold no measurement: missing, of one height, or the row above once more",
+                "%s %s of %d (from the top) hold no measurement: missing, constant, or equal to the row above",
                 unmeasured.cardinality() == 1 ? "row" : "rows", numbers(place.firstRow() + 1), whole.rows());
         double share = (double) unmeasured.cardinality() / scan.rows();
         return Optional.of(new ScanFault(words, part, Optional.empty(), share, ""));

@@ -125,9 +125,8 @@ public final class ScanFaults {
                 .mapToDouble(offset -> Math.max(-3 * deviation, Math.min(3 * deviation, offset.median - medianOffset)))
                 .toArray();
         if (deviation >= LEAST_OFFSET * spread && areIndependent(others)) {
-            faults.add(leveled(Text.format(
-                    "rows lie higher or lower than their neighbors by %s rms, each by itself",
-                    Lengths.rounded(deviation, 2))));
+            faults.add(leveled(
+                    Text.format("rows have offsets of %s rms from their neighbors", Lengths.rounded(deviation, 2))));
         }
         return faults;
     }

@@ -131,14 +131,13 @@ public record ColorTablePlan(
                 step(0)));
         if (table.pointLevelCount() == 1) {
             reasons.add(Text.format(
-                    "step %s where pixels see more than a point: the mean of lines between texels is as good as that of splines",
-                    step(1)));
+                    "step %s for pixels larger than a point: linear interpolation suffices for means", step(1)));
         }
         reasons.add(
                 table.area().average() == Average.COHERENT
-                        ? "one level: a coherent average of wide surroundings is no narrower window's"
+                        ? "one level: a coherent average over a pixel is not that of a narrower window"
                         : Text.format(
-                                "levels: %d, each 1.4 times as wide as the one before, for pixels that see so much",
+                                "levels: %d, each 1.4 times as wide as the one before, for larger pixels",
                                 footprintLevelCount()));
         reasons.add("evaluated by full for half of the tolerance:");
         reasons.addAll(finest.reasons());

@@ -79,14 +79,14 @@ public record GemMethod(
             throw new SettingException(
                     SPACING,
                     "is needed: a patch that is " + Lengths.format(width)
-                            + " wide is no single period; give the grating's, for example 1um");
+                            + " wide is more than one period; give the grating's, for example 1um");
         }
         double period = spacing.orElse(width);
         int count = orders.orElse(form == GemForm.STAM ? STAM_ORDERS : visibleOrders(period));
         return new MethodPlan(
                 "gem: lines " + Lengths.format(period) + " apart, " + count + (count == 1 ? " order" : " orders")
                         + " on each side, for comparison only",
-                () -> List.of("nothing of the surface is used"),
+                () -> List.of("the heights are not used"),
                 Optional.empty(),
                 false,
                 Optional.empty(),

@@ -56,10 +56,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
 
     @Override
     public Optional<Sentence> approximation() {
-        return Optional.of(Sentence.of(
-                "one wavelength stands for a whole order, and its surface for all others'; give ",
-                Methods.METHOD,
-                " full"));
+        return Optional.of(Sentence.of("one wavelength represents a whole order; give ", Methods.METHOD, " full"));
     }
 
     @Override
@@ -86,8 +83,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         // Else orders count as one wavelength step each (nmm_thesis.glsl).
         boolean weighted = plan.tolerance().isPresent();
         return new MethodPlan(
-                "thesis's method of single orders (nmm): each order's middle wavelength stands for the whole order"
-                        + (weighted ? "" : ", all orders counting alike")
+                "thesis's method of single orders (nmm): each order's middle wavelength represents the whole order"
+                        + (weighted ? "" : ", all orders with equal weight")
                         + "; near the mirror direction " + plan.summary(),
                 plan::reasons,
                 Optional.empty(),

@@ -93,7 +93,7 @@ final class PointTable {
     private List<String> reasons() {
         List<String> reasons = new ArrayList<>();
         reasons.add(Text.format(
-                "step %s in (u, v), or smaller where a trial of the table asks for it: cubic B-splines through square roots of X, Y, Z err by"
+                "step %s in (u, v), or smaller if the validation requires it: cubic B-splines through square roots of X, Y, Z err by"
                         + " the tolerance (docs/color-tables.md)",
                 step()));
         reasons.add(

@@ -116,8 +116,7 @@ public record PqMethod(
         return switch (interpolation) {
             case SINC -> Optional.empty();
             case LINEAR -> Optional.of(Sentence.of("light between the bins of one period's DFT is lost"));
-            case RING ->
-                Optional.of(Sentence.of("bins farther than one away, and the phases between them, are left out"));
+            case RING -> Optional.of(Sentence.of("bins more than one away, and phases between bins, are left out"));
         };
     }
 
@@ -204,11 +203,11 @@ public record PqMethod(
                     Text.format(
                             "sizes: %d %s terms, %s interpolation",
                             expansion.terms(), Kinds.name(expansion.kind()), Kinds.name(interpolation)),
-                    "replicas: as chosen, or as many as come closest to the coherence length",
+                    "replicas: chosen, or the number closest to the coherence length",
                     Text.format(
                             "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/theory.md for its error",
                             interpolation.oversampling(), interpolation.taps()),
-                    "wavelengths: as chosen, or one for each cycle of the power over 1 / lambda");
+                    "wavelengths: chosen, or one per cycle of the power over 1 / lambda");
         }
 
         private Band bandX() {

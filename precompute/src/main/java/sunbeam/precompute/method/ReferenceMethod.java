@@ -43,11 +43,11 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
             return new ReferenceMethod(GaussianArea.of(choices));
         }
         if (choices.get(AVERAGE) == Average.ENSEMBLE) {
-            throw choices.complaint(AVERAGE, "is not for ", REPLICAS, ", which lie at one place; leave out one");
+            throw choices.complaint(AVERAGE, "is not for ", REPLICAS, ", which have one position; leave out one");
         }
         if (choices.has(WINDOW_ORIGIN)) {
             throw choices.complaint(
-                    WINDOW_ORIGIN, "is about the Gaussian window, in whose place ", REPLICAS, " stand; leave out one");
+                    WINDOW_ORIGIN, "belongs to the Gaussian window, which ", REPLICAS, " replace; leave out one");
         }
         int count = choices.get(REPLICAS, 1);
         return new ReferenceMethod(new ReplicatedArea(new Replicas(count, count)));

@@ -44,7 +44,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                     choices,
                     Optional.of(Sentence.of(
                             Text.format(
-                                    "the surface is taken to repeat itself every %s, and light of a coherence length of %s sees that: a comb of sharp orders that no scan of this size can tell; say whether it is ",
+                                    "the surface is repeated every %s, which a coherence length of %s resolves as sharp orders that the scan cannot confirm; state whether it is ",
                                     Lengths.format(side), Lengths.format(chosen)),
                             PatchSettings.PERIODIC)),
                     Optional.empty());
@@ -52,7 +52,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
         String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
         if (side < SHORTEST) {
             throw new PatchException(Text.format(
-                    "%s: its %s is %s, and no light has a shorter coherence length than %s; take a scan of more samples, or one row or column alone, or say that it repeats (%s)",
+                    "%s: its %s of %s is less than the shortest coherence length, %s; use a larger scan, a single row or column, or state that it repeats (%s)",
                     patch.name(),
                     limiting,
                     Lengths.format(side),
@@ -64,7 +64,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                 limited,
                 Optional.of(Sentence.of(
                         Text.format(
-                                "coherence length %s (the scan's %s; %s %s): orders are drawn %s times as broad as in sunlight; a larger scan helps, or where this one is a period of the surface, ",
+                                "coherence length %s (the scan's %s; %s %s): orders are %s times as broad as in sunlight; use a larger scan, or, if this one is a period of the surface, ",
                                 Lengths.rounded(side, 4),
                                 limiting,
                                 Lengths.format(chosen),

@@ -75,7 +75,7 @@ final class PlanChecks {
                             FEWEST_SAMPLES,
                             Lengths.format(pitch),
                             pitch > COARSEST_PITCH
-                                    ? "no structure that diffracts light shows in samples so far apart: check the scan's"
+                                    ? "so far apart, samples show no structure that diffracts light: check the scan's"
                                             + " size and its unit"
                                     : "give " + Lengths.format(FEWEST_SAMPLES * pitch) + " or more"));
         }
@@ -150,8 +150,7 @@ final class PlanChecks {
                         ", or leave it out"));
             }
             if (plan.sampling() instanceof BinSampling bins && !bins.planned()) {
-                lines.add(Sentence.of(
-                        "equal steps of the wavelength, as chosen, promise no tolerance; leave out ", WAVELENGTH_STEP));
+                lines.add(Sentence.of("equal steps of the wavelength keep no tolerance; leave out ", WAVELENGTH_STEP));
             }
         });
         return lines;
@@ -166,8 +165,8 @@ final class PlanChecks {
             if (tolerance < ErrorBudget.FINEST_CERTAIN || percentile > 3 * tolerance) {
                 lines.add(Sentence.of(Text.format(
                         "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th"
-                                + " percentile of power, of which three times the tolerance is promised; method"
-                                + " reference goes further",
+                                + " percentile of power, more than three times the tolerance; method reference is more"
+                                + " exact",
                         Decimals.format(tolerance),
                         Decimals.format(Double.parseDouble(Decimals.rounded(percentile, 2))))));
             }
@@ -175,9 +174,9 @@ final class PlanChecks {
             if (reachable > tolerance) {
                 lines.add(Sentence.of(Text.format(
                         "colors on flanks of orders far from the specular direction reach only %.0e, not the tolerance"
-                                + " %s: the spectrum of a coherence length of %s is narrower than float32 tells"
-                                + " frequencies apart; give a shorter one, or a wavelength each ('reflectance'), whose"
-                                + " frequencies are found in double precision",
+                                + " %s: the spectrum of a coherence length of %s is narrower than float32"
+                                + " resolves; give a shorter one, or single wavelengths ('reflectance'), which have"
+                                + " double precision",
                         reachable,
                         Decimals.format(tolerance),
                         Lengths.format(plan.window().coherenceLength()))));

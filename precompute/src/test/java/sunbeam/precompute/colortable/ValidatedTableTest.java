@@ -110,7 +110,7 @@ class ValidatedTableTest {
         assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(opened).isOne();
         assertThat(messages).isEmpty();
-        assertThat(made.words(TOLERANCE)).contains("tried at ", " directions: errs by ");
+        assertThat(made.words(TOLERANCE)).contains("checked at ", " directions: errors relative to its source of ");
     }
 
     @Test
@@ -118,7 +118,7 @@ class ValidatedTableTest {
         ValidatedTable made = oneLight(ValidatedTableTest::cancelling);
 
         assertThat(made.grid().design().step()).isLessThan(COARSE.step());
-        assertThat(messages).isNotEmpty().allMatch(line -> line.contains("made again in steps of"));
+        assertThat(messages).isNotEmpty().allMatch(line -> line.contains("baked again in steps of"));
         List<Double> errors = new ArrayList<>();
         Random random = new Random(11);
         while (errors.size() < 1000) {
@@ -196,7 +196,7 @@ class ValidatedTableTest {
                 make(TOLERANCE, ONE_LIGHT, COARSE, nearly, need -> false, ValidatedTableTest::neverRefused);
 
         assertThat(made.grid().design()).isEqualTo(COARSE);
-        assertThat(messages).singleElement().asString().contains("there is no room");
+        assertThat(messages).singleElement().asString().contains("memory does not suffice");
     }
 
     @Test

@@ -212,7 +212,7 @@ class ScanFaultsTest {
             shiftRow(heights, row, 6e-9 * random.nextGaussian());
         }
         assertThat(faults(heights)).singleElement().satisfies(fault -> {
-            assertThat(fault.words()).startsWith("rows lie higher or lower");
+            assertThat(fault.words()).startsWith("rows have offsets of ");
             assertThat(fault.leveling()).contains(Leveling.MEDIAN_ROWS);
         });
         assertThat(faults(Leveling.MEDIAN_ROWS.apply(field(heights)).heights())).isEmpty();

@@ -116,7 +116,7 @@ class MethodsTest {
         ReferenceMethod method = (ReferenceMethod) Methods.of(REFERENCE.with(REPLICAS, 3));
         assertThat(method.area()).isEqualTo(new ReplicatedArea(new Replicas(3, 3)));
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(WINDOW_ORIGIN, WindowOrigin.CENTRE)))
-                .hasMessageStartingWith("window origin centre is about the Gaussian window, in whose place replicas");
+                .hasMessageStartingWith("window origin centre belongs to the Gaussian window, which replicas");
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(AVERAGE, Average.ENSEMBLE)))
                 .hasMessageStartingWith("average ensemble is not for replicas");
     }

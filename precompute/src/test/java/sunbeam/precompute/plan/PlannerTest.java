@@ -126,7 +126,7 @@ class PlannerTest {
         assertThat(warnings(request(Optional.empty(), 0, 65e-6, 5e-9)))
                 .singleElement()
                 .asString()
-                .contains("promise no tolerance; leave out wavelength step");
+                .contains("keep no tolerance; leave out wavelength step");
     }
 
     @Test
