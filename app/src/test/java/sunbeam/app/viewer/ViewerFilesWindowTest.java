@@ -51,6 +51,7 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         assertThat(picture()).isNotSameAs(saved);
         assertThat(different(saved, picture(), false)).isZero();
         assertThat(message()).contains("loaded mine.json");
+        assertThat(onEvents(() -> viewer.files().recent())).containsExactly(folder.resolve("mine.json"));
         Scene again = onEvents(() -> viewer.model().scene());
         press(KeyEvent.VK_RIGHT);
         await(() -> !loadedScene().equals(again));

@@ -128,6 +128,9 @@ public final class KeyControls {
                 item.addActionListener(event -> viewer.files().load(file));
                 menu.add(item);
             }
+            if (menu.getItemCount() == 0) {
+                menu.add("none yet").setEnabled(false);
+            }
         });
         return menu;
     }
