@@ -179,6 +179,19 @@ class ExportTest {
                 .contains("has no WebGL 2");
     }
 
+    @ParameterizedTest
+    @CsvSource({"glsl, vec3 sunbeam(vec3 wi", "hlsl, float3 sunbeam(Texture2DArray", "wgsl, fn sunbeam(sunbeamTable"})
+    void aFolderForEnginesHasTheFunctionInEachLanguage(String ending, String declaration) {
+        assertThat(made.resolve("b/sunbeam." + ending))
+                .content()
+                .contains(declaration)
+                .doesNotContainPattern("@[A-Z_]+@");
+        assertThat(made.resolve("b/sunbeam.md"))
+                .content()
+                .contains("sunbeam." + ending)
+                .doesNotContainPattern("@[A-Z_]+@");
+    }
+
     /** KTX 2.0, read by its description: what a coarser level shows is the mean of the finest. */
     @Test
     void aTextureHasLevelsOfWiderOrders() throws Exception {

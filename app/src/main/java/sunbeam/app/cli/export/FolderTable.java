@@ -27,7 +27,7 @@ record FolderTable(Language language) implements TableWriter {
 
     enum Language {
         /**
-         * GLSL, with an example page. The KTX2 texture has mip levels of four half floats per texel; coarser levels add a third to the
+         * GLSL, HLSL and WGSL, with an example page. The KTX2 texture has mip levels of four half floats per texel; coarser levels add a third to the
          * bytes of the finest.
          */
         GLSL(4, 8 * 4 / 3.0),
@@ -49,7 +49,7 @@ record FolderTable(Language language) implements TableWriter {
         private List<String> endings() {
             String function = "." + ending();
             return this == GLSL
-                    ? List.of(function, ".ktx2", ".exr", ".html", ".md", ".json")
+                    ? List.of(function, ".hlsl", ".wgsl", ".ktx2", ".exr", ".html", ".md", ".json")
                     : List.of(function, ".exr", ".md", ".json");
         }
     }
@@ -107,9 +107,14 @@ record FolderTable(Language language) implements TableWriter {
         int slices = shape.depth().count();
         int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
-        files.put(
-                "." + language.ending(),
-                AtomicFile.StreamContent.of(ShaderText.function("sunbeam." + language.ending(), metadata, doublings)));
+        String function = ShaderText.function("sunbeam." + language.ending(), metadata, doublings);
+        if (language == Language.OSL) {
+            files.put(".osl", AtomicFile.StreamContent.of(function));
+        } else {
+            for (ShaderLanguage each : ShaderLanguage.values()) {
+                files.put(each.ending(), AtomicFile.StreamContent.of(each.translate(function)));
+            }
+        }
         files.put(
                 ".exr",
                 stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)

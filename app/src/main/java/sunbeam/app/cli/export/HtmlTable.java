@@ -98,7 +98,8 @@ final class HtmlTable implements TableWriter {
         values.put("CAPTION", caption(metadata));
         // In a script element "</" would end the element.
         values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
-        values.put("SHADER", ShaderText.function("sunbeam.glsl", metadata, 0) + "\n" + ShaderText.read("display.glsl"));
+        String function = ShaderLanguage.GLSL.translate(ShaderText.function("sunbeam.glsl", metadata, 0));
+        values.put("SHADER", function + "\n" + ShaderText.read("display.glsl"));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
         String page = ShaderText.filled(ShaderText.read("page.html"), values);
         return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));

@@ -42,6 +42,7 @@ final class ShaderText {
         values.put("LENGTH", Lengths.rounded(metadata.coherenceLength(), 3));
         values.put("VERSION", Version.number());
         values.put("ERROR", metadata.error());
+        values.put("LAYERS", String.valueOf(metadata.grid().shape().depth().count()));
         return values;
     }
 

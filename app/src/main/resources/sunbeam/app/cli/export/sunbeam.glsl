@@ -1,5 +1,5 @@
 // Diffraction of @PATCH@ (coherence length @LENGTH@), made by sunbeam @VERSION@: docs/export.md of Sunbeam has the formula.
-// For GLSL 3.30, 4.x and ES 3.00 (there after "precision highp float; precision highp sampler2DArray;").
+@LANGUAGE@
 //
 // Square roots of X, Y, Z, times 256; layers are slices of |w|, mip levels show orders ever twice as wide. Linear filters, edges clamped.
 uniform sampler2DArray sunbeamTable;
@@ -28,12 +28,12 @@ vec3 sunbeamPower(vec3 uvw, float level) {
     float first = clamp(floor(at) - 1.0, 0.0, SUNBEAM_SLICES - 4.0);
     vec4 t = at - first - vec4(0.0, 1.0, 2.0, 3.0);
     vec4 weights = vec4(-t.y * t.z * t.w / 6.0, t.x * t.z * t.w / 2.0, -t.x * t.y * t.w / 2.0, t.x * t.y * t.z / 6.0);
-    vec3 xyz = vec3(0.0);
-    for (int i = 0; i < 4; ++i) {
+    vec3 xyz = vec3(0.0, 0.0, 0.0);
+    for (int i = 0; i < 4; i++) {
         vec3 root = textureLod(sunbeamTable, vec3(place, first + float(i)), level).rgb;
         xyz += weights[i] * root * root;
     }
-    return max(xyz / 65536.0, vec3(0.0));
+    return max(xyz / 65536.0, vec3(0.0, 0.0, 0.0));
 }
 
 // The mean over a pixel's footprint: du and dv are how far (u, v, w) moves from the pixel to the next, to the right and up.
@@ -42,7 +42,10 @@ vec3 sunbeamMean(vec3 uvw, vec3 du, vec3 dv) {
     float b = dot(dv.xy, dv.xy);
     float c = dot(du.xy, dv.xy);
     float root = sqrt(0.25 * (a - b) * (a - b) + c * c);
-    float turn = root > 0.0 ? 0.5 * atan(2.0 * c, a - b) : 0.0;
+    float turn = 0.0;
+    if (root > 0.0) {
+        turn = 0.5 * atan(2.0 * c, a - b);
+    }
     vec3 axis = cos(turn) * du + sin(turn) * dv;
     float wide = 0.5 * (a + b) + root;
     float narrow = max(0.5 * (a + b) - root, 0.0);
@@ -51,7 +54,7 @@ vec3 sunbeamMean(vec3 uvw, vec3 du, vec3 dv) {
     float blur = max(narrow, 12.0 * wide / (reach * reach)) / (12.0 * SUNBEAM_SIGMA * SUNBEAM_SIGMA);
     float level = min(0.5 * log2(1.0 + blur), SUNBEAM_COARSEST);
     float taps = clamp(ceil(sqrt(wide) / (SUNBEAM_SPACING * SUNBEAM_SIGMA * exp2(level))), 1.0, SUNBEAM_TAPS);
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0, 0.0, 0.0);
     for (float i = 0.5; i < taps; i += 1.0) {
         sum += sunbeamPower(uvw + (i / taps - 0.5) * axis, level);
     }
@@ -71,7 +74,10 @@ float sunbeamGain(vec3 wi, vec3 wr) {
 // cosine. wi to the light, wr to the viewer, unit vectors in the tangent frame: x tangent, y bitangent, z normal. du and dv as above,
 // for example dFdx(-(wi + wr)) and dFdy(-(wi + wr)); zero for a point.
 vec3 sunbeamXyz(vec3 wi, vec3 wr, vec3 du, vec3 dv) {
-    return wi.z > 0.0 && wr.z > 0.0 ? sunbeamGain(wi, wr) * sunbeamMean(-(wi + wr), du, dv) : vec3(0.0);
+    if (wi.z > 0.0 && wr.z > 0.0) {
+        return sunbeamGain(wi, wr) * sunbeamMean(-(wi + wr), du, dv);
+    }
+    return vec3(0.0, 0.0, 0.0);
 }
 
 // The same in linear Rec. 709 (sRGB) red, green, blue; negative outside of the gamut.

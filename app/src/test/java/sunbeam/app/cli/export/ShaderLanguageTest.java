@@ -1,0 +1,174 @@
+package sunbeam.app.cli.export;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.regex.Pattern;
+import jrtr.Filter;
+import jrtr.FloatFormat;
+import jrtr.FloatTargetSpec;
+import jrtr.FloatTextureSpec;
+import jrtr.Tile;
+import jrtr.gl.Binding;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.FloatTexture;
+import jrtr.gl.ShaderProgram;
+import jrtr.glsl.ShaderLibrary;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
+import sunbeam.app.gpu.NeedsDisplay;
+
+/**
+ * The exported function in other languages, compiled by others' programs to GLSL and run beside the original on the same directions. A test
+ * is skipped where its compiler is missing.
+ */
+@NeedsDisplay
+class ShaderLanguageTest extends InAContext {
+    private static final int SIDE = 64;
+    private static final int TABLE = 32;
+    private static final int SLICES = 6;
+
+    // Both are the same operations in 24 bits, but llvmpipe fuses and reorders them; Kirchhoff's factor magnifies small
+    // s.
+    private static final double ROUNDING = 2e-4;
+
+    /** A light and a viewer for each pixel, some below the horizon; footprints from none to a third of all directions. */
+    private static final String MAIN = """
+            vec3 shown(vec2 pixel) {
+                vec2 at = pixel / 64.0;
+                float radius = 0.98 * sqrt(at.x);
+                vec3 wi = vec3(radius * cos(40.0 * at.y), radius * sin(40.0 * at.y), sqrt(1.0 - radius * radius) - 0.2);
+                vec3 wr = normalize(vec3(sin(31.0 * at.x), cos(17.0 * at.x + 5.0 * at.y), 1.0));
+                return sunbeam(normalize(wi), wr, 0.1 * at.x * wr, 0.3 * at.y * at.y * wi);
+            }
+            """;
+
+    private static final String FRAGMENT = "in vec4 gl_FragCoord;\nlayout(location = 0) out vec4 color;\n"
+            + "void main() { color = vec4(shown(gl_FragCoord.xy), 1.0); }\n";
+
+    @TempDir
+    Path folder;
+
+    private static String glsl() {
+        Map<String, String> values = new HashMap<>();
+        values.putAll(Map.of("U", "-1.5", "V", "-1.4", "STEP", "0.1", "COLUMNS", TABLE + ".0", "ROWS", TABLE + ".0"));
+        values.putAll(Map.of("DEPTH", "0.3", "DEPTH_STEP", "0.35", "SLICES", SLICES + ".0", "SIGMA", "0.01"));
+        values.put("COARSEST", "3.0");
+        return ShaderText.filled(ShaderText.read("sunbeam.glsl"), values) + MAIN;
+    }
+
+    @Test
+    void hlslComputesWhatGlslDoes() throws Exception {
+        require("glslangValidator", "--version");
+        require("spirv-cross", "--help");
+        Files.writeString(
+                folder.resolve("hlsl.frag"),
+                ShaderLanguage.HLSL
+                                .translate(glsl())
+                                .replace(
+                                        "shown(float2",
+                                        "shown(Texture2DArray<float4> sunbeamTable, SamplerState sunbeamSampler, float2")
+                        + "Texture2DArray<float4> lookUp; SamplerState linearClamp;\n"
+                        + "float4 main(float4 at : SV_Position) : SV_Target {"
+                        + " return float4(shown(lookUp, linearClamp, at.xy), 1.0); }\n");
+
+        run("glslangValidator", "-D", "-V", "-e", "main", "-S", "frag", "--amb", "-o", "hlsl.spv", "hlsl.frag");
+        String back = run("spirv-cross", "hlsl.spv", "--version", "330", "--no-es", "--no-420pack-extension");
+
+        assertAlike(back);
+    }
+
+    @Test
+    void wgslComputesWhatGlslDoes() throws Exception {
+        require("naga", "--version");
+        Files.writeString(
+                folder.resolve("it.wgsl"),
+                ShaderLanguage.WGSL
+                                .translate(glsl().replace("vec3 shown(vec2 pixel) {", "@SHOWN@"))
+                                .replace(
+                                        "@SHOWN@",
+                                        "fn shown(sunbeamTable: texture_2d_array<f32>, sunbeamSampler: sampler, pixel: vec2f)"
+                                                + " -> vec3f {")
+                        + "@group(0) @binding(0) var lookUp: texture_2d_array<f32>;\n"
+                        + "@group(0) @binding(1) var linearClamp: sampler;\n"
+                        + "@fragment fn main(@builtin(position) at: vec4f) -> @location(0) vec4f {"
+                        + " return vec4f(shown(lookUp, linearClamp, at.xy), 1.0); }\n");
+
+        run("naga", "--profile", "core330", "--entry-point", "main", "it.wgsl", "it.frag");
+
+        assertAlike(Files.readString(folder.resolve("it.frag")));
+    }
+
+    private void assertAlike(String other) {
+        float[] expected = drawn("#version 330 core\n" + ShaderLanguage.GLSL.translate(glsl()) + FRAGMENT);
+        float[] got = drawn(other);
+
+        int lit = 0;
+        for (int i = 0; i < expected.length; i++) {
+            lit += i % 4 < 3 && expected[i] != 0 ? 1 : 0;
+            assertThat((double) got[i])
+                    .as("component %d of pixel %d", i % 4, i / 4)
+                    .isCloseTo(expected[i], within(ROUNDING * (1 + Math.abs(expected[i]))));
+        }
+        assertThat(lit).isGreaterThan(SIDE * SIDE);
+    }
+
+    private float[] drawn(String shader) {
+        ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
+        FloatTextureSpec spec = FloatTextureSpec.array(TABLE, TABLE, SLICES, FloatFormat.RGBA32F)
+                .with(Filter.LINEAR);
+        SplittableRandom random = new SplittableRandom(3);
+        float[] roots = new float[Math.toIntExact(spec.floats())];
+        for (int i = 0; i < roots.length; i++) {
+            roots[i] = (float) (256 * random.nextDouble());
+        }
+        String sampler = Pattern.compile("uniform (?:highp )?sampler2DArray (\\w+)")
+                .matcher(shader)
+                .results()
+                .map(found -> found.group(1))
+                .findFirst()
+                .orElseThrow();
+        try (ShaderProgram program = context.createFullScreenProgram(library.load("test.frag"));
+                FloatTexture table = context.createFloatTexture("table", spec);
+                FloatTarget target = context.createFloatTarget("test", FloatTargetSpec.color(SIDE, SIDE))) {
+            table.upload(roots);
+            context.drawFullScreen(program, List.of(new Binding(sampler, table)), target, Tile.whole(SIDE, SIDE));
+            return target.read(0);
+        }
+    }
+
+    private void require(String... command) throws InterruptedException {
+        boolean found;
+        try {
+            found = process(command).waitFor() >= 0;
+        } catch (IOException missing) {
+            found = false;
+        }
+        assumeTrue(found, "skipped: no " + command[0]);
+    }
+
+    private String run(String... command) throws IOException, InterruptedException {
+        int code = process(command).waitFor();
+        String said = Files.readString(folder.resolve("output"));
+        assertThat(code).as("%s: %s", String.join(" ", command), said).isZero();
+        return said;
+    }
+
+    private Process process(String... command) throws IOException {
+        return new ProcessBuilder(command)
+                .directory(folder.toFile())
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve("output").toFile())
+                .start();
+    }
+}
