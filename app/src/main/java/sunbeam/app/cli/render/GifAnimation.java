@@ -1,6 +1,9 @@
 package sunbeam.app.cli.render;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
@@ -16,7 +19,10 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 
-/** Writer of an endless animated GIF; each frame has its own palette of 256 colors, which ImageIO's writer chooses. */
+/**
+ * Writer of an endless animated GIF. Each frame has its own palette of 256 colors, which ImageIO's writer chooses, and is dithered by error
+ * diffusion (Floyd and Steinberg 1976), so that smooth colors have no bands.
+ */
 final class GifAnimation {
     private static final String FRAME_FORMAT = "javax_imageio_gif_image_1.0";
 
@@ -34,7 +40,7 @@ final class GifAnimation {
             writer.setOutput(output);
             writer.prepareWriteSequence(null);
             for (int i = 0; i < frames.size(); i++) {
-                BufferedImage image = ImageFile.ours(frames.get(i), "remove it and use --resume");
+                BufferedImage image = dithered(ImageFile.ours(frames.get(i), "remove it and use --resume"));
                 IIOMetadata metadata =
                         writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), writer.getDefaultWriteParam());
                 describe(metadata, hundredths, i == 0);
@@ -44,6 +50,56 @@ final class GifAnimation {
         } finally {
             writer.dispose();
         }
+    }
+
+    private static BufferedImage dithered(BufferedImage image) throws IOException {
+        ByteArrayOutputStream undithered = new ByteArrayOutputStream();
+        ImageIO.write(image, "gif", undithered);
+        IndexColorModel palette = (IndexColorModel)
+                ImageIO.read(new ByteArrayInputStream(undithered.toByteArray())).getColorModel();
+        int width = image.getWidth();
+        BufferedImage dithered =
+                new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, palette);
+        // Errors of this row and the next, three channels a pixel, with a pixel more on either side.
+        float[] errors = new float[3 * (width + 2)];
+        for (int y = 0; y < image.getHeight(); y++) {
+            float[] below = new float[errors.length];
+            for (int x = 0; x < width; x++) {
+                int at = 3 * (x + 1);
+                float[] wanted = new float[3];
+                for (int c = 0; c < 3; c++) {
+                    int code = image.getRGB(x, y) >> 16 - 8 * c & 255;
+                    wanted[c] = Math.max(0, Math.min(255, code + errors[at + c]));
+                }
+                int nearest = nearest(palette, wanted);
+                dithered.getRaster().setSample(x, y, 0, nearest);
+                for (int c = 0; c < 3; c++) {
+                    float error = (wanted[c] - (palette.getRGB(nearest) >> 16 - 8 * c & 255)) / 16;
+                    errors[at + 3 + c] += 7 * error;
+                    below[at - 3 + c] += 3 * error;
+                    below[at + c] += 5 * error;
+                    below[at + 3 + c] += error;
+                }
+            }
+            errors = below;
+        }
+        return dithered;
+    }
+
+    private static int nearest(IndexColorModel palette, float[] color) {
+        int nearest = 0;
+        float least = Float.POSITIVE_INFINITY;
+        for (int i = 0; i < palette.getMapSize(); i++) {
+            float red = color[0] - palette.getRed(i);
+            float green = color[1] - palette.getGreen(i);
+            float blue = color[2] - palette.getBlue(i);
+            float distance = red * red + green * green + blue * blue;
+            if (distance < least) {
+                least = distance;
+                nearest = i;
+            }
+        }
+        return nearest;
     }
 
     private static void describe(IIOMetadata metadata, int hundredths, boolean first) throws IOException {
