@@ -62,7 +62,11 @@ vec4 ground() {
     vec3 towards = viewAt(viewPixels * gl_FragCoord.xy);
     float height = dot(eye - groundMiddle, groundNormal);
     float slant = dot(towards, groundNormal);
-    vec3 horizon = skyWeight * lightRadiances[0].y * HORIZON;
+    float radiance = 0.0;
+    for (int number = 0; number < lightCount; ++number) {
+        radiance += lightRadiances[number].y;
+    }
+    vec3 horizon = skyWeight * radiance * HORIZON;
     if (height <= 0.0 || slant <= 1e-4) {
         float glow = height > 0.0 && skyWeight > 0.0 ? exp(GLOW * min(slant, 0.0)) : 0.0;
         return glow * vec4(horizon, 1.0);

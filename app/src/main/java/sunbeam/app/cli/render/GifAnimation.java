@@ -58,8 +58,7 @@ final class GifAnimation {
         IndexColorModel palette = (IndexColorModel)
                 ImageIO.read(new ByteArrayInputStream(undithered.toByteArray())).getColorModel();
         int width = image.getWidth();
-        BufferedImage dithered =
-                new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, palette);
+        BufferedImage dithered = new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, palette);
         // Errors of this row and the next, three channels a pixel, with a pixel more on either side.
         float[] errors = new float[3 * (width + 2)];
         for (int y = 0; y < image.getHeight(); y++) {
