@@ -37,23 +37,27 @@ enum FigurePlot {
     private static final double EQUAL_POWER = 100;
 
     /**
-     * Draws the plot, and writes its numbers, if it has any, as JSON.
+     * Draws the plot, and writes its numbers, if it has any, as JSON. A plot of results is left out if there are fewer than two.
      *
      * @param others pictures of the same figure and patch
      */
     void draw(Figure.Drawing drawing, List<Figure.Drawing> others) {
+        String ending = this == ERRORS ? ".npy" : ".csv";
+        List<Figure.Drawing> results = others.stream()
+                .filter(other -> Files.isRegularFile(other.beside(ending)))
+                .toList();
+        if ((this == ERRORS || this == RESPONSES) && results.size() < 2) {
+            return;
+        }
         Map<String, Double> numbers = new LinkedHashMap<>();
         Plot plot = switch (this) {
             case COLOR_MATCHING -> colorMatching(numbers);
             case SINC -> sinc(numbers);
             case SLITS -> slits(numbers);
-            case RESPONSES -> responses(others);
-            case ERRORS -> errors(others);
+            case RESPONSES -> responses(results);
+            case ERRORS -> errors(results);
         };
-        plot.write(
-                drawing.file(),
-                Overwrite.REPLACE,
-                Map.of("Title", drawing.picture().label()));
+        plot.write(drawing.file(), Overwrite.REPLACE, Map.of("Title", drawing.picture().label()));
         if (!numbers.isEmpty()) {
             AtomicFile.write(
                     drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));
@@ -152,25 +156,18 @@ enum FigurePlot {
         return plot;
     }
 
-    private static Plot responses(List<Figure.Drawing> others) {
-        Plot plot =
-                Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
-        for (Figure.Drawing drawing : others.stream()
-                .filter(other -> Files.exists(other.beside(".csv")))
-                .toList()) {
+    private static Plot responses(List<Figure.Drawing> results) {
+        Plot plot = Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
+        for (Figure.Drawing drawing : results) {
             Response response = Response.read(drawing);
             plot.line(drawing.picture().label(), response.angles(), response.values());
         }
         return plot;
     }
 
-    /** Plots the error over the number of terms, by which the pictures are named, against the picture of most terms. */
-    private static Plot errors(List<Figure.Drawing> others) {
-        List<Figure.Drawing> drawn = others.stream()
-                .filter(drawing -> drawing.picture().name().matches("[0-9]+"))
-                .toList();
-        Figure.Drawing best = drawn.get(drawn.size() - 1);
-        List<Figure.Drawing> compared = drawn.subList(0, drawn.size() - 1);
+    /** Plots the error over the number of terms, by which the maps are named, against the first map, which has the most. */
+    private static Plot errors(List<Figure.Drawing> results) {
+        List<Figure.Drawing> compared = results.subList(1, results.size());
         Plot.Axis errors = Plot.Axis.logarithmic(Measure.ERROR.toString());
         return new Plot(new Plot.Frame("Taylor terms", Plot.Axis.linear("terms"), errors, WIDTH, HEIGHT))
                 .points(
@@ -180,7 +177,7 @@ enum FigurePlot {
                                         Double.parseDouble(drawing.picture().name()))
                                 .toArray(),
                         compared.stream()
-                                .mapToDouble(drawing -> Measure.error(drawing, best))
+                                .mapToDouble(drawing -> Measure.error(drawing, results.get(0)))
                                 .toArray());
     }
 

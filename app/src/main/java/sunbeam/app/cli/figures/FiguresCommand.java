@@ -40,7 +40,7 @@ import sunbeam.precompute.text.Text;
 public final class FiguresCommand extends ReportingCommand {
     private static final int LARGEST = 2048;
     /** Sides of maps in pixels. */
-    private static final int STANDARD = 256;
+    private static final int STANDARD = 224;
 
     private static final int QUICK = 96;
     private static final String PAGE = "index.html";
@@ -67,12 +67,12 @@ public final class FiguresCommand extends ReportingCommand {
     @Option(
             names = "--size",
             paramLabel = "PIXELS",
-            description = "Width and height of each map, 16 to 2048. Default: 256, with --quick 96.")
+            description = "Width and height of each map, 16 to 2048. Default: 224, with --quick 96.")
     private Integer size;
 
     @Option(
             names = "--quick",
-            description = "Draw maps of 96 pixels, scenes of 240 x 180 and responses in steps of 10 nm.")
+            description = "Draw maps of 96 pixels, scenes of 160 x 120 and responses in steps of 10 nm.")
     private boolean quick;
 
     @Option(
@@ -102,7 +102,7 @@ public final class FiguresCommand extends ReportingCommand {
     public Integer call() {
         int side = size != null ? size : quick ? QUICK : STANDARD;
         UsageException.requireWithin("--size", side, 16, LARGEST);
-        Figure.Sizes sizes = new Figure.Sizes(side, quick ? "240x180" : "480x360", quick ? "380:780:10" : "380:780:2");
+        Figure.Sizes sizes = new Figure.Sizes(side, quick ? "160x120" : "360x270", quick ? "380:780:10" : "380:780:2");
         List<Figure> figures = Figure.select(only);
         List<Figure.Drawing> drawings = figures.stream()
                 .flatMap(figure -> figure.drawings(this::source, sizes, output).stream())

@@ -59,7 +59,7 @@ enum Measure {
      *
      * @param pointer JSON pointer of a number
      * @param base picture to compare with; null for measures that need none
-     * @return the value; NaN if the picture's command found no number
+     * @return the value; NaN if the command did not write the file of numbers, or found none
      */
     double of(Figure.Drawing drawing, String pointer, Figure.Drawing base) {
         return switch (this) {
@@ -75,8 +75,8 @@ enum Measure {
                         / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
             case MEDIAN_DIFFERENCE -> difference(drawing, base).median();
             case DIFFERENCE -> difference(drawing, base).high();
-            case ERROR -> error(drawing, base);
-            case WIDTH -> Response.read(drawing).width();
+            case ERROR -> has(drawing, ".npy") && has(base, ".npy") ? error(drawing, base) : Double.NaN;
+            case WIDTH -> has(drawing, ".csv") ? Response.read(drawing).width() : Double.NaN;
             case NUMBER -> number(drawing, pointer);
             case DEVIATION ->
                 drawing.picture().numbers().entrySet().stream()
@@ -84,6 +84,10 @@ enum Measure {
                         .findFirst()
                         .orElseThrow();
         };
+    }
+
+    private static boolean has(Figure.Drawing drawing, String ending) {
+        return Files.isRegularFile(drawing.beside(ending));
     }
 
     private static BufferedImage image(Figure.Drawing drawing) {

@@ -185,7 +185,7 @@ class FiguresCommandTest {
                 .containsPattern(
                         "5\\.5 agrees: 95th percentile of CIEDE2000 from blaze-1nm: blaze-10nm 0\\.00, blaze-100nm 2")
                 .contains(
-                        "5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 1, > 1)");
+                        "5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 2.3, > 2.3)");
         assertThat(Files.readString(folder.resolve("index.html"))).contains("<b>Check:</b> differs: 95th percentile");
     }
 
@@ -197,11 +197,20 @@ class FiguresCommandTest {
                 .isEmpty();
     }
 
+    /** The program of this test writes pictures alone, none of the files that plots and checks of 4.5 and 5.11 read. */
+    @Test
+    void withoutResultsAPlotAndAVerdictAreLeftOut() throws IOException {
+        assertThat(figures("--only", "4.5,5.11", "--size", "24")).isZero();
+        assertThat(folder.resolve("5.11-blaze-errors.png")).doesNotExist();
+        assertThat(folder.resolve("4.5-relief.png")).doesNotExist();
+        assertThat(Files.readString(folder.resolve("index.html"))).contains("a picture or a number is missing");
+    }
+
     @Test
     void quickPicturesAreSmall() {
         figures("--only", "5.5,5.14", "--quick");
         assertThat(runs.get(0)).containsSequence("--size", "96");
-        assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "240x180");
+        assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "160x120");
     }
 
     @Test
