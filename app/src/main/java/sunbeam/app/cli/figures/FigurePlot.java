@@ -57,7 +57,10 @@ enum FigurePlot {
             case RESPONSES -> responses(results);
             case ERRORS -> errors(results);
         };
-        plot.write(drawing.file(), Overwrite.REPLACE, Map.of("Title", drawing.picture().label()));
+        plot.write(
+                drawing.file(),
+                Overwrite.REPLACE,
+                Map.of("Title", drawing.picture().label()));
         if (!numbers.isEmpty()) {
             AtomicFile.write(
                     drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));
@@ -157,7 +160,8 @@ enum FigurePlot {
     }
 
     private static Plot responses(List<Figure.Drawing> results) {
-        Plot plot = Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
+        Plot plot =
+                Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
         for (Figure.Drawing drawing : results) {
             Response response = Response.read(drawing);
             plot.line(drawing.picture().label(), response.angles(), response.values());
