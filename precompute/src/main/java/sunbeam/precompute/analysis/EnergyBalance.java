@@ -63,8 +63,8 @@ public record EnergyBalance(double ratio, double wavelength) {
         return ratio <= LARGEST
                 ? Optional.empty()
                 : Optional.of(Text.format(
-                        "at %.0f nm the model sends out %.2f times the light of a mirror, as orders lie flat: scalar theory"
-                                + " does not keep energy there (docs/theory.md)",
+                        "at %.0f nm the model reflects %.2f times the light of a mirror, because of orders near the horizon,"
+                                + " where scalar theory does not conserve energy (docs/theory.md)",
                         wavelength * 1e9, ratio));
     }
 }

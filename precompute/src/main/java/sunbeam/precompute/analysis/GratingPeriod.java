@@ -110,7 +110,8 @@ public record GratingPeriod(
         }
         if (!(periodic && exact.isPresent()) && Math.max(scan.columns(), scan.rows()) < FEWEST_SAMPLES) {
             return nothing.tooLittle(Text.format(
-                    "%d x %d samples, and three periods take %d", scan.columns(), scan.rows(), FEWEST_SAMPLES));
+                    "%d x %d samples, fewer than the %d of three periods",
+                    scan.columns(), scan.rows(), FEWEST_SAMPLES));
         }
         GratingPeriod piece = PeriodModel.of(scan, which).orElseGet(() -> nothing.none(none));
         if (periodic && exact.isPresent()) {
@@ -118,7 +119,7 @@ public record GratingPeriod(
         }
         if (!piece.isSeen() && side < SHORTEST_SIDE) {
             return nothing.tooLittle(Text.format(
-                    "a side of %s, and three periods whose colors are seen from above take %s",
+                    "a side of %s, less than the %s of three periods with colors from above",
                     Lengths.rounded(side, 3), Lengths.format(SHORTEST_SIDE)));
         }
         boolean isPiece =
@@ -177,7 +178,7 @@ public record GratingPeriod(
     private GratingPeriod tooLittle(String why) {
         return withCertainty(
                 Certainty.TOO_LITTLE,
-                "too little to judge: " + why + "; take a larger scan, or say that it is periodic");
+                "too little to judge: " + why + "; use a larger scan, or state that it is periodic");
     }
 
     /** Returns the period of the surface rotated about its normal, counter-clockwise by an angle in radians. */
@@ -257,7 +258,7 @@ public record GratingPeriod(
                 ? line + " degrees: the patch repeats"
                 : line
                         + Text.format(
-                                " +- %.1f degrees; seen %.1f times, %.0f %% of the variance that counts",
+                                " +- %.1f degrees; seen %.1f times, %.0f %% of the relevant variance",
                                 Math.max(0.1, Math.toDegrees(azimuthHalfWidth)), periods, 100 * share);
     }
 }

@@ -92,7 +92,7 @@ final class PeriodModel {
         boolean few = periods < FEWEST_PERIODS;
         GratingPeriod vague = GratingPeriod.vague(wave, periods, share);
         if (share < LEAST_SHARE && search.unseen() > 0.5) {
-            return vague.none("no order found: most of the relief is finer than light sees (190 nm)");
+            return vague.none("no order found: most of the relief is finer than light resolves (190 nm)");
         }
         String about = Lengths.rounded(wave.period(), 2);
         String gloss = "no order found: a white gloss without color; the strongest wave, of about " + about;
@@ -103,14 +103,14 @@ final class PeriodModel {
         if (contrast < WaveSearch.LEAST_CONTRAST && !few && search.ring(wave) >= WaveSearch.LEAST_RING) {
             return vague.withCertainty(
                     GratingPeriod.Certainty.ALL_DIRECTIONS,
-                    "no grating found: what repeats after about " + about + " does so in all directions nearly alike");
+                    "no grating found: waves of about " + about + " run in nearly all directions alike");
         }
         boolean straight = straightShare(wave) >= STRAIGHT;
         // The centroid of a broad line of speckles may lie between two of them; that of straight lines lies on the
         // line.
         double prominence = search.prominence(straight ? wave : line);
         double least = few ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
-        GratingPeriod shapeless = vague.none(gloss + ", stands out no more than one of noise");
+        GratingPeriod shapeless = vague.none(gloss + ", is no stronger than one of noise");
         if (contrast < WaveSearch.LEAST_CONTRAST || prominence < least) {
             return shapeless;
         }
@@ -133,7 +133,7 @@ final class PeriodModel {
             return found;
         }
         return straight || prominence >= WITHOUT_LINES
-                ? found.probable("so uneven that this scan does not tell it to a tenth; take a larger one")
+                ? found.probable("so uneven that this scan does not determine it to 10 %; use a larger one")
                 : shapeless;
     }
 

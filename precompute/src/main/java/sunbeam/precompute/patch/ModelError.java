@@ -99,7 +99,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
                 meanSlope <= LARGEST_SLOPE ? "about " + percent(expected(Incidence.NEAR_NORMAL)) : "half or more";
         return Optional.of(Text.format(
                 "slopes too steep for scalar theory: %.1f %% of the surface are steeper than %.0f degrees, and %s of the light is"
-                        + " drawn elsewhere than it goes (docs/theory.md)",
+                        + " drawn in wrong directions (docs/theory.md)",
                 100 * steepShare, STEEPEST, share));
     }
 
@@ -107,11 +107,11 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
     public String describe() {
         String slope = Decimals.rounded(meanSlope, 2);
         return meanSlope > LARGEST_SLOPE
-                ? "mean slope " + slope + ", beyond the rule: about as much light goes elsewhere as where it is drawn"
+                ? "mean slope " + slope + ", beyond the rule: about half of the light is drawn in wrong directions"
                         + " (docs/theory.md)"
                 : "about " + percent(expected(Incidence.NEAR_NORMAL))
-                        + " of the reflected light is drawn elsewhere than it"
-                        + " goes (" + percent(low(Incidence.NEAR_NORMAL)) + " to "
+                        + " of the reflected light is drawn in wrong"
+                        + " directions (" + percent(low(Incidence.NEAR_NORMAL)) + " to "
                         + percent(high(Incidence.NEAR_NORMAL)) + ") with light up to 30 degrees from the normal, "
                         + percent(expected(Incidence.OBLIQUE)) + " up to 60, "
                         + percent(expected(Incidence.GRAZING)) + " up to 75 (mean slope " + slope

@@ -130,7 +130,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private String remedy(ScanFault fault) {
         return fault.part()
                 .map(part -> named(CROP, part.written()) + " leaves them out")
-                .or(() -> fault.leveling().map(by -> named(LEVEL, Kinds.name(by)) + " takes that away"))
+                .or(() -> fault.leveling().map(by -> named(LEVEL, Kinds.name(by)) + " removes this"))
                 .orElse("");
     }
 
@@ -142,9 +142,9 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         if (kind != Kind.BUILT_IN && !preparation.despike()) {
             Spikes.conspicuous(prepared.scan())
-                    .map(spikes -> spikes.count() + " samples stand alone, up to "
+                    .map(spikes -> spikes.count() + " samples are spikes, up to "
                             + Lengths.rounded(spikes.largest(), 3)
-                            + " off all around them, as dust does, and make most of the relief; remove them ("
+                            + " from their surroundings, as dust is, and make most of the relief; remove them ("
                             + named(DESPIKE) + ")")
                     .ifPresent(warnings::add);
         }
@@ -155,8 +155,9 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
             HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
         boolean takesTilt = preparation.leveling().takesTilt();
         if (repetition == Patch.Repetition.NONE && takesTilt && OnePeriod.looksSynthetic(measured)) {
-            return Optional.of("its lines are the same all along one axis, as drawn ones are; if it is a period of a"
-                    + " grating, say so (" + named(PERIODIC) + ")");
+            return Optional.of(
+                    "it is constant along one axis, like a generated grating; if it is one period of a grating,"
+                            + " state it (" + named(PERIODIC) + ")");
         }
         boolean said = choices.get(PERIODIC, false);
         if (preparation.edges() == Edges.BLEND || (repetition == Patch.Repetition.PERIODIC && !said)) {

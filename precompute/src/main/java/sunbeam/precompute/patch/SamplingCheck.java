@@ -31,7 +31,7 @@ public final class SamplingCheck {
                 + (pitchX >= pitchY ? "x" : "y") + ", but light of " + Lengths.format(SHORTEST_WAVELENGTH)
                 + " sees structure down to " + Lengths.format(COARSEST_PITCH) + ", and lines closer than "
                 + Lengths.rounded(2 * coarsest, 3) + " show as lines farther apart; use a finer scan or expect wrong"
-                + " colors far from the specular direction, and periods that are none");
+                + " colors far from the specular direction, and false periods");
     }
 
     /** Returns a warning if integer samples have steps, in meters, above {@link #COARSEST_STEP}. */

@@ -72,7 +72,7 @@ class PeriodModelTest {
         assertThat(refusal(coarse)).startsWith("3.1 samples a period: perhaps the alias of a shorter one");
         HeightMap chirp =
                 Surfaces.of(128, 128, 100e-9, (x, y) -> 15e-9 * Math.sin(2e6 * Math.PI * (x / 0.8 - 0.025e6 * x * x)));
-        assertThat(refusal(chirp)).startsWith("so uneven that this scan does not tell it to a tenth");
+        assertThat(refusal(chirp)).startsWith("so uneven that this scan does not determine it to 10 %");
         assertThat(refusal(PeriodlessSurface.WHITE.draw(1))).startsWith("no order found: a white gloss without color");
     }
 

@@ -238,7 +238,7 @@ class VerdictTest {
     void linesFinerThanLightAreNoGrating() {
         HeightMap map =
                 Surfaces.of(200, 200, 20e-9, (x, y) -> 100e-9 * Math.abs(Math.sin(Math.PI * (x + 0.03 * y) / 0.12e-6)));
-        assertThat(verdict(piece(map))).startsWith("No order found: most of the relief is finer than light sees");
+        assertThat(verdict(piece(map))).startsWith("No order found: most of the relief is finer than light resolves");
     }
 
     /** A spectral line of few periods is wide: its flanks are no second grating. */
@@ -273,7 +273,7 @@ class VerdictTest {
                 (x, y) -> Arrays.stream(waves)
                         .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
                         .sum());
-        assertThat(verdict(piece(ring))).startsWith("No grating found: what repeats after about 1.1 um");
+        assertThat(verdict(piece(ring))).startsWith("No grating found: waves of about 1.1 um");
     }
 
     @Test

@@ -52,11 +52,11 @@ class PatchAssemblerTest {
     void spikesThatMakeTheReliefHaveAWarning() throws IOException {
         assertThat(scan(PatchAssemblerTest::withDust).warnings())
                 .anySatisfy(line -> assertThat(line)
-                        .startsWith("2 samples stand alone, up to ")
+                        .startsWith("2 samples are spikes, up to ")
                         .contains("despike"));
         assertThat(scan(PatchAssemblerTest::withDust, DESPIKE, "true").warnings())
-                .noneMatch(line -> line.contains("stand alone"));
-        assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("stand alone"));
+                .noneMatch(line -> line.contains("are spikes"));
+        assertThat(scan(PatchAssemblerTest::lines).warnings()).noneMatch(line -> line.contains("are spikes"));
     }
 
     @Test
@@ -73,7 +73,7 @@ class PatchAssemblerTest {
     void drawnLinesAreAPieceByDefault() throws IOException {
         Patch drawn = scan((x, y) -> x);
         assertThat(drawn.repetition()).isEqualTo(Patch.Repetition.NONE);
-        assertThat(drawn.warnings()).anyMatch(line -> line.contains("period of a grating, say so (--periodic)"));
+        assertThat(drawn.warnings()).anyMatch(line -> line.contains("state it (--periodic)"));
     }
 
     @Test
@@ -87,7 +87,7 @@ class PatchAssemblerTest {
                                 .endsWith("; --crop 0:4.8um,1.2um:4.8um leaves them out"),
                         jump -> assertThat(jump)
                                 .contains("between rows 24 and 25")
-                                .endsWith("; --level median-rows takes that away"));
+                                .endsWith("; --level median-rows removes this"));
         assertThat(scan(stopped, LEVEL, "median-rows").faults()).hasSize(1);
     }
 }

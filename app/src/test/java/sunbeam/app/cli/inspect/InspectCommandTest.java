@@ -78,7 +78,7 @@ final class InspectCommandTest {
                 .isZero();
         assertThat(out.toString())
                 .containsPattern(
-                        "energy    from above, at 620 nm the model sends out 1.1\\d times the light of a mirror");
+                        "energy    from above, at 620 nm the model reflects 1.1\\d times the light of a mirror");
     }
 
     @Test
