@@ -12,9 +12,14 @@ import sunbeam.precompute.text.Quoted;
 /**
  * JSON file that describes a patch beside the file of its heights:
  *
- * <pre>{@code { "heights":   "elaphe.png",   file in the descriptor's folder or below it; required "width":     "65 um",        extent
- * along x; required if the file does not state it "maxHeight": "375 nm",       height of full scale: of 255 in 8 bits, 65535 in 16 bits,
- * 1.0 in floats "note":      "shed skin"     remark, which the program ignores } }</pre>
+ * <pre>{@code
+ * {
+ *   "heights":   "elaphe.png",   file in the descriptor's folder or below it; required
+ *   "width":     "65 um",        extent along x; required if the file does not state it
+ *   "maxHeight": "375 nm",       height of full scale: 255 of 8 bits, 65535 of 16 bits, 1.0 of floats
+ *   "note":      "shed skin"     remark, which the program ignores
+ * }
+ * }</pre>
  *
  * <p>and other settings of {@link PatchSettings#OF_FILES}. Descriptors are untrusted, so they may name no file outside their folder.
  *

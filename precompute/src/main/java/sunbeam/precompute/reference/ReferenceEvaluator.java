@@ -11,10 +11,12 @@ import sunbeam.precompute.patch.HeightLevels;
 /**
  * Diffracted power of a patch by direct summation in double precision (docs/theory.md):
  *
- * <pre> coherent = |sum g p exp(i k (u x + v y)) / sum g|^2,   p = exp(i k w h) ensemble = sum_j |F_j|^2 exp(-|f - f_j|^2 / sigma_f^2)
+ * <pre>
+ * coherent = |sum g p exp(i k (u x + v y)) / sum g|^2,   p = exp(i k w h)
+ * ensemble = sum_j |F_j|^2 exp(-|f - f_j|^2 / sigma_f^2)
  * </pre>
  *
- * The sums are exact for the patch repeated without end: replicas only change the samples' weights, which are added up per axis before the
+ * <p>The sums are exact for the patch repeated without end: replicas only change the samples' weights, which are added up per axis before the
  * sum over samples. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
  */
 public final class ReferenceEvaluator {

@@ -9,8 +9,7 @@ import sunbeam.precompute.optics.HeightMap;
  * <p>Let p(s) = exp(i k w h(s)) be the phase factor, t = k w HEIGHT, c = 1 - cos t. Let N be the number of bumps of area a on a patch of
  * area A, and g(r) the area of the intersection of a bump with itself shifted by r. The expected autocorrelation of p is
  *
- * <pre> mean of p(s) p*(s + r) = (1 - 2 c (a - g(r)) / A)^N
- * </pre>
+ * <pre>mean of p(s) p*(s + r) = (1 - 2 c (a - g(r)) / A)^N</pre>
  *
  * because each bump changes the phase between the two positions with the probability 2 (a - g(r)) / A. For r beyond a bump's size, g is 0
  * and the autocorrelation constant: this is the light in the mirror direction. The Fourier transform of the rest is the halo. For sparse
