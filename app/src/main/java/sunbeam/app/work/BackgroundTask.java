@@ -13,10 +13,7 @@ import java.util.function.Supplier;
  * @param <T> type of the result
  */
 public final class BackgroundTask<T> {
-    // Computations that run at the same time while a scene is loaded: the parts, the mesh, the sky and the textures.
-    private static final int LEAST_THREADS = 4;
-    private static final ForkJoinPool POOL =
-            new ForkJoinPool(Math.max(LEAST_THREADS, Runtime.getRuntime().availableProcessors()));
+    private static final ForkJoinPool POOL = new ForkJoinPool();
 
     private final CompletableFuture<T> future;
 
