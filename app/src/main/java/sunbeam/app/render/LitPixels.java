@@ -61,7 +61,9 @@ public record LitPixels(long lit, long filled) {
     }
 
     public String summary() {
-        return Text.format("lit: %.2g %% of %d pixels that the mesh fills", 100 * share(), filled);
+        double percent = 100 * share();
+        String text = percent < 10 ? Text.format("%.2g", percent) : Text.format("%.0f", percent);
+        return "lit: " + text + " % of " + filled + " pixels that the mesh fills";
     }
 
     /** Returns one line about too few lit pixels, with a remedy. */

@@ -35,6 +35,7 @@ class LitPixelsTest {
         assertThat(specks.summary()).isEqualTo("lit: 1.2 % of 1000 pixels that the mesh fills");
         assertThat(specks.complaint()).contains("1.2 %", "move the light");
         assertThat(LitPixels.of(specks(50), DISPLAY).areTooFew()).isFalse();
+        assertThat(LitPixels.of(specks(1000), DISPLAY).summary()).startsWith("lit: 100 % of");
     }
 
     @Test
