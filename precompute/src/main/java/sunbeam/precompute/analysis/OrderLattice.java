@@ -119,6 +119,13 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         return new SpatialFrequency(x, y);
     }
 
+    /** Returns the largest number of orders above the horizon at a wavelength in meters, one more or less. */
+    public double most(double wavelength) {
+        double length = wavelength * first.length();
+        return second.map(other -> Math.PI / (length * wavelength * other.length() * first.sineTo(other)))
+                .orElse(2 / length);
+    }
+
     /** Returns the direction of an order, in the patch's frame; empty if it lies beyond the horizon. */
     public Optional<Direction> direction(Order order, Direction wi, double wavelength) {
         SpatialFrequency frequency = frequency(order);

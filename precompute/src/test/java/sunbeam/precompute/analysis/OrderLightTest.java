@@ -124,6 +124,9 @@ class OrderLightTest {
 
         OrderLight light = light(map, wi, wavelength);
 
+        // The lattice's points in the disc of directions, up to those on its border.
+        assertThat(light.lattice().most(wavelength))
+                .isCloseTo(light.efficiencies().size(), within(10.0));
         assertThat(light.efficiencies()).containsKeys(new Order(1, 2), new Order(-1, -1));
         light.efficiencies().forEach((order, efficiency) -> {
             double k = 2

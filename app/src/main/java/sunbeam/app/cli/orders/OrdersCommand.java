@@ -63,6 +63,8 @@ public final class OrdersCommand extends ReportingCommand {
     private static final long MOST_ORDERS = 4_000_000;
     private static final double DEEPEST = 20e-6;
     private static final long MOST_EVALUATIONS = 4_000_000_000L;
+    // Efficiencies; 300 MB.
+    private static final double MOST_RESULTS = 3e6;
 
     @Mixin
     private PatchOptions patchOptions;
@@ -165,14 +167,14 @@ public final class OrdersCommand extends ReportingCommand {
                     "%s: %s with a relief of %s have too many orders; --crop a smaller part, whose relief is at most 20 um",
                     patch.name(), patch.heights().describe(), Lengths.rounded(relief, 3)));
         }
-        int lights = thetas.count() * wavelengths.count();
-        if (orders * lights > MOST_EVALUATIONS) {
+        OrderLattice lattice = OrderLattice.of(patch, period);
+        long lights = (long) thetas.count() * wavelengths.count();
+        if (orders * lights > MOST_EVALUATIONS || lattice.most(CieTable.MINIMUM_WAVELENGTH) * lights > MOST_RESULTS) {
             throw new UsageException(Text.format(
                     "%d angles of --theta-i and %d --wavelengths are too many for this patch; take larger steps",
                     thetas.count(), wavelengths.count()));
         }
         OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
-        OrderLattice lattice = OrderLattice.of(patch, period);
         double phi = choices.find(PHI_I)
                 .map(Math::toDegrees)
                 .orElseGet(() -> Math.toDegrees(lattice.first().azimuth()));
@@ -183,7 +185,7 @@ public final class OrdersCommand extends ReportingCommand {
                 .progress()
                 .map(
                         "Orders of " + patch.name(),
-                        IntStream.range(0, lights).boxed().toList(),
+                        IntStream.range(0, (int) lights).boxed().toList(),
                         i -> {
                             Direction wi = Direction.ofDegrees(thetas.values()[i / meters.length], phi);
                             return OrderLight.of(spectrum, lattice, material, wi, meters[i % meters.length], sampled);
