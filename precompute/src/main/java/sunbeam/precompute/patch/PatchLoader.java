@@ -64,7 +64,7 @@ public final class PatchLoader {
         if (BuiltInPatches.names().contains(name)) {
             return fromBuiltIn(name, builtIn(name, request, cache), request);
         }
-        Path file = existing(name);
+        Path file = existing(request.patch());
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptor.read(file), request)
                 : fromFile(
@@ -74,11 +74,13 @@ public final class PatchLoader {
                         request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY);
     }
 
-    private static Path existing(String name) {
+    /** Returns the file, whose name may begin or end with blanks. */
+    private static Path existing(String given) {
         try {
-            Path file = Path.of(name);
-            if (Files.exists(file)) {
-                return file;
+            for (String name : List.of(given, given.strip())) {
+                if (Files.exists(Path.of(name))) {
+                    return Path.of(name);
+                }
             }
         } catch (InvalidPathException e) {
             throw unusable("is no file name (" + e.getReason() + "); ");

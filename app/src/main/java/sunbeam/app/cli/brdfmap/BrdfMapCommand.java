@@ -22,7 +22,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.ComparedPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.ForceOption;
@@ -95,9 +94,6 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     @Mixin
     private JsonOption json;
-
-    @Mixin
-    private CollectionOptions collection;
 
     @Mixin
     private ForceOption force;

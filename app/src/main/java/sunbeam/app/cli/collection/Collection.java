@@ -19,8 +19,8 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
-import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.TaskPart;
@@ -49,14 +49,16 @@ public final class Collection {
 
     /** Options that the collection gives to each run itself. */
     private static final Set<String> OWN =
-            Set.of(CollectionOptions.TASK, THETA_I, OUTPUT, "--patch", "--json", "--resume", "--force");
+            Set.of(PatchOptions.TASK, THETA_I, OUTPUT, "--patch", "--json", "--resume", "--force");
 
     /** Options that have a meaning for one surface only. */
     private static final List<String> OF_ONE = List.of("--with", "--linear");
 
     /** Failures that all further runs would have, too. */
-    private static final Set<Integer> FINAL =
-            Set.of(ExitCode.NO_GRAPHICS.code(), ExitCode.CANNOT_WRITE.code(), ExitCode.OUTPUT_EXISTS.code());
+    private static final Set<Integer> FINAL = Stream.of(
+                    ExitCode.NO_GRAPHICS, ExitCode.CANNOT_WRITE, ExitCode.OUTPUT_EXISTS, ExitCode.INTERRUPTED)
+            .map(ExitCode::code)
+            .collect(Collectors.toSet());
 
     private static final int MOST = 100_000;
     private static final int NAMES_OF_FOLDER = 3;
@@ -86,13 +88,13 @@ public final class Collection {
 
     /** Returns the collection that a command line means; empty if it means one surface under one light. */
     public static Optional<Collection> of(ParseResult command, Runner runner) {
-        boolean possible = command.commandSpec().mixins().values().stream()
-                .anyMatch(mixin -> mixin.userObject() instanceof CollectionOptions);
+        boolean possible = command.commandSpec().positionalParameters().stream()
+                .anyMatch(argument -> argument.arity().max() > 1);
         Collection collection = new Collection(command, runner);
         List<String> names = collection.arguments();
         boolean several = names.size() > 1
                 || names.stream().anyMatch(Surfaces::isFolder)
-                || command.hasMatchedOption(CollectionOptions.TASK)
+                || command.hasMatchedOption(PatchOptions.TASK)
                 || collection.value(THETA_I).filter(text -> text.contains(":")).isPresent();
         return possible && several ? Optional.of(collection) : Optional.empty();
     }
@@ -126,40 +128,28 @@ public final class Collection {
     public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
         check();
         List<Item> all = items();
-        TaskPart task = TaskPart.parse(value(CollectionOptions.TASK).orElse("1/1"));
+        TaskPart task = TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
         if (items.isEmpty()) {
-            throw new UsageException(
-                    CollectionOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
+            throw new UsageException(PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
         }
         boolean resumes = parsed.hasMatchedOption("--resume");
         Overwrite overwrite = resumes || parsed.hasMatchedOption("--force") ? Overwrite.REPLACE : Overwrite.REFUSE;
         CollectionFolder folder = CollectionFolder.open(folder(overwrite), task, overwrite, resumes);
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
-        try (Progress progress = display.start("Surfaces", items.size());
-                ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)))) {
+        ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
+        try (Progress progress = display.start("Surfaces", items.size())) {
             for (Item item : items) {
-                String hash = ResumeOption.hash(hashed(item));
-                Optional<ObjectNode> earlier = folder.find(item.patch(), item.stem(), hash);
-                ObjectNode row = earlier.orElseGet(() -> run(item, folder, hash));
-                if (code(row) == ExitCode.INTERRUPTED.code()) {
-                    return code(row);
+                rows.add(row(item, folder, err));
+                int code = code(rows.get(rows.size() - 1));
+                if (FINAL.contains(code)) {
+                    return code;
                 }
-                if (failed(row)) {
-                    String message = row.get("message").textValue();
-                    err.println(
-                            Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
-                }
-                if (FINAL.contains(code(row))) {
-                    return code(row);
-                }
-                if (earlier.isEmpty()) {
-                    folder.append(row);
-                }
-                rows.add(row);
                 progress.step(1);
             }
+        } finally {
+            hook.close();
         }
         print(out, rows, folder.write(parsed.commandSpec().name(), rows));
         return Stream.concat(rows.stream().filter(Collection::failed), rows.stream())
@@ -167,6 +157,21 @@ public final class Collection {
                 .filter(code -> code != ExitCode.OK.code())
                 .findFirst()
                 .orElse(ExitCode.OK.code());
+    }
+
+    /** Returns the row of an earlier run, or runs the command; prints why it failed. */
+    private ObjectNode row(Item item, CollectionFolder folder, PrintWriter err) {
+        String hash = ResumeOption.hash(hashed(item));
+        Optional<ObjectNode> earlier = folder.find(item.patch(), item.stem(), hash);
+        ObjectNode row = earlier.orElseGet(() -> run(item, folder, hash));
+        if (failed(row) && code(row) != ExitCode.INTERRUPTED.code()) {
+            String message = row.get("message").textValue();
+            err.println(Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
+        }
+        if (earlier.isEmpty() && !FINAL.contains(code(row))) {
+            folder.append(row);
+        }
+        return row;
     }
 
     private static int code(ObjectNode row) {
@@ -262,7 +267,7 @@ public final class Collection {
                 .map(name -> FileNames.stem(Path.of(name).toAbsolutePath().normalize()))
                 .limit(NAMES_OF_FOLDER)
                 .collect(Collectors.joining("-"));
-        boolean shared = overwrite == Overwrite.REPLACE || parsed.hasMatchedOption(CollectionOptions.TASK);
+        boolean shared = overwrite == Overwrite.REPLACE || parsed.hasMatchedOption(PatchOptions.TASK);
         return OutputFolder.claim(
                 named.orElseGet(() -> Path.of(parsed.commandSpec().name() + "-" + names)), named.isPresent() || shared);
     }

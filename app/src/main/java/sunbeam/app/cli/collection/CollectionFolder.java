@@ -98,22 +98,28 @@ final class CollectionFolder {
         return overwrite == Overwrite.REPLACE;
     }
 
-    /** Reads the reports of all parts. A line that a stopped run has not finished is left out. */
+    /** Reads the reports of all parts. */
     private void readEarlier() {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, REPORTS + "*.jsonl")) {
             for (Path file : files) {
                 for (String line : Files.readString(file).split("\n", -1)) {
-                    try {
-                        if (json.readTree(line) instanceof ObjectNode row && row.has("report")) {
-                            earlier.put(row.path("parameters").asText(), row);
-                        }
-                    } catch (JsonProcessingException unfinished) {
-                        continue;
-                    }
+                    parsed(line)
+                            .ifPresent(row -> earlier.put(row.path("parameters").asText(), row));
                 }
             }
         } catch (IOException failure) {
             throw InputException.of(folder, failure);
+        }
+    }
+
+    /** Returns the row of a surface that has a report; empty also for a line that a stopped run has not finished. */
+    private Optional<ObjectNode> parsed(String line) {
+        try {
+            return json.readTree(line) instanceof ObjectNode row && row.has("report")
+                    ? Optional.of(row)
+                    : Optional.empty();
+        } catch (JsonProcessingException unfinished) {
+            return Optional.empty();
         }
     }
 

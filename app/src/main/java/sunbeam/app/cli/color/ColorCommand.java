@@ -15,7 +15,6 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.ComparedPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.ForceOption;
@@ -92,9 +91,6 @@ public final class ColorCommand extends ReportingCommand {
 
     @Mixin
     private JsonOption json;
-
-    @Mixin
-    private CollectionOptions collection;
 
     @Mixin
     private ResumeOption resume;

@@ -9,7 +9,6 @@ import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.CollectionOptions;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
@@ -45,9 +44,6 @@ public final class InspectCommand extends ReportingCommand {
 
     @Mixin
     private final SettingOptions light = new SettingOptions(List.of(LightOptions.THETA_I));
-
-    @Mixin
-    private CollectionOptions collection;
 
     @Mixin
     private ResumeOption resume;

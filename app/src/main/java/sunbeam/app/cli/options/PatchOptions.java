@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.terminal.Environment;
@@ -24,6 +25,9 @@ import sunbeam.precompute.setting.Setting;
 
 /** Options of the surface; a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
+    /** Option that takes a part of many surfaces. */
+    public static final String TASK = "--task";
+
     private final boolean isOfMany;
     private String argument;
 
@@ -36,7 +40,7 @@ public final class PatchOptions extends SettingOptions {
         this.isOfMany = isOfMany;
     }
 
-    /** Returns the options of a command with {@link CollectionOptions}: it takes any number of surfaces and folders as arguments. */
+    /** Returns the options of a command that takes any number of surfaces and folders; {@code cli.collection.Collection} runs it for each. */
     public static PatchOptions ofMany() {
         return new PatchOptions(PatchSettings.ALL, true);
     }
@@ -52,6 +56,15 @@ public final class PatchOptions extends SettingOptions {
 
     @Override
     protected void declareArguments(CommandSpec own) {
+        if (isOfMany) {
+            own.addOption(OptionSpec.builder(TASK)
+                    .userObject(TASK)
+                    .paramLabel("I/N")
+                    .type(String.class)
+                    .description("Of several patches, folders and angles take the I-th of N parts. The same command"
+                            + " without it, with --resume, then joins all.")
+                    .build());
+        }
         if (own.optionsMap().containsKey(OptionOrigin.INSTANCE.name(PATCH))) {
             own.addPositional(PositionalParamSpec.builder()
                     .index(isOfMany ? "0..*" : "0")
