@@ -36,7 +36,6 @@ final class CommandHelp {
     private static final List<Setting<?>> METHOD_SETTINGS =
             List.of(METHOD, PRESET, TOLERANCE, COHERENCE_LENGTH, AVERAGE);
 
-    /** Options of commands that the short form leaves out. */
     private static final Set<String> EXPERT = Set.of(
             "--tone",
             "--primaries",
@@ -48,7 +47,6 @@ final class CommandHelp {
             "--debug",
             "--quiet");
 
-    /** Settings that the short form shows. */
     private static final Set<Setting<?>> COMMON = Set.of(
             PatchSettings.PATCH,
             PatchSettings.WIDTH,
@@ -79,11 +77,6 @@ final class CommandHelp {
 
     private CommandHelp() {}
 
-    /**
-     * Installs the grouped list of options in a command's help.
-     *
-     * @param complete true for the complete form
-     */
     static void install(CommandLine command, boolean complete) {
         Map<String, IHelpSectionRenderer> sections = command.getHelpSectionMap();
         sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST_HEADING, help -> "");

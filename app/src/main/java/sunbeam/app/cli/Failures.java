@@ -16,7 +16,6 @@ import sunbeam.app.terminal.ShutdownHook;
 record Failures(PrintWriter err, BooleanSupplier debug) {
     private static final String BUG_REMEDY = "; run again with --debug and report what it prints";
 
-    /** Prints what failed, unless the user has interrupted the program, and returns the exit code. */
     int report(Throwable thrown) {
         Failure failure = Failure.of(thrown instanceof ParameterException mistake ? UsageMistake.of(mistake) : thrown);
         ExitCode code = ShutdownHook.isProcessEnding() ? ExitCode.INTERRUPTED : failure.code();

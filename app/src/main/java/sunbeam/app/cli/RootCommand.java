@@ -97,7 +97,6 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         return environment;
     }
 
-    /** True if stack traces are printed; valid once the command line has been parsed. */
     boolean debug() {
         return debug;
     }
@@ -113,7 +112,6 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         throw new ParameterException(specification.commandLine(), "No command given; there are " + commands);
     }
 
-    /** Supplies the text that {@code --version} prints. */
     static final class ProgramVersion implements IVersionProvider {
         @Override
         public String[] getVersion() {

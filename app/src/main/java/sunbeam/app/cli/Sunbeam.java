@@ -98,7 +98,6 @@ public final class Sunbeam {
         try {
             return collection.run(commandLine.getOut(), commandLine.getErr(), environment.progress());
         } catch (RuntimeException failure) {
-            // The type of exceptions for which picocli calls the handler.
             throw new ExecutionException(commandLine, failure.getMessage(), failure);
         }
     }
@@ -116,7 +115,6 @@ public final class Sunbeam {
         }
     }
 
-    /** Returns the exit code of the command, or that of an output failure if standard output could not be written. */
     private int checkedExitCode(int code, Failures failures) {
         if (code != ExitCode.INTERRUPTED.code() && out.checkError()) {
             return failures.report(new OutputException(OutputException.toStandardOutput("not everything was written")));
@@ -182,7 +180,6 @@ public final class Sunbeam {
         return root;
     }
 
-    /** Sets the layout and the exit codes that the help of every command has. */
     private static void describe(CommandLine commandLine) {
         CommandSpec specification = commandLine.getCommandSpec();
         specification.usageMessage().abbreviateSynopsis(true);

@@ -51,7 +51,6 @@ final class UsageMistake {
         return close.isEmpty() ? suggestions : close;
     }
 
-    /** Returns picocli's message without the names of Java's types. */
     private static String plain(ParameterException mistake) {
         String text = mistake.getMessage();
         String sentence = text.endsWith(".") ? text.substring(0, text.length() - 1) : text;

@@ -135,7 +135,6 @@ public final class BenchmarkCommand extends ReportingCommand {
         }
     }
 
-    /** Prints a line of the report, unless JSON is requested. */
     private void print(String words) {
         if (!json.isAsked()) {
             out().print(words);

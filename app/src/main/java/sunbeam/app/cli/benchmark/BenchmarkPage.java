@@ -18,8 +18,8 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /**
- * Results of a run as Markdown that is also readable in a terminal, a table for each patch, with plots (PNG) and all numbers (CSV) in a
- * folder of the page's name.
+ * Results of a run as a Markdown page with a table for each patch; it is readable in a terminal, too. Plots (PNG) and all numbers (CSV) are
+ * in a folder of the page's name.
  */
 final class BenchmarkPage {
     private static final String ENDING = ".md";
@@ -30,15 +30,8 @@ final class BenchmarkPage {
     private final List<Section> sections = new ArrayList<>();
     private String introduction = "";
 
-    /** Text about one patch, with its table, and the table's rows: the thesis's shader, then the other methods. */
     private record Section(String text, List<Measurement> rows) {}
 
-    /**
-     * Refuses an unwritable output before anything is measured.
-     *
-     * @throws UsageException if the page's name does not end in .md
-     * @throws sunbeam.app.files.output.OutputException if one of the files exists and must not be replaced
-     */
     static void checkWritable(Path page, Overwrite overwrite) {
         String name = String.valueOf(page.getFileName());
         if (!name.endsWith(ENDING) || name.length() == ENDING.length()) {
@@ -80,7 +73,6 @@ final class BenchmarkPage {
         return introduction;
     }
 
-    /** @param remarks methods that are not measured, with reasons */
     String add(List<Measurement> rows, List<String> remarks) {
         Measurement thesis = rows.get(0);
         StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
@@ -146,7 +138,6 @@ final class BenchmarkPage {
         return Text.format(value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
     }
 
-    /** Writes the page; a plot for each patch and all numbers go into a folder of the page's name. */
     void write(Path page, Overwrite overwrite) {
         Path folder = folder(page);
         OutputFolder.create(folder);

@@ -77,7 +77,6 @@ record Contender(String name, Method method) {
         return new Contender(name.toString(), method);
     }
 
-    /** Formats a tolerance like 1e-3. */
     private static String power(double tolerance) {
         return Text.format("%.1e", tolerance).replace(".0e", "e").replace("e-0", "e-");
     }

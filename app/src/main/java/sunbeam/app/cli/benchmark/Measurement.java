@@ -32,7 +32,6 @@ record Measurement(
         return other.microsecondsPerPixel() / microsecondsPerPixel();
     }
 
-    /** Returns the values by name, for CSV and JSON; in SI units unless the name states another. */
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("patch", patch);

@@ -29,7 +29,6 @@ import sunbeam.precompute.text.Text;
  * @param size width and height of the maps, pixels
  */
 record Meter(RenderContext context, int size, Direction light) {
-    /** Number of timed frames, unless they are short or slow. */
     static final int FRAMES = 3;
 
     /** Least time of all frames of a method together, seconds. */
@@ -38,7 +37,6 @@ record Meter(RenderContext context, int size, Direction light) {
     /** Time after which no further frame starts, seconds. */
     static final double MOST_SECONDS = 5;
 
-    /** Most frames of a method. */
     private static final int MOST_FRAMES = 1000;
 
     /** Median time of a map in seconds, and number of the disc's pixels. */
@@ -87,7 +85,6 @@ record Meter(RenderContext context, int size, Direction light) {
         }
     }
 
-    /** Returns the time of a frame in seconds, from an idle device to an idle device. */
     private double seconds(BrdfMapRenderer renderer) {
         context.finish();
         long start = System.nanoTime();

@@ -290,7 +290,6 @@ public final class BrdfMapCommand extends ReportingCommand {
         return material;
     }
 
-    /** Plans all maps and prints the plans, before anything is computed. */
     private List<MaterialMap> planned(
             List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
         List<MaterialMap> materials = new ArrayList<>();

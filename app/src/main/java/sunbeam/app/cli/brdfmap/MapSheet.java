@@ -19,11 +19,9 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Picture of several BRDF maps side by side. */
 record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
 
-    /** Transparent pixels between maps. */
     private static final int GAP = 8;
 
     BufferedImage plain() {
@@ -55,7 +53,6 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
                 .toList());
     }
 
-    /** Returns the patch of the first map that is entirely black. */
     Optional<Patch> black() {
         return maps.stream()
                 .filter(map -> DoubtfulPicture.isBlack(disc(map)))

@@ -63,7 +63,6 @@ final class MaterialMap {
             double coherenceLength,
             LinearPicture picture) {}
 
-    /** @param choices choices for this patch, with its rotation */
     MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
         this.method = Methods.of(choices);

@@ -24,7 +24,6 @@ final class ColorFiles {
     private final FileGroup files;
     private final String pictureEnding;
 
-    /** @param picture file of the picture; .csv and .json replace its ending in the other files' names */
     ColorFiles(Path picture, Overwrite overwrite) {
         String stem = FileNames.stem(picture);
         pictureEnding = picture.getFileName().toString().substring(stem.length());
@@ -35,7 +34,6 @@ final class ColorFiles {
         files.checkWritable();
     }
 
-    /** Returns the reports by name, for JSON. */
     static Map<String, Object> tree(
             List<ColorReport> reports, Map<String, Object> settings, List<String> warnings, ColorSheet sheet) {
         Map<String, Object> tree = new LinkedHashMap<>(settings);
@@ -47,7 +45,6 @@ final class ColorFiles {
         return tree;
     }
 
-    /** Writes all files or none, and returns their paths. */
     List<Path> write(List<ColorReport> reports, Map<String, Object> settings, String json, ColorSheet sheet) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put(
@@ -93,7 +90,6 @@ final class ColorFiles {
         return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
     }
 
-    /** Returns the values by name; null in place of NaN, which JSON does not have. */
     private static Map<String, Object> color(SeenColor color) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("strip", color.view().strip());

@@ -30,12 +30,10 @@ final class ColorSheet {
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
 
-    /** Height of a strip, pixels. */
     private static final int STRIP = 64;
 
     private static final int GAP = 8;
 
-    /** Height of the angles below a strip, pixels. */
     private static final int LABELS = 22;
 
     private static final int PLOT_HEIGHT = 560;
@@ -45,12 +43,10 @@ final class ColorSheet {
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
 
-    /** Distance of the ticks in the chromaticity chart. */
     private static final double TICK = 0.1;
     // Largest step between labels, as a share of the range of angles.
     private static final double TICKS = 0.15;
 
-    /** Yellow of the mark of the light. */
     private static final Color LIGHT = new Color(0xF0E442);
 
     private final List<ColorReport> reports;
@@ -60,7 +56,6 @@ final class ColorSheet {
     private final double first;
     private final double last;
 
-    /** @param settings settings of the run, by the names in the files */
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
         this.names = FittedNames.of(
@@ -117,7 +112,6 @@ final class ColorSheet {
                 angle(theta(report)), light, purest, Lengths.rounded(report.coherenceLength(), 3));
     }
 
-    /** Returns the angle of the light to the normal, degrees. */
     private static double theta(ColorReport report) {
         return report.colors().get(0).view().thetaIDegrees();
     }
@@ -126,7 +120,6 @@ final class ColorSheet {
         return Decimals.format(Math.round(degrees * 10) / 10.0 + 0.0) + "\u00b0";
     }
 
-    /** Returns the column of pixels for an angle, clamped to the strip. */
     private int x(double degrees) {
         double inside = Math.max(first, Math.min(last, degrees));
         return LEFT + (int) Math.round((inside - first) * (WIDTH - LEFT - RIGHT) / (last - first));
@@ -157,7 +150,6 @@ final class ColorSheet {
         }
     }
 
-    /** Draws the colors of a strip; each reaches half way to its neighbors' angles. */
     private void cells(Graphics2D graphics, List<SeenColor> colors) {
         double step =
                 colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
@@ -204,7 +196,6 @@ final class ColorSheet {
                 (Double) settings.get("exposure"), settings.get("index"), settings.get("method"), options);
     }
 
-    /** Draws the chromaticities of spectral light, of white, and of each surface's colors in the strip that has its purest color. */
     private BufferedImage chromaticities() {
         List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
                 .mapToObj(nanometer -> Chromaticity.ofWavelength(cie, nanometer * 1e-9))
@@ -258,7 +249,6 @@ final class ColorSheet {
         return plot.draw();
     }
 
-    /** Returns words for a chart's title if there is a single surface, as its line has no legend; else an empty text. */
     private String ofOne(Function<SeenColor.View, String> words) {
         return reports.size() == 1 ? " " + words.apply(reports.get(0).spectrum().view()) : "";
     }

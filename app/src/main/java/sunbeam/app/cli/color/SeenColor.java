@@ -63,7 +63,6 @@ record SeenColor(
         }
     }
 
-    /** Parameters by which X, Y, Z become screen colors, uncertainties and hues. */
     record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
 
     static SeenColor of(View view, double[] xyz, Scale scale) {
@@ -112,7 +111,6 @@ record SeenColor(
         return CieLab.ofXyz(cut * xyz[0], cut * xyz[1], cut * xyz[2]);
     }
 
-    /** Returns the screen color as in a style sheet, {@code #1a2b3c}. */
     String hex() {
         return Text.format("#%06x", rgb);
     }

@@ -12,15 +12,12 @@ import java.util.stream.IntStream;
  * @param to longest wavelength of the band, meters
  */
 record SeenSpectrum(SeenColor.View view, double[] nanometers, double[] radiances, double from, double to) {
-    /** First wavelength, nm. */
     private static final int FIRST = 380;
 
-    /** Steps of 1 nm up to the last wavelength. */
     private static final int STEPS = 400;
     // Evaluations per nanometer: light as coherent as sunlight has orders 4 nm wide.
     private static final int PER_NANOMETER = 4;
 
-    /** Wavelengths at which a spectrum is evaluated, meters, ascending. */
     static double[] fineWavelengths() {
         return IntStream.rangeClosed(0, STEPS * PER_NANOMETER)
                 .mapToDouble(i -> (FIRST + i / (double) PER_NANOMETER) * 1e-9)
@@ -44,7 +41,6 @@ record SeenSpectrum(SeenColor.View view, double[] nanometers, double[] radiances
                 quantile(wavelengths, below, 0.75));
     }
 
-    /** Returns the width of the band, meters. */
     double width() {
         return to - from;
     }

@@ -47,7 +47,6 @@ final class SurfaceColors {
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
 
-    /** Limit of the directions in both planes together. */
     private static final int MOST_DIRECTIONS = 400_000;
 
     /** Luminance, relative to a mirror's, below which no color is stated. */
@@ -134,7 +133,6 @@ final class SurfaceColors {
         return setup.patch();
     }
 
-    /** Returns the energy balance under the light of the first plane. */
     Optional<EnergyBalance> energy() {
         return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
     }
@@ -201,7 +199,6 @@ final class SurfaceColors {
         return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
     }
 
-    /** Returns a sentence on why the surface has no color of its own; empty if it has one. */
     private Optional<String> whyColorless() {
         if (!verdict().hasColor()) {
             return Optional.of(verdict().sentence());

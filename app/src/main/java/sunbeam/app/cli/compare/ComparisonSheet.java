@@ -27,7 +27,6 @@ final class ComparisonSheet {
 
     private ComparisonSheet() {}
 
-    /** @param background color behind the scene's mesh and behind transparent pixels of the photograph */
     static BufferedImage draw(
             ScenePicture photo, ScenePicture scene, PhotoComparison comparison, SceneColor background) {
         int height = Math.max(1, PANEL * photo.height() / photo.width());

@@ -54,7 +54,6 @@ record HueComparison(int count, double correlation, double turnDegrees, double[]
         return color.chroma() >= LEAST_CHROMA;
     }
 
-    /** Returns the hue in radians, -pi to pi. */
     private static double hue(CieLab color) {
         return Math.atan2(color.b(), color.a());
     }

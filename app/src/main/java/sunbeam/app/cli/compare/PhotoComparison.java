@@ -55,7 +55,6 @@ record PhotoComparison(
     /** Largest linear luminance of a photograph that counts as black: just above the first step of 8 bits, 3e-4. */
     private static final double DARKEST = 4e-4;
 
-    /** Most iterations of the fit. */
     private static final int MOST_STEPS = 50;
 
     /**
@@ -139,7 +138,6 @@ record PhotoComparison(
         return factor;
     }
 
-    /** Returns the transform of a camera without a tone curve and with the gamut of sRGB. */
     private static DisplayTransform display(double exposure) {
         return new DisplayTransform(exposure, Tone.CLIP);
     }

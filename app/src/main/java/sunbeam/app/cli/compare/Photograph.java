@@ -109,7 +109,6 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
         }
     }
 
-    /** Returns the length that the intervals from..from + length and pixel..pixel + 1 have in common. */
     private static double overlap(double from, double length, int pixel) {
         return Math.max(0, Math.min(from + length, pixel + 1) - Math.max(from, pixel));
     }

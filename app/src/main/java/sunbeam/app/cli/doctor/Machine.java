@@ -21,7 +21,6 @@ final class Machine {
 
     private Machine() {}
 
-    /** Checks Java, memory, display and cache: everything that needs no OpenGL context. */
     static List<Check> examine(Environment environment) {
         List<Check> checks = new ArrayList<>();
         checks.add(Check.ok(
@@ -40,7 +39,6 @@ final class Machine {
         return checks;
     }
 
-    /** Returns vendor, renderer, version and limits of the context that rendering uses. */
     static List<Check> graphics() {
         try (RenderContext context = RenderContext.offscreen()) {
             return describe(context.info());

@@ -169,7 +169,6 @@ public final class EvaluateCommand extends ReportingCommand {
         return new FileGroup(stem, ENDINGS, force.overwrite(output));
     }
 
-    /** Returns the path without its ending if that is one of the output files' endings. */
     static Path stem(Path named) {
         String name = String.valueOf(named.getFileName());
         return ENDINGS.stream()
@@ -215,7 +214,6 @@ public final class EvaluateCommand extends ReportingCommand {
         return grating.plane(azimuth.orElse(aimed.azimuth()));
     }
 
-    /** Plans the method and prints the plan if {@code --explain} is given; empty for the reference, which needs no plan. */
     private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid) {
         Method chosen = Methods.of(choices);
         if (chosen instanceof ReferenceMethod) {
@@ -258,7 +256,6 @@ public final class EvaluateCommand extends ReportingCommand {
         return contents;
     }
 
-    /** Returns the method, its preset and, of pq, its interpolation. */
     private String title(Choices choices) {
         return method.type.label()
                 + (Preset.isThesis(choices) ? ", preset thesis" : "")

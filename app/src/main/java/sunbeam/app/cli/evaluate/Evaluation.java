@@ -49,12 +49,10 @@ record Evaluation(
     // three deviations 1 % of the mirror order's amplitude is left; at less, it shifts the ridge by some percent.
     private static final double APART = 3;
 
-    /** Significant digits of the ridge's period if the period is certain. */
     private static final int RIDGE_DIGITS = 5;
 
     private static final double NANOMETERS = 1e9;
 
-    /** @param order range of periods within which the first order is searched */
     static Evaluation of(
             Patch patch,
             GratingPeriod period,
@@ -98,7 +96,6 @@ record Evaluation(
         return Verdict.of(patch, period);
     }
 
-    /** "light at 75 degrees, azimuth 0 degrees". */
     String light() {
         return Text.format(
                 "light at %s degrees, azimuth %s degrees",
@@ -106,7 +103,6 @@ record Evaluation(
                 degrees(response.grid().plane().azimuth()));
     }
 
-    /** Formats an angle in degrees with at most two decimals. */
     private static String degrees(double radians) {
         return BigDecimal.valueOf(Math.round(100 * Math.toDegrees(radians)), 2)
                 .stripTrailingZeros()
@@ -148,7 +144,6 @@ record Evaluation(
         return Math.sqrt(periods.getVariance() / periods.getN());
     }
 
-    /** Returns the results by name, for JSON. */
     Map<String, Object> tree() {
         ResponseGrid grid = response.grid();
         Map<String, Object> tree = ReportFields.of(patch, period, verdict());

@@ -84,11 +84,6 @@ public final class GratingOptions extends SettingOptions {
         super(List.of(THETA_I, PHI_I, PERIOD, PEAKS));
     }
 
-    /**
-     * Checks everything that does not depend on the patch.
-     *
-     * @throws UsageException if a value is malformed or out of range
-     */
     void check() {
         azimuth();
         period();
@@ -136,7 +131,6 @@ public final class GratingOptions extends SettingOptions {
         }
     }
 
-    /** Returns the given period, meters; empty to derive it from the heights. */
     OptionalDouble period() {
         return choices().find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
     }

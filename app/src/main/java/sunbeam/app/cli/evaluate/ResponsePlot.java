@@ -24,7 +24,6 @@ final class ResponsePlot {
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
 
-    /** Red of the brightest angles, as in the thesis. */
     private static final int PEAKS = 0xFF3020;
 
     /** Light blue of the grating equation for the mean of the brightest angles. */
@@ -35,11 +34,6 @@ final class ResponsePlot {
 
     private ResponsePlot() {}
 
-    /**
-     * Draws the verdict and, below it, the response.
-     *
-     * @param method words for the method
-     */
     static BufferedImage draw(Evaluation evaluation, String method) {
         return new Sheet(WIDTH)
                 .heading(evaluation.patch().name() + ": " + evaluation.verdict().sentence())
@@ -110,7 +104,6 @@ final class ResponsePlot {
                 false);
     }
 
-    /** Draws the grating equation for the period and both ends of its interval, on the ridge's side of the mirror direction. */
     private static void drawEquation(GratingPeriod period, Evaluation evaluation, HeatMap map) {
         ResponseGrid grid = evaluation.response().grid();
         GratingPlane plane = grid.plane();

@@ -28,7 +28,6 @@ final class ArrayOptions {
                             + BANDS + ", every 10 nm; for bsdf as many as the width of orders needs.")
     private Integer bands;
 
-    /** Refuses these options for a format that is no array. */
     void refuse(String format) {
         if (kind != null) {
             throw new UsageException("--channels " + kind.name().toLowerCase(Locale.ROOT) + " is for --format npz, and "

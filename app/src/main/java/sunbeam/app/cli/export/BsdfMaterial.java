@@ -175,7 +175,6 @@ record BsdfMaterial(
         // horizon.
         private static final double LEAST_COSINE = 0.03;
 
-        /** Fills both arrays: spectra by band, row and column, luminance by row and column. */
         void fill(float[] spectra, float[] luminance) {
             int side = shape.side();
             for (int i = 0; i < side; i++) {

@@ -19,7 +19,6 @@ record BsdfShape(int phis, int thetas, double largest, int side, int rows, int c
     // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is unstable.
     private static final double LARGEST_ANGLE = Math.toRadians(88);
 
-    /** Least number of the half vector's angles. */
     private static final int LEAST_COLUMNS = 48;
     // The following factors are chosen on patch blaze so that each axis causes about the same part of the error.
     // DIRECTION_STEP times the root of the grid's step is the angle between first directions, radians: between them an

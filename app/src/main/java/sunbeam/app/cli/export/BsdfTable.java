@@ -21,10 +21,8 @@ import sunbeam.precompute.text.Text;
 
 /** Writes a tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class BsdfTable implements TableWriter {
-    /** Samples of the curves sigma and ndf over the angle to the normal. */
     private static final int CURVE_SAMPLES = 1024;
 
-    /** Pairs of directions that are drawn for the comparison with the reference. */
     private static final int COMPARED_PAIRS = 300;
 
     private static final long SEED = 5;
@@ -120,7 +118,6 @@ final class BsdfTable implements TableWriter {
         return fields;
     }
 
-    /** Returns a description for people, as JSON; renderers ignore it. */
     private String description(TableMetadata metadata) {
         Map<String, Object> fields = metadata.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",

@@ -34,7 +34,6 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind == Kind.SPECTRAL ? bands.count() : ColorGrid.CHANNELS;
     }
 
-    /** Returns how many numbers of a table are in memory at once. */
     long numbers(GridShape shape) {
         return Math.max(ColorGrid.CHANNELS, count()) * shape.allTexels();
     }
@@ -43,10 +42,6 @@ record Channels(Kind kind, SpectralBands bands) {
         return kind.words;
     }
 
-    /**
-     * Returns the weights over wavelength with which errors are measured: light times observer, or the three bands in the middle of the
-     * range.
-     */
     CieTable errorWeights(CieTable light) {
         return kind == Kind.SPECTRAL ? bands.table(bands.tables() / 2) : light;
     }
@@ -79,7 +74,6 @@ record Channels(Kind kind, SpectralBands bands) {
                 : divisor.ofColors(light, cie);
     }
 
-    /** @param values array that receives all channels of the texel */
     void at(List<ColorGrid> grids, int slice, int texel, double[] values) {
         for (int c = 0; c < count(); c++) {
             ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);

@@ -17,7 +17,6 @@ import sunbeam.precompute.numerics.Lagrange;
  *     by column
  */
 record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
-    /** X, Y and Z, or three bands. */
     static final int CHANNELS = 3;
     // Power below which a texel counts as dark; a tenth of the least power that errors are measured at.
     private static final double DARK = 1e-10;

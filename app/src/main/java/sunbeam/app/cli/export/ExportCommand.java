@@ -147,7 +147,6 @@ public final class ExportCommand extends ReportingCommand {
         GridBaker baker = new GridBaker(setup, plan, tolerance);
         ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
         ColorGrid read = writer.asRead(grid);
-        // Orders are as wide as the table has them.
         double width =
                 Math.max(Energy.SHORTEST_WINDOW, read.level().area().window().coherenceLength());
         TableMetadata metadata = new TableMetadata(
@@ -175,7 +174,6 @@ public final class ExportCommand extends ReportingCommand {
         return ExitCode.TOLERANCE_MISSED.code();
     }
 
-    /** Measures the errors of X, Y, Z under the light, or of the bands that the format has instead. */
     private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
         CieTable weights = writer.errorWeights(setup.cie());
         boolean isLight = weights.equals(setup.cie());

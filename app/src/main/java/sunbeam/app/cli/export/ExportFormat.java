@@ -18,12 +18,10 @@ enum ExportFormat {
         this.tolerance = tolerance;
     }
 
-    /** Returns the default of {@code --size}. */
     String size() {
         return size;
     }
 
-    /** Returns the default of {@code --tolerance}. */
     double tolerance() {
         return tolerance;
     }
@@ -38,7 +36,6 @@ enum ExportFormat {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** @param asked settings of the light */
     TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
         if (!dividesByLight()) {
             arrays.refuse(toString());

@@ -140,7 +140,6 @@ record FolderTable(Language language) implements TableWriter {
                         : "");
     }
 
-    /** Returns the scaled roots of all slices as half floats; a fourth channel is 1. */
     private static short[] halves(ColorGrid grid, int channels) {
         int texels = grid.shape().texels();
         float scale = scale(grid);

@@ -27,7 +27,6 @@ record GridAxis(double first, double step, int count) {
         return first + index * step;
     }
 
-    /** Returns all values times {@code sign}. */
     double[] values(int sign) {
         return IntStream.range(0, count).mapToDouble(index -> sign * at(index)).toArray();
     }

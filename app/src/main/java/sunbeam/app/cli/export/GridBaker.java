@@ -89,7 +89,6 @@ final class GridBaker {
                 .toList();
     }
 
-    /** Returns a grid with the same texels under other weights over wavelength. */
     ColorGrid under(CieTable functions, ColorGrid grid) {
         return bake(functions, grid.level(), grid.shape());
     }

@@ -29,7 +29,6 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
 record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics sums) {
-    /** Pairs that are compared with sums over wavelengths. */
     private static final int SUM_PAIRS = 1000;
     /** Number of pairs that are compared with the exact reference if they are cheap. */
     private static final int REFERENCE_PAIRS = 4;

@@ -17,7 +17,6 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
     // errs most.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
 
-    /** Range of the angles of light and view to the normal, from 0 to {@code largest} in radians. */
     record AngleRange(double largest) {
         double radius() {
             return REACH * Math.sin(largest);
@@ -28,7 +27,6 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         }
     }
 
-    /** Part of the (u, v) plane, by its least and largest u and v. */
     record Box(double left, double right, double bottom, double top) {
         static Box of(AngleRange range) {
             double radius = range.radius();
@@ -58,12 +56,10 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return wavelength * window.sigmaFrequency() / Math.sqrt(2);
     }
 
-    /** Returns a shape whose columns and rows can be halved {@code halvings} times. */
     GridShape padded(int halvings) {
         return new GridShape(u.padded(1 << halvings), v.padded(1 << halvings), depth, range);
     }
 
-    /** Returns a shape whose steps along u and v are {@code factor} times as wide. */
     GridShape coarser(int factor) {
         return new GridShape(u.coarser(factor), v.coarser(factor), depth, range);
     }
@@ -97,7 +93,6 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         return firstSlice(depth.place(deepest)) + TableDesign.TAPS;
     }
 
-    /** Returns the first of the slices from which a place between slices is interpolated. */
     int firstSlice(double place) {
         return Math.max(0, Math.min((int) place - 1, depth.count() - TableDesign.TAPS));
     }

@@ -77,7 +77,6 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         return values;
     }
 
-    /** Interpolates the density between two rows. */
     static LinearDensity row(float[] density, int columns, double row) {
         int below = Math.max(0, Math.min(density.length / columns - 2, (int) row));
         double beyond = row - below;

@@ -23,10 +23,8 @@ import sunbeam.precompute.units.Lengths;
 
 /** Writes a self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
 final class HtmlTable implements TableWriter {
-    /** Angle to the normal of the light when the page opens, degrees. */
     static final double THETA = 30;
 
-    /** Side of the map from which the exposure is chosen, pixels. */
     private static final int MAP_SIDE = 200;
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
@@ -34,7 +32,6 @@ final class HtmlTable implements TableWriter {
     /** Lower bound of the compressed bytes per texel that directions reach. */
     private static final double LEAST_BYTES = 0.3;
 
-    /** Bytes of the page without the table. */
     private static final int PAGE_BYTES = 20_000;
     // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;

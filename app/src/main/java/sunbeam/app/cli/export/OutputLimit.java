@@ -10,7 +10,6 @@ record OutputLimit(TableWriter writer, Path output, long most) {
     // A table may take this fraction of Java's heap; a writer needs as much again for its copy.
     private static final int HEAP_SHARE = 3;
 
-    /** Refuses a {@code --size} for which the disk has no room. */
     void requireRoom() {
         requireRoom(most);
     }
@@ -35,7 +34,6 @@ record OutputLimit(TableWriter writer, Path output, long most) {
         return writer.bytes(grid) <= most;
     }
 
-    /** Returns the refusal of an output for which even the coarsest table is too large. */
     UsageException refusal(GridShape coarsest) {
         long bytes = writer.leastBytes(coarsest);
         return new UsageException(

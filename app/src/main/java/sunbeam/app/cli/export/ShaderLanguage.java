@@ -52,12 +52,10 @@ enum ShaderLanguage {
         this.rules = List.of(rules);
     }
 
-    /** Returns the ending of a file in this language, with its dot. */
     String ending() {
         return "." + name().toLowerCase(Locale.ROOT);
     }
 
-    /** @param glsl text of sunbeam.glsl, filled in but for {@code @LANGUAGE@} */
     String translate(String glsl) {
         String text = glsl.replace("@LANGUAGE@", "// " + title);
         for (Rule rule : rules) {

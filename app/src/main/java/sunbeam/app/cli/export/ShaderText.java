@@ -30,7 +30,6 @@ final class ShaderText {
         return filled(read(name), words(metadata));
     }
 
-    /** Returns the example page, at the automatic exposure of its first light. */
     static String page(String name, TableMetadata metadata) {
         float exposure = (float) HtmlTable.exposure(metadata.grid(), HtmlTable.THETA);
         return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));

@@ -66,11 +66,6 @@ record TableMetadata(
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
     }
 
-    /**
-     * Returns the metadata of a file.
-     *
-     * @param quantity description of the numbers in the file
-     */
     Map<String, Object> fields(String quantity, String interpolation) {
         Map<String, Object> fields = fields();
         fields.put("quantity", quantity);

@@ -84,7 +84,6 @@ record Inspection(
                 refusal);
     }
 
-    /** Plans method full; failures name the command-line options. */
     private static SpectrumPlan plan(Patch patch, FullMethod method) {
         return Choices.at(OptionOrigin.INSTANCE)
                 .located(() -> method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
@@ -94,7 +93,6 @@ record Inspection(
         return Verdict.of(patch, period, thetaI);
     }
 
-    /** Returns the verdict, then lines of a name and its values, aligned. */
     List<String> lines() {
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
@@ -118,7 +116,6 @@ record Inspection(
         return lines;
     }
 
-    /** Returns the plan's summary or why there is none; empty if no plan is requested. */
     Optional<String> plan() {
         return refusal.isEmpty()
                 ? drawing.map(SpectrumPlan::summary)
@@ -155,7 +152,6 @@ record Inspection(
         return Lengths.format(new BigDecimal(meters).round(new MathContext(4)).doubleValue());
     }
 
-    /** Returns all properties by name, for JSON. */
     Map<String, Object> fields() {
         HeightMap map = patch.scan();
         Map<String, Object> fields = ReportFields.of(patch, period, verdict());

@@ -26,7 +26,6 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     /** Share of the lowest and of the highest heights that the gray scale leaves out. */
     private static final double DUST = 0.001;
 
-    /** Largest length of the profile, in periods. */
     private static final int PROFILE_PERIODS = 12;
 
     private static final double MICROMETERS = 1e6;
@@ -197,13 +196,11 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
             return new Profile(positions, heights);
         }
 
-        /** True if a point and its mirror image in the center are within the outermost samples; coordinates in meters from the center. */
         private static boolean isInside(HeightMap map, double x, double y) {
             return Math.abs(x) <= 0.5 * (map.columns() - 1) * map.pitchX()
                     && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
         }
 
-        /** Returns the height of the sample that is nearest to a point, whose coordinates are in meters from the center. */
         private static double at(HeightMap map, double x, double y) {
             return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
                     Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));

@@ -75,7 +75,6 @@ public final class MeshCommand extends ReportingCommand {
             description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
     private Path output;
 
-    /** Options for the unit of a mesh file, and for texture and scales of the skin. */
     private static final class MeshOptions extends SettingOptions {
         MeshOptions() {
             super(
@@ -129,7 +128,6 @@ public final class MeshCommand extends ReportingCommand {
         }
     }
 
-    /** Returns the texture maps of the skin; empty for a body without colors and scales. */
     private Optional<SkinMaps> skinMaps(Choices choices) {
         String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : BodyTextures.NONE);
         Scales scales = choices.get(SCALES, isSnake() ? Scales.KEELED : Scales.NONE);

@@ -16,7 +16,6 @@ public record PictureSize(int width, int height) {
     /** Limit of pixels: 2 GiB of linear light at 16 bytes a pixel. */
     private static final long MOST_PIXELS = 1L << 27;
 
-    /** Rejects sizes out of range. */
     public PictureSize {
         boolean sides = width >= 1 && height >= 1 && width <= LARGEST && height <= LARGEST;
         if (!sides || (long) width * height > MOST_PIXELS) {

@@ -17,7 +17,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
     @ParentCommand
     private Root root;
 
-    /** The root command, as subcommands see it. */
+    /** The root command, which has the environment. */
     public interface Root {
         Environment environment();
     }

@@ -30,7 +30,6 @@ record FourierImages(HeightMap map) {
     /** Magnitude below which an extreme is a rounding error, relative to the largest one of its power. */
     private static final double ROUNDING = 1e-12;
 
-    /** Numbers of the plot's red and green. */
     private static final int RED = 1;
 
     private static final int GREEN = 2;
@@ -134,13 +133,11 @@ record FourierImages(HeightMap map) {
         return new double[] {range.getMin(), range.getMax()};
     }
 
-    /** Returns the logarithmic brightness of a value from -1 to 1. */
     private static int channel(double value) {
         double brightness = Math.log(Math.max(1, Math.abs(value) / SPAN)) / Math.log(1 / SPAN);
         return (int) Math.round(127.5 * (1 + Math.copySign(brightness, value)));
     }
 
-    /** Plots magnitudes: those of the greatest values as lines, those of the least ones as points. */
     private static BufferedImage plot(double[][] extremes) {
         double[] powers =
                 IntStream.range(0, extremes[0].length).asDoubleStream().toArray();

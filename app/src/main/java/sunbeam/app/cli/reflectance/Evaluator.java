@@ -29,13 +29,10 @@ import sunbeam.precompute.shader.ShaderTables;
  * ensemble-averaged power, rho and BRDF; without wavelengths it is X, Y, Z and gain.
  */
 record Evaluator(DirectionList list, ProgressDisplay display) {
-    /** Position of rho in the result of a row with a wavelength. */
     private static final int RHO = 2;
 
-    /** Position of the BRDF in the result of a row with a wavelength. */
     private static final int BRDF = 3;
 
-    /** Position of the gain in the result of a row without a wavelength. */
     private static final int GAIN = 3;
 
     List<double[]> evaluate(ShaderTables tables) {

@@ -91,19 +91,16 @@ public final class AnimationOptions {
         return frameRate != null ? frameRate : FRAME_RATE;
     }
 
-    /** Returns the name of the motion, for the folder's name. */
     String name() {
         return lightSweep != null ? "light-sweep" : "turntable";
     }
 
-    /** Returns the frames' files in order: {@code frame-0001.png} and so on. */
     static List<Path> files(Path folder, int frames) {
         return IntStream.rangeClosed(1, frames)
                 .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
                 .toList();
     }
 
-    /** @throws UsageException if options contradict each other or are out of range */
     void check() {
         if (lightSweep != null && turntable != null) {
             throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
@@ -128,7 +125,6 @@ public final class AnimationOptions {
         return turntable != null ? turntable : frames != null ? frames : FRAMES;
     }
 
-    /** Returns the scene of each frame. */
     List<Scene> scenes(Scene scene) {
         Motion motion = lightSweep != null ? Motion.LIGHT_SWEEP : Motion.TURNTABLE;
         Sweep sweep = lightSweep != null ? lightSweep : Sweep.ONCE_ROUND;

@@ -254,7 +254,6 @@ public final class FrameSequence implements AutoCloseable {
         }
     }
 
-    /** Returns the errors of the color tables in a drawn frame, for each part that has such tables. */
     List<ErrorStatistics> tableErrors(Scene frame) {
         return sessions.stream()
                 .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())

@@ -28,7 +28,6 @@ final class GifAnimation {
 
     private GifAnimation() {}
 
-    /** Writes the animation; the frames' files are read one by one. */
     static void write(Path target, Overwrite overwrite, List<Path> frames, double framesPerSecond) {
         int hundredths = (int) Math.max(2, Math.round(100 / framesPerSecond));
         AtomicFile.write(target, overwrite, stream -> write(stream, frames, hundredths));

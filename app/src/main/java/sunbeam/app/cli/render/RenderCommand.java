@@ -275,7 +275,6 @@ public final class RenderCommand extends ReportingCommand {
         }
     }
 
-    /** Returns the number of samples along the side of a pixel. */
     private int samples(Scene scene) {
         return supersample != null ? supersample : PixelSamples.alongSide(scene.method(), size.width(), size.height());
     }
@@ -309,7 +308,6 @@ public final class RenderCommand extends ReportingCommand {
         return output != null || resume || force.overwrite() == Overwrite.REPLACE;
     }
 
-    /** Returns the rule for existing pictures. */
     private Overwrite overwriteOfPictures() {
         return mayUseExisting() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
     }
@@ -318,7 +316,6 @@ public final class RenderCommand extends ReportingCommand {
         return FileNames.stem(Path.of(sceneName));
     }
 
-    /** Refuses an unwritable output before anything is loaded. */
     private void checkOutputs(Path target, int frames) {
         if (animation.isAsked()) {
             OutputFolder.check(target);
@@ -334,7 +331,6 @@ public final class RenderCommand extends ReportingCommand {
         }
     }
 
-    /** Refuses an output that is one of the scene's own files. */
     private static void requireNoSceneFile(Scene scene, Path target) {
         if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
             throw new UsageException("--output " + target + " is a file of the scene; give another name");
@@ -355,7 +351,6 @@ public final class RenderCommand extends ReportingCommand {
         return animation.isAsked() ? AnimationOptions.files(target, frames) : List.of(target);
     }
 
-    /** Draws the frames and returns the written files. */
     private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
         Path place = animation.isAsked() ? OutputFolder.claim(target, mayUseExisting()) : target;
         List<Path> files = files(place, scenes.size());

@@ -7,15 +7,14 @@ import sunbeam.precompute.optics.DirectionPair;
 
 /**
  * Random pairs of directions and their probability density per solid angles of light and view, 1/sr^2: a mixture of two densities. The
- * background draws both directions in proportion to their cosines. The other chooses a square cell of the (u, v) plane by its weight, draws
- * (u, v) in it, then a light uniformly from all lights that have a view with this (u, v): in the disc of directions they fill the
- * intersection of two unit discs at distance |(u, v)|. Immutable.
+ * background draws both directions in proportion to their cosines. The other chooses a square cell of the (u, v) plane by its weight and
+ * draws (u, v) in it. Then it draws the light uniformly from all lights that have a view with this (u, v): the intersection of two unit
+ * discs at distance |(u, v)|. Immutable.
  */
 final class PairDensity {
     /** Cells along each side of the square |u|, |v| below 2. */
     static final int SIDE = 400;
 
-    /** Share of the pairs that the background draws. */
     static final double BACKGROUND = 0.25;
 
     /** Largest |(u, v)| of any two directions. */
@@ -29,7 +28,6 @@ final class PairDensity {
     /** Factor from 53 random bits to a number in the unit interval. */
     private static final double UNIT = 0x1p-53;
 
-    // Cumulative probability at the end of each cell.
     private final double[] sums = new double[SIDE * SIDE];
     private final long seed;
 
@@ -59,7 +57,6 @@ final class PairDensity {
         return Math.hypot(u(cell), v(cell));
     }
 
-    /** True if all of a cell lies within |(u, v)| = 2. */
     static boolean isInside(int cell) {
         return Math.hypot(Math.abs(u(cell)) + STEP / 2, Math.abs(v(cell)) + STEP / 2) < REACH;
     }
@@ -102,7 +99,6 @@ final class PairDensity {
         }
     }
 
-    /** Returns the cell in which the cumulative probability reaches {@code share}. */
     private int cell(double share) {
         int below = -1;
         int at = sums.length - 1;

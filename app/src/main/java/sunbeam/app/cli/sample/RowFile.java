@@ -20,7 +20,6 @@ import sunbeam.app.files.output.NpyWriter;
  * @param metadata supplier of JSON, called after the columns are written
  */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
-    /** Rows that are computed at once. */
     static final int BATCH = 1 << 21;
 
     // Rows of an HDF5 chunk: 768 KB for a column of width 3.
@@ -29,11 +28,6 @@ record RowFile(long first, int rows, List<Column> columns, Supplier<String> meta
     /** Numbers per row: two directions of three; X, Y, Z or wavelength, power and BRDF; density. */
     private static final int NUMBERS_OF_ROW = 10;
 
-    /**
-     * Column of the rows.
-     *
-     * @param width numbers per row
-     */
     record Column(String name, int width, Values values) {
         int[] shape(int rows) {
             return width == 1 ? new int[] {rows} : new int[] {rows, width};

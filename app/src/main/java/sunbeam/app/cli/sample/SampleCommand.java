@@ -58,7 +58,6 @@ import sunbeam.precompute.setting.Choices;
 public final class SampleCommand extends ReportingCommand {
     private static final long MOST_ROWS = 1_000_000_000;
 
-    /** Most rows of one file. */
     private static final int MOST_OF_FILE = 100_000_000;
     // Divisor of the heap: rows may take half of it; tables need the rest.
     private static final int HEAP_DIVISOR = 2;

@@ -139,7 +139,6 @@ final class SampledRows {
                 column("density", row -> density.at(row.pair())));
     }
 
-    /** Returns the columns of spectral rows; wavelengths in nm. */
     List<RowFile.Column> spectralColumns(CoherenceWindow window) {
         double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
         return List.of(
