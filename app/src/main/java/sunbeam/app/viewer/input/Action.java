@@ -127,7 +127,6 @@ enum Action {
         void run(Viewer viewer, KeyStroke stroke);
     }
 
-    /** Effect of an action that is the same for all of its keys. */
     @FunctionalInterface
     private interface KeylessEffect {
         void run(Viewer viewer);
@@ -137,7 +136,6 @@ enum Action {
         this(group, description, keys, (viewer, stroke) -> effect.run(viewer));
     }
 
-    /** Creates an action that switches something on or off. */
     Action(Group group, String description, String keys, KeylessEffect effect, Predicate<Viewer> isOn) {
         this(group, description, keys, (viewer, stroke) -> effect.run(viewer), Optional.of(isOn));
     }
@@ -212,12 +210,10 @@ enum Action {
         return group;
     }
 
-    /** True if the action switches something on or off. */
     boolean isSwitch() {
         return state.isPresent();
     }
 
-    /** True if the action switches something that is on. */
     boolean isOn(Viewer viewer) {
         return state.filter(isOn -> isOn.test(viewer)).isPresent();
     }

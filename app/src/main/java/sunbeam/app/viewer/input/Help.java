@@ -16,7 +16,6 @@ import sunbeam.app.viewer.window.ViewerWindow;
  * @param description description of the effect
  */
 record Help(String input, String description) {
-    /** Returns a group's rows, those of the mouse first. */
     static List<Help> rows(Group group) {
         return Stream.concat(
                         Stream.of(MouseAction.values())

@@ -29,7 +29,6 @@ public final class MouseControls extends MouseAdapter {
     private final ScenePresenter presenter;
     private final Player player;
     private Point last;
-    // Point under the pointer when the button was pressed.
     private Optional<PickedPoint> held = Optional.empty();
     private int presses;
 

@@ -24,7 +24,6 @@ final class CachedExposure {
         return looksTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
     }
 
-    /** Returns {@link #known}; if it is empty, meters and caches the exposure. */
     double of(SceneData data, DoubleSupplier meter) {
         OptionalDouble known = known(data);
         return known.isPresent() ? known.getAsDouble() : store(data, meter.getAsDouble());
@@ -41,7 +40,6 @@ final class CachedExposure {
         return value;
     }
 
-    /** Stores the {@link ShownExposure} of the picture that was metered last. */
     void storeShown(double value) {
         shownWhenMetered = value;
     }

@@ -10,13 +10,12 @@ final class FrameScale {
 
     // Divisors of width and height, by scale. Coarser pictures would be unrecognizable.
     private static final double[] DIVISORS = {1, 1.25, 1.6, 2, 3, 4};
-    // Factor on all measured times per frame.
     private static final double DECAY = 0.99;
-    // The recorded time of a scale over budget is SLOW times its measured time, at most SLOWEST budgets. At 30 frames
-    // a second it decays below the budget in one to three seconds; then the scale is tried again.
+    // A scale over budget is recorded as SLOW times its measured time, at most SLOWEST budgets. At 30 frames a second
+    // this decays below the
+    // budget in one to three seconds; then the scale is tried again.
     private static final double SLOW = 1.5;
     private static final double SLOWEST = 2.5;
-    // Weight of the newest frame in the running mean.
     private static final double NEWEST = 0.25;
 
     // Recorded time of a frame at each scale; 0 before the first.
@@ -26,12 +25,10 @@ final class FrameScale {
     private long previous;
     private double mean;
 
-    /** Returns the divisor of the picture's width and height. */
     double divisor() {
         return DIVISORS[scale];
     }
 
-    /** Records the time of a frame at the current scale and chooses the next scale. */
     void frame(long nanoseconds) {
         for (int i = 0; i < recorded.length; i++) {
             recorded[i] *= DECAY;

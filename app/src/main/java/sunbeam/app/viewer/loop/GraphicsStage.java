@@ -51,11 +51,8 @@ public final class GraphicsStage implements Stage {
     private final CachedExposure exposures = new CachedExposure();
     private final StageSessions own;
     private final StageSessions other;
-    // Sessions of the current state's method.
     private StageSessions current;
-    // Sample stride of the last coarse picture, in pixels.
     private int stride;
-    // Exposure of the current state's picture; empty before it is metered.
     private OptionalDouble metered = OptionalDouble.empty();
     private ViewState state;
     private boolean isMoving;
@@ -139,7 +136,6 @@ public final class GraphicsStage implements Stage {
         return current.parts().size() == 1 && current.colors().findAny().isPresent();
     }
 
-    /** True if each pixel has a color at least from the coarsest mip level. */
     private boolean hasCoarsest() {
         return current.colors().allMatch(VirtualTexture::hasCoarsest);
     }
@@ -194,7 +190,6 @@ public final class GraphicsStage implements Stage {
         return new Preview(image, divisor, hasCoarsest(), exposure, 0);
     }
 
-    /** Meters the picture, unless it was metered; returns false if interrupted. */
     private boolean meter(BooleanSupplier interrupted) {
         if (metered.isEmpty()) {
             metered = SceneDisplay.exposure(
@@ -267,7 +262,6 @@ public final class GraphicsStage implements Stage {
         return Optional.of(new Final(whole, exposure));
     }
 
-    /** Converts a picture to display colors, averaging {@code samples} x {@code samples} samples a pixel. */
     private BufferedImage image(ScenePicture picture, int samples, double exposure) {
         return SceneDisplay.image(picture, samples, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
     }

@@ -50,19 +50,16 @@ final class Inbox<S, T> {
         return closed ? Optional.empty() : Optional.ofNullable(tasks.poll());
     }
 
-    /** Removes and returns the newest state; does not wait. */
     synchronized Optional<S> state() {
         Optional<S> state = Optional.ofNullable(newest);
         newest = null;
         return state;
     }
 
-    /** Removes and returns the newest state if it satisfies the predicate; does not wait. */
     synchronized Optional<S> stateIf(Predicate<S> wanted) {
         return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 
-    /** Waits at most the given nanoseconds for a state, a task or the closing of the inbox. */
     synchronized void await(long nanoseconds) throws InterruptedException {
         long start = System.nanoTime();
         for (long left = nanoseconds; !closed && newest == null && tasks.isEmpty() && left > 0; ) {

@@ -33,12 +33,10 @@ final class MapStage {
     // Directions per batch of {@link VirtualTexture#evaluatePoints}; a batch takes about ten milliseconds, the wait
     // until a canceled map ends.
     private static final int BATCH = 1 << 10;
-    // Shortest time between coarse maps.
     private static final long COARSE_NANOSECONDS = 100_000_000;
 
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
-    // Token of the map that is queued or being drawn.
     private CancellationToken newest = new CancellationToken();
     // Inputs of the displayed coarse map; null before the first and after {@link #draw} or {@link #drawLater} replaces
     // it.
@@ -51,12 +49,10 @@ final class MapStage {
         this.context = context;
     }
 
-    /** Cancels the queued map. */
     void cancel() {
         newest.cancel();
     }
 
-    /** Draws a map by a method's shader; stops when interrupted. */
     void draw(
             UploadedTables method,
             Direction light,

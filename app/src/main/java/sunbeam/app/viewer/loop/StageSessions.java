@@ -85,12 +85,10 @@ final class StageSessions implements AutoCloseable {
         return parts.stream().flatMap(part -> part.virtualTexture().stream());
     }
 
-    /** Returns the tiles for still pictures, sized by measured time. */
     TimedTiles tiles() {
         return tiles;
     }
 
-    /** Returns the resolution control of pictures drawn while something moves. */
     FrameScale scale() {
         return scale;
     }

@@ -51,7 +51,6 @@ public final class Drags {
         return new Quaternionf().rotationAxis((float) angle, axis);
     }
 
-    /** Returns the vector from eye to target. */
     private static Vector3f sight(Camera camera) {
         return camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
     }

@@ -40,7 +40,6 @@ final class History {
         last = now;
     }
 
-    /** Records a change as a separate step. */
     void opened(Scene from, Scene to) {
         isOpen = false;
         changed(from, to);

@@ -70,7 +70,6 @@ public final class ControlPanel extends JTabbedPane {
     private final SettingRows colorTab = new SettingRows(this::enter);
     private final SettingRows sceneTab = new SettingRows(this::enter);
     private final LabelledSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
-    // Plan of the loaded scene, and remarks about its patches.
     private transient MethodPlan plan;
     private transient List<String> remarks = List.of();
     private final transient DiffractionWeights weights = new DiffractionWeights();
@@ -155,7 +154,6 @@ public final class ControlPanel extends JTabbedPane {
         return top;
     }
 
-    /** Changes the scene to the chosen method, with the values of the spacing and tolerance controls. */
     private void enterMethod() {
         MethodChoice choice = (MethodChoice) method.getSelectedItem();
         if (!updating && choice != null) {
@@ -196,7 +194,6 @@ public final class ControlPanel extends JTabbedPane {
         change(scene -> scene.with(choices));
     }
 
-    /** Applies a change; if it is invalid, shows a message and resets the control. */
     private void attempt(Runnable change) {
         try {
             change.run();

@@ -83,7 +83,6 @@ public final class MethodChoice {
         return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(controlSettings())));
     }
 
-    /** Returns the settings whose values come from the controls. */
     private List<Setting<?>> controlSettings() {
         List<Setting<?>> needed = new ArrayList<>();
         if (hasTolerance()) {
@@ -108,7 +107,6 @@ public final class MethodChoice {
         return type().has(TOLERANCE) && !isThesis();
     }
 
-    /** True if the method offers more than one average. */
     boolean hasAverages() {
         return type().has(AVERAGE);
     }

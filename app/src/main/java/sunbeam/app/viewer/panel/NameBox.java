@@ -19,7 +19,6 @@ final class NameBox extends JComboBox<String> {
         setRenderer(new LastPart());
     }
 
-    /** Selects a name and adds it if it is new. */
     void select(String name) {
         if (name.equals(getSelectedItem())) {
             return;

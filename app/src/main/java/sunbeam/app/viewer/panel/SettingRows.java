@@ -33,7 +33,6 @@ final class SettingRows extends JPanel {
     private final transient BiConsumer<Setting<?>, String> entered;
     private final transient List<Consumer<Choices>> followers = new ArrayList<>();
 
-    /** @param entered receives a setting and the entered text */
     SettingRows(BiConsumer<Setting<?>, String> entered) {
         super(new GridBagLayout());
         this.entered = entered;
@@ -52,7 +51,6 @@ final class SettingRows extends JPanel {
         return new NameBox(List.of(setting.kind().range().split(", ")));
     }
 
-    /** Adds a combo box. */
     void box(Setting<?> setting, NameBox box, boolean isEditable) {
         box.setEditable(isEditable);
         row(setting, box, isEditable ? ENTER : "");
@@ -129,7 +127,6 @@ final class SettingRows extends JPanel {
         return Text.format("%.1f", Math.toDegrees(angle));
     }
 
-    /** @param more text about the control, appended to the tooltip */
     JLabel row(Setting<?> setting, JComponent control, String more) {
         control.setName(setting.key());
         return row(ControlOrigin.INSTANCE.name(setting), control, ControlOrigin.INSTANCE.tip(setting, more));

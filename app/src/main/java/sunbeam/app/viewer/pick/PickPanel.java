@@ -12,7 +12,6 @@ import sunbeam.precompute.text.Text;
 
 /** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
 public final class PickPanel extends JPanel {
-    /** Maximum number of picked points. */
     static final int MOST = 2;
 
     private final transient List<PickReadout> readouts = List.of(
@@ -63,7 +62,6 @@ public final class PickPanel extends JPanel {
                 .orElse(" ");
     }
 
-    /** Returns the panel's content as text, without outdated colors and spectra. */
     String numbers() {
         String points = readouts.stream().map(PickReadout::numbers).collect(Collectors.joining());
         return (points + (differenceWords() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
@@ -73,7 +71,6 @@ public final class PickPanel extends JPanel {
         plot.show(point, powers);
     }
 
-    /** Sets whether a spectrum is being computed. */
     void awaitSpectrum(int point, boolean awaited) {
         plot.await(point, awaited);
     }

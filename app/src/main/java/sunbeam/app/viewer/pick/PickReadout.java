@@ -15,7 +15,6 @@ final class PickReadout {
     private final String hint;
     private final JTextArea text;
     private final JLabel color = new JLabel(" ");
-    // Color on screen; null until the newest picture is final.
     private Color shown;
 
     /** @param hint text shown while no point is picked; if empty, the readout is hidden instead */
@@ -72,7 +71,6 @@ final class PickReadout {
         return Optional.ofNullable(shown).map(rgb -> CieLab.ofSrgb(rgb.getRGB()));
     }
 
-    /** Returns the readout as text; empty if no point is picked. */
     String numbers() {
         return !text.getText().equals(hint)
                 ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"

@@ -27,7 +27,6 @@ public final class PointInspector {
     // At most {@link PickPanel#MOST}, in the panel's order.
     private final List<Inspected> picks = new ArrayList<>();
 
-    /** Picked point with the state of its spectrum. */
     private static final class Inspected {
         private PickedPoint point;
         // Inputs (see spectrumInputs()) of the spectrum requested last and of the displayed one; empty for none.
@@ -138,7 +137,6 @@ public final class PointInspector {
         return found.pixel(picture.pictureWidth(), picture.pictureHeight());
     }
 
-    /** Returns all inputs of a point's spectrum. */
     private static List<Object> spectrumInputs(PickedPoint found, Scene scene) {
         return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
     }

@@ -35,7 +35,6 @@ final class Spectrum {
         return powers;
     }
 
-    /** Returns the wavelength of the power with an index, in meters. */
     static double wavelength(int index) {
         return FIRST_WAVELENGTH + index * WAVELENGTH_STEP;
     }

@@ -27,7 +27,6 @@ public final class SpectrumPlot extends JComponent {
     private static final double FIRST_NANOMETERS = 380;
     private static final double RANGE_NANOMETERS = 400;
     private static final String AWAITED = "Spectrum: being made";
-    // Color of an outdated spectrum.
     private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
     // Exposure at which the brightest wavelength reaches the screen's maximum.
@@ -38,7 +37,6 @@ public final class SpectrumPlot extends JComponent {
             new Curve(
                     new Color(0xf0a050),
                     new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0)));
-    // Column under the mouse; negative if none.
     private int pointed = -1;
 
     private static final class Curve {
@@ -46,7 +44,6 @@ public final class SpectrumPlot extends JComponent {
         private final BasicStroke stroke;
         private double[] powers = {};
         private boolean isOld;
-        // True while newer values are being computed.
         private boolean isAwaited;
 
         Curve(Color color, BasicStroke stroke) {
@@ -112,7 +109,6 @@ public final class SpectrumPlot extends JComponent {
         return text.toString();
     }
 
-    /** Sets whether a point's spectrum is being computed. */
     void await(int point, boolean awaited) {
         curves.get(point).isAwaited = awaited;
         repaint();
@@ -177,7 +173,6 @@ public final class SpectrumPlot extends JComponent {
         }
     }
 
-    /** Returns the wavelength of a column, in nanometers. */
     private double wavelength(int x) {
         return FIRST_NANOMETERS + RANGE_NANOMETERS * x / Math.max(1, getWidth() - 1);
     }

@@ -22,7 +22,6 @@ public final class Divider {
     private boolean isWhole;
     private boolean isGrabbed;
 
-    /** @param repaint repaints the picture below */
     Divider(Runnable repaint) {
         this.repaint = repaint;
     }

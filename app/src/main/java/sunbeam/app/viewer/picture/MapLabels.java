@@ -9,14 +9,12 @@ import java.util.List;
 
 /** Small labels of one painting: each lies within the bounds and covers no other. A label that finds no free place is left out. */
 final class MapLabels {
-    // Distance of a label from its point, in pixels.
     private static final double GAP = 4;
 
     private final Graphics2D graphics;
     private final Rectangle2D bounds;
     private final List<Rectangle2D> taken = new ArrayList<>();
 
-    /** @param bounds area for the labels, in pixels */
     MapLabels(Graphics2D graphics, Rectangle2D bounds) {
         this.graphics = graphics;
         this.bounds = bounds;
@@ -40,7 +38,6 @@ final class MapLabels {
         return null;
     }
 
-    /** Paints a text that is legible on light and dark pixels. */
     private void paintOutlined(String text, float x, float y) {
         graphics.setColor(Color.BLACK);
         graphics.drawString(text, x + 1, y + 1);

@@ -19,10 +19,8 @@ import sunbeam.precompute.optics.Direction;
 public final class MapView extends JComponent {
     private static final Color AXES = new Color(255, 255, 255, 50);
 
-    // Columns beside the map for the label of the x axis, in pixels.
     private static final int BESIDE = 14;
 
-    /** Height of the caption below the map, in pixels. */
     static final int CAPTION = 18;
 
     private BufferedImage map;
@@ -30,7 +28,6 @@ public final class MapView extends JComponent {
     private transient List<GratingOrders> orders = List.of();
     private String caption = "";
     private String ordersInWords;
-    // True if the map belongs to the newest light.
     private boolean isNewest;
 
     public MapView() {
@@ -153,7 +150,6 @@ public final class MapView extends JComponent {
         paintRing(graphics, 0, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
     }
 
-    /** Paints the mark of a picked point; the second point's ring is dashed. */
     static void paintRing(Graphics2D graphics, int number, double x, double y) {
         Ellipse2D ring = new Ellipse2D.Double(x - 6, y - 6, 12, 12);
         graphics.setStroke(new BasicStroke(3f));

@@ -46,7 +46,6 @@ public final class FileActions {
     private double drawnExposure;
     private String renderer = "";
 
-    /** @param opening opens a scene and runs its second argument when the scene is loaded */
     FileActions(
             ViewerWindow window,
             ViewerModel model,
@@ -102,7 +101,6 @@ public final class FileActions {
         return recent.files();
     }
 
-    /** Loads a mesh and places the camera at a distance that fits its size. */
     private void loadMesh(Path file) {
         model.open(
                 model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
@@ -147,7 +145,6 @@ public final class FileActions {
         writeWaiting();
     }
 
-    /** @param name name of the graphics card or software renderer (GL_RENDERER) */
     void drawnBy(String name) {
         renderer = name;
     }
@@ -219,7 +216,6 @@ public final class FileActions {
         return file.resolveSibling(complete.apply(name));
     }
 
-    /** Drop target for scenes, meshes and patches. */
     private final class Drop extends TransferHandler {
         @Override
         public boolean canImport(TransferSupport support) {

@@ -28,7 +28,6 @@ public enum FileKind {
         return words;
     }
 
-    /** Returns the ending that is appended to a name without one. */
     String ending() {
         return "." + endings.get(0);
     }

@@ -27,13 +27,10 @@ final class MapPresenter {
     private final PointInspector inspector;
     private final Background background;
     private boolean isShown = true;
-    // Light of the displayed map.
     private Optional<Direction> light = Optional.empty();
-    // The patch whose period is known or being searched; null before the first.
     private Patch patch;
     private Optional<GratingPeriod> period = Optional.empty();
 
-    /** @param background worker that finds a patch's period */
     MapPresenter(ViewerModel model, ViewerWindow window, PointInspector inspector, Background background) {
         this.model = model;
         this.window = window;
@@ -88,7 +85,6 @@ final class MapPresenter {
                 .transformDirection(scene.light().towards(), new Vector3f());
     }
 
-    /** Shows a map for a light in the tangent frame. */
     void show(BufferedImage image, Optional<Direction> towards, boolean isNewest) {
         light = towards;
         window.map().show(image);

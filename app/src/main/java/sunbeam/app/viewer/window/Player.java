@@ -14,7 +14,6 @@ public final class Player {
     private final ViewerModel model;
     private final Timer timer = new Timer(FRAME_MILLISECONDS, event -> advance());
     private final List<Runnable> listeners = new ArrayList<>();
-    // Null while nothing is played.
     private Motion motion;
     private long last;
 

@@ -43,7 +43,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     private ViewState requested;
     private ViewState shown;
     private ViewState completed;
-    // Completed share of the newest load, 0 to 1.
     private double loadedShare;
 
     ScenePresenter(
@@ -71,7 +70,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         return firstPicture;
     }
 
-    /** Completes {@link #firstPicture} exceptionally; no effect after a picture. */
     void noPicture(String why) {
         firstPicture.completeExceptionally(new GraphicsException(why));
     }
@@ -149,7 +147,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         return own.isBlank() ? "Sunbeam" : own + " - Sunbeam";
     }
 
-    /** Requests a picture of the newest scene in the component's size. */
     void show() {
         inspector.follow(model.scene());
         followLight();

@@ -27,15 +27,11 @@ final class SplitViewPresenter {
     // State of the final picture by the scene's own method, and its exposure; the state is null if outdated.
     private ViewState own;
     private double exposure;
-    // State requested from the comparison method; null for none.
     private ViewState requested;
-    // Time of the last preview, in nanoseconds.
     private long previewed;
     private LoadedScene loaded;
-    // Scene whose tables are being loaded; null if none.
     private Scene preparing;
 
-    /** @param background worker that loads the comparison method's tables */
     SplitViewPresenter(ViewerWindow window, RenderLoop loop, ViewerModel.Loading loading, Background background) {
         this.window = window;
         this.loop = loop;
@@ -43,7 +39,6 @@ final class SplitViewPresenter {
         this.background = background;
     }
 
-    /** Ends the comparison because a newer state is requested. */
     void outdated() {
         own = null;
         requested = null;
@@ -108,12 +103,10 @@ final class SplitViewPresenter {
         return MethodChoice.of(requested.firstPart().scene()).toString();
     }
 
-    /** True if the comparison method's picture is requested or shown. */
     boolean isRequested() {
         return requested != null;
     }
 
-    /** Ends the comparison because its method failed. */
     void refused(String problem) {
         requested = null;
         window.picture().divider().hide();

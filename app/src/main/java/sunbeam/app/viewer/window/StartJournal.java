@@ -29,7 +29,6 @@ public final class StartJournal {
     private final Map<Stage, Moment> moments = new LinkedHashMap<>();
     private final Instant start = ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
 
-    /** Time since the start of the process, and the processor time that it has taken. */
     private record Moment(Duration elapsed, Duration processor) {}
 
     public synchronized void reached(Stage stage) {

@@ -58,12 +58,10 @@ public final class StatusLine extends JPanel {
         add(method, BorderLayout.EAST);
     }
 
-    /** Returns the area of the last message; hidden if there is none. */
     JTextArea messageArea() {
         return message;
     }
 
-    /** Reports a frame displayed while something moves. */
     void moving(double divisor) {
         long now = System.nanoTime();
         frames++;
@@ -75,7 +73,6 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    /** Reports a displayed preview of a scene in which nothing moves. */
     void still(double divisor) {
         report("Preview" + scale(divisor));
     }
@@ -113,20 +110,17 @@ public final class StatusLine extends JPanel {
         report(Text.format("Final after %.1f s", nanoseconds * 1e-9) + rate.replace(" · ", " · moved at "));
     }
 
-    /** Marks the picture as outdated; a newer one follows. */
     void outdated() {
         if (rateStart == 0) {
             report("Preview");
         }
     }
 
-    /** Reports that the newest state cannot be drawn. */
     void refused() {
         loading = "";
         report("No picture of this scene");
     }
 
-    /** Shows the name and share of a load. */
     void loading(String name, double share) {
         loading = "Loading " + name + (share > 0 ? Text.format(", %.0f %%", 100 * share) : "");
         picture.setText(loading);
@@ -148,7 +142,6 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    /** @param name name of the graphics card or software renderer (GL_RENDERER) */
     void renderer(String name) {
         renderer = name;
     }

@@ -31,13 +31,11 @@ final class StrokesPresenter {
         }
     }
 
-    /** Hides the strokes, which belong to an older state. */
     void outdated() {
         newest++;
         picture.showStrokes(Optional.empty());
     }
 
-    /** Requests strokes; called when the newest state's picture is final. */
     void request() {
         if (!shown) {
             return;

@@ -64,7 +64,6 @@ public final class ViewMeasurement {
     private Duration processor = Duration.ZERO;
     private int steps;
     private boolean isHeld = true;
-    // Last displayed frame of the newest state.
     private BufferedImage lastFrame;
     private double lastDivisor = 1;
     private Optional<PictureDifference> finalDifference = Optional.empty();
@@ -160,13 +159,11 @@ public final class ViewMeasurement {
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
 
-    /** Records a requested state. */
     void requested(ViewState state) {
         events++;
         included.put(state, events);
     }
 
-    /** Records a painted preview and the divisor of its columns and rows. */
     void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
         Long upTo = included.remove(state);

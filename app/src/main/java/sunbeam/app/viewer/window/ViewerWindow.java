@@ -78,7 +78,6 @@ public final class ViewerWindow extends JFrame {
         });
     }
 
-    /** Sizes the window so that the picture has the given size. */
     void fitPicture(Dimension size) {
         picture.setPreferredSize(size);
         panel.setVisible(size.width + panel.getPreferredSize().width >= NARROW);

@@ -19,7 +19,6 @@ final class WindowIcon {
 
     private WindowIcon() {}
 
-    /** Returns the icon at the sizes that window managers show, in pixels. */
     static List<Image> images() {
         return Stream.of(16, 24, 32, 48, 64, 128).map(WindowIcon::image).toList();
     }
