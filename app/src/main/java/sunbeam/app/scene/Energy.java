@@ -22,7 +22,7 @@ public enum Energy {
 
     /** Coherence length in meters below which orders are so wide that the divisor errs by more than 2 %. */
     public static final double SHORTEST_WINDOW = 5e-6;
-    // Meters. A deeper relief takes minutes.
+    // Greatest depth of a relief in meters; a deeper one takes minutes.
     private static final double DEEPEST = 20e-6;
 
     /**

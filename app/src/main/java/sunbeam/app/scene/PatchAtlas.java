@@ -52,7 +52,6 @@ public record PatchAtlas(String map, List<Region> regions) {
         return map.equals(PatchMap.NONE);
     }
 
-    /** Returns the colors of the regions, 0xRRGGBB. */
     public Set<Integer> colors() {
         Set<Integer> colors = new TreeSet<>();
         regions.forEach(region -> colors.add(region.color().rgb()));

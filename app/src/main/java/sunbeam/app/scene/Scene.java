@@ -72,14 +72,12 @@ public record Scene(
 
     /** Returns this scene with chosen values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own values. */
     public Scene with(Choices chosen) {
-        // The old unit belongs to the old mesh file.
         Choices inherited = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
         SceneLight newLight = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
         SceneMethod newMethod = method.with(chosen.only(Methods.SETTINGS));
         return new Scene(chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod);
     }
 
-    /** Returns this scene with one of its own settings changed. */
     public <T> Scene with(Setting<T> setting, T value) {
         return new Scene(settings.with(setting, value), patches, view, orientation, light, fillLights, method);
     }
@@ -92,7 +90,6 @@ public record Scene(
                 .over(method.choices());
     }
 
-    /** Returns the value of one of the scene's own settings. */
     public <T> T get(Setting<T> setting) {
         return settings.get(setting);
     }
@@ -195,7 +192,6 @@ public record Scene(
                 && get(INDEX).sharesSpectrum(other.get(INDEX));
     }
 
-    /** True if another scene has the same texture, scales and orientation map. */
     public boolean sharesBody(Scene other) {
         return get(TEXTURE).equals(other.get(TEXTURE))
                 && effectiveScales() == other.effectiveScales()
@@ -214,7 +210,7 @@ public record Scene(
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
-    /** Returns the surroundings that are drawn: with the thesis's preset only those that {@link #keepingSurroundings} keeps. */
+    /** Returns the surroundings that are drawn; none with the thesis's preset, save for {@link #keepingSurroundings}. */
     public Surroundings effectiveSurroundings() {
         return method.isThesis() && !get(SceneSettings.KEEPS_SURROUNDINGS)
                 ? Surroundings.NONE

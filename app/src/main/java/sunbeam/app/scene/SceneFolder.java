@@ -15,7 +15,6 @@ record SceneFolder(Optional<OwnFolder> folder) {
         return new SceneFolder(Optional.of(new OwnFolder(sceneFile.toAbsolutePath(), "scene")));
     }
 
-    /** Returns the folder of a built-in scene, which names no files. */
     static SceneFolder none() {
         return new SceneFolder(Optional.empty());
     }
@@ -29,7 +28,6 @@ record SceneFolder(Optional<OwnFolder> folder) {
         }
     }
 
-    /** Returns choices with the file name of the refractive index, if it is a file, made absolute. */
     Choices resolveIndex(Choices choices) {
         SkinIndex index = choices.get(SceneSettings.INDEX);
         try {
@@ -41,7 +39,6 @@ record SceneFolder(Optional<OwnFolder> folder) {
         }
     }
 
-    /** Returns a built-in name unchanged, else the absolute name of a file. */
     private String resolve(String name, List<String> builtIn) {
         if (builtIn.contains(name)) {
             return name;

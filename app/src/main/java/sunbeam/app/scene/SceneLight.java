@@ -11,7 +11,6 @@ import org.joml.Vector3fc;
  */
 public record SceneLight(Vector3fc towards, double intensity) {
 
-    /** Normalizes the direction; rejects a length that is 0 or not finite. */
     public SceneLight {
         float length = towards.length();
         if (!(length > 0) || Float.isInfinite(length)) {

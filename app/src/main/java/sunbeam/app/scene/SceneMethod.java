@@ -81,7 +81,6 @@ public record SceneMethod(Choices choices) {
         return !type.equals(ReferenceMethod.TYPE);
     }
 
-    /** Returns the defaults for a mesh, which are written to scene files. */
     private static Choices standard(Choices chosen) {
         MethodType type = chosen.get(Methods.METHOD);
         Choices standard = Choices.at(DEFAULT).with(Methods.METHOD, type);

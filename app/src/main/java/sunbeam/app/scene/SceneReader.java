@@ -80,7 +80,6 @@ public final class SceneReader {
         }
     }
 
-    /** Reads a scene that comes with Sunbeam and names no files. */
     static Scene readBuiltIn(String name, InputStream stream) throws IOException {
         return new SceneReader(JsonFile.read(name, stream), SceneFolder.none()).scene();
     }
@@ -113,7 +112,6 @@ public final class SceneReader {
         return scene;
     }
 
-    /** Reads one patch, or an object with a map and a patch for each color of the map. */
     private PatchAtlas patches() {
         JsonNode value = root.required("patch", "\"elaphe-like\"");
         if (!value.isObject()) {

@@ -177,7 +177,6 @@ public final class SceneSettings {
     /** Weights of the blend of diffracted light and body. */
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
-    /** Settings at the root of a scene file. */
     static final List<Setting<?>> OF_ROOT = List.of(
             TITLE,
             MESH,
@@ -197,11 +196,9 @@ public final class SceneSettings {
             SHADOWS,
             BACKGROUND);
 
-    /** Settings of the scene itself, without those of its light. */
     static final List<Setting<?>> OF_SCENE =
             Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).collect(Collectors.toUnmodifiableList());
 
-    /** Settings that a scene holds in memory. */
     static final List<Setting<?>> OF_RECORD =
             Stream.concat(OF_SCENE.stream(), Stream.of(KEEPS_SURROUNDINGS)).collect(Collectors.toUnmodifiableList());
 

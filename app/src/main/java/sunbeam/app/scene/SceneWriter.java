@@ -35,13 +35,11 @@ import sunbeam.precompute.setting.Setting;
 
 /** Writes scene files that {@link SceneReader} reads. */
 public final class SceneWriter {
-    /** Settings that are not written if they have their standard value. */
     private static final List<Setting<?>> OMITTED_IF_STANDARD = List.of(TITLE, MESH_UNIT, INDEX);
 
     private final JsonGenerator json;
     private final UnaryOperator<String> toWrittenName;
 
-    /** @param toWrittenName converts a built-in name or an absolute file name to the name to be written */
     private SceneWriter(JsonGenerator json, UnaryOperator<String> toWrittenName) {
         this.json = json;
         this.toWrittenName = toWrittenName;
@@ -68,7 +66,6 @@ public final class SceneWriter {
         return text(scene, name -> String.valueOf(Path.of(name).getFileName()));
     }
 
-    /** Returns a name relative to a folder; built-in names are unchanged. */
     private static String relative(Path folder, String name) {
         Path path = Path.of(name);
         if (!path.isAbsolute()) {

@@ -35,7 +35,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
 
-    /** True if tables for another index are valid for this one, too: tables do not depend on a constant index. */
+    /** True if this index and another share tables: equal files, or any two constants, on which tables do not depend. */
     public boolean sharesSpectrum(SkinIndex other) {
         return equals(other) || (!isByWavelength() && !other.isByWavelength());
     }

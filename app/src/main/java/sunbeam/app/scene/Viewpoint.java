@@ -19,7 +19,6 @@ public record Viewpoint(Camera camera, double verticalFieldOfView) {
     /** Widest field of view, radians; wider pictures are mostly distortion. */
     public static final double WIDEST = Math.toRadians(170);
 
-    /** Returns half the height of the visible area at distance 1 from the eye. */
     public double halfHeight(int width, int height) {
         return Math.tan(verticalFieldOfView / 2) * Math.max(1, LEAST_ASPECT * height / width);
     }

@@ -89,7 +89,7 @@ public final class BuiltInMeshes {
         });
     }
 
-    /** A point of a profile, meters, and the components of its unit normal away from the axis and along it. */
+    /** Point of a profile in meters, and its unit normal's components away from the axis and along it. */
     private record Profile(double radius, double height, double outward, double upward) {}
 
     /** Turns a profile, a function of v, about the z axis; u turns counter-clockwise. */

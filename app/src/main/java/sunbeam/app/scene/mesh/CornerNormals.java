@@ -17,7 +17,7 @@ final class CornerNormals {
     private static final double LEAST_COSINE = 0.75;
 
     private final RawMesh mesh;
-    // Sum of triangle normals for each position of the file, weighted by area.
+    // Sum of triangle normals for each position, weighted by area.
     private final float[] sums;
 
     CornerNormals(RawMesh mesh) {
@@ -41,8 +41,7 @@ final class CornerNormals {
         Map<Vector3d, Vector3d> means = new HashMap<>();
         for (int i = 0; i < sums.length / 3; i++) {
             Vector3d own = RawMesh.vector(sums, i);
-            // Unit vectors have equal weights, so that the mean does not depend on how faces are divided into
-            // triangles.
+            // Unit vectors: the mean must not depend on how faces are divided into triangles.
             means.computeIfAbsent(position(i), place -> new Vector3d()).fma(1 / Math.max(1e-300, own.length()), own);
         }
         for (int i = 0; i < sums.length / 3; i++) {
@@ -77,7 +76,6 @@ final class CornerNormals {
         return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
     }
 
-    /** Returns the unit normal of a position's corners with this key. */
     Vector3d normal(int position, int key) {
         if (key >= 0) {
             return RawMesh.vector(mesh.normals(), key).normalize();

@@ -30,19 +30,16 @@ final class MeshBuilder {
         list.add((float) vector.z());
     }
 
-    /** Adds a triangle, counter-clockwise seen from outside. */
     void triangle(int first, int second, int third) {
         indices.add(first);
         indices.add(second);
         indices.add(third);
     }
 
-    /** A surface point with its frame; normal and tangent are orthonormal. */
     record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
 
-    /** A parametric surface; normal = tangent x (direction of growing v), so that the grid is right-handed. */
+    /** Parametric surface over (u, v) in [0, 1]; normal = tangent x (direction of growing v), so that the grid is right-handed. */
     interface Surface {
-        /** Returns the point at texture coordinates (u, v), both in [0, 1]. */
         Point at(double u, double v);
     }
 
@@ -72,7 +69,6 @@ final class MeshBuilder {
         return this;
     }
 
-    /** Compares numbers, not bits: 0 and -0 are equal. */
     private static boolean differ(Vector3dc one, Vector3dc other) {
         return one.distanceSquared(other) > 0;
     }

@@ -7,7 +7,7 @@ import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Check of the longest side of a mesh's bounding box, in meters. A mesh smaller than {@link #LEAST} is hardly wider than the coherence area
+ * Checks the longest side of a mesh's bounding box, in meters. A mesh smaller than {@link #LEAST} is hardly wider than the coherence area
  * of sunlight (65 um), so that a pixel does not average many such areas. A mesh larger than {@link #MOST} has more than a centimeter per
  * pixel in a picture 1000 pixels wide; its unit is most likely wrong.
  */
@@ -20,7 +20,6 @@ final class MeshSize {
 
     private MeshSize() {}
 
-    /** Returns a warning about an implausible size, with the unit that would make it plausible. */
     static Optional<String> warning(Mesh mesh, MeshUnit unit) {
         double side = longestSide(mesh);
         if (isPlausible(side)) {
@@ -41,7 +40,6 @@ final class MeshSize {
         return side >= LEAST && side <= MOST;
     }
 
-    /** Returns the longest side of the bounding box, meters. */
     private static double longestSide(Mesh mesh) {
         double longest = 0;
         for (int axis = 0; axis < 3; axis++) {

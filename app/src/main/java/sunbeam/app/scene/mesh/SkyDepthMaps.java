@@ -8,12 +8,10 @@ import sunbeam.app.scene.mesh.format.RawMesh;
 
 /** Computes {@link SkyVisibility} by depth maps of the mesh from many directions. */
 final class SkyDepthMaps {
-    // Directions for the hemisphere of the sky, one depth map each.
     private static final int DIRECTIONS = 64;
     private static final int FEW_DIRECTIONS = 12;
-    // Number of triangles beyond which fewer directions are used, to save time.
+    // Number of triangles beyond which fewer directions are used.
     private static final int MANY_TRIANGLES = 200_000;
-    // Texels along each side of a depth map.
     private static final int TEXELS = 384;
     // Least height of an occluder above a point, in radii of the mesh: about two texels of a depth map, so that a
     // surface does not occlude itself.
@@ -53,7 +51,6 @@ final class SkyDepthMaps {
         }
     }
 
-    /** Returns one of {@code count} directions that are spread evenly over the upper hemisphere. */
     private static Vector3d direction(int number, int count) {
         double z = (number + 0.5) / count;
         double across = Math.sqrt(1 - z * z);
@@ -64,7 +61,7 @@ final class SkyDepthMaps {
         return new SkyVisibility(vertexShares, groundShares);
     }
 
-    /** Depth map of the mesh from one direction: depth grows towards the sky, in meters from the middle. */
+    /** Depth map of the mesh; depth grows towards the sky, in meters from the middle. */
     private final class DepthMap {
         private final Vector3d direction;
         private final Vector3d right;
@@ -95,7 +92,7 @@ final class SkyDepthMaps {
             return (0.5 + 0.49 * distance / radius) * TEXELS;
         }
 
-        /** Draws a triangle; a texel stores the largest depth, that of the surface nearest to the sky. */
+        /** Draws a triangle; a texel stores the largest depth. */
         private void rasterize(double[] x, double[] y, double[] z, int a, int b, int c) {
             double area = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
             if (area == 0) {

@@ -21,11 +21,6 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     /** Number of ground squares along a side. */
     public static final int GROUND_SIDE = 160;
 
-    /**
-     * Computes the visibility of the sky from a mesh and the ground below it.
-     *
-     * @param cache cache of results
-     */
     public static SkyVisibility of(Mesh mesh, BlobCache cache) {
         String checksum = new Checksum()
                 .add(mesh.positions())

@@ -16,7 +16,6 @@ public final class SnakeMesh {
 
     private final MeshBuilder builder = new MeshBuilder();
     private final SnakeSurface surface = new SnakeSurface();
-    // Positions of the rings along the body, 0 to 1.
     private final double[] places = ringPlaces();
 
     private SnakeMesh() {}
@@ -49,7 +48,6 @@ public final class SnakeMesh {
         double[] result = new double[RINGS];
         int at = 0;
         for (int ring = 0; ring < RINGS; ring++) {
-            // No ring lies on the ends, which are single points.
             double wanted = weight[samples] * (ring + 0.35) / (RINGS - 0.3);
             while (weight[at + 1] < wanted) {
                 at++;

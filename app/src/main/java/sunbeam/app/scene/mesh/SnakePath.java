@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * Center line of the snake. From the tip of the tail it winds inwards on the ground in a spiral of more than two turns, rises in the
- * middle, and comes back outwards over its own coils, where the head rests. Its parameter is the place along the body: 0 snout, 1 tip of
- * the tail, proportional to length.
+ * Center line of the snake. From the tip of the tail it winds inwards on the ground for more than two turns. In the middle it rises; then
+ * it winds back outwards over its own coils, where the head rests. Its parameter is the place along the body: 0 snout, 1 tip of the tail,
+ * proportional to length.
  */
 final class SnakePath {
     private static final int SAMPLES = 4000;
@@ -54,7 +54,6 @@ final class SnakePath {
         return new Vector3d(STRETCH * radius * Math.cos(angle), radius * Math.sin(angle), R * lift.at(turns));
     }
 
-    /** Length of the body, meters. */
     double length() {
         return lengths[SAMPLES];
     }

@@ -21,7 +21,6 @@ final class SnakeProfile {
     // Ratio of height to width over the place: a flat head, a round neck, a body that sags a little.
     private final Curve flatness = new Curve(0, 0.72, 0.0225, 0.62, NECK, 0.86, 0.2, 0.9, 0.8, 0.92, 1, 1);
 
-    /** Returns the half width, meters. */
     double halfWidth(double place) {
         double relative = place < NECK ? Math.sqrt(squaredHead.at(place)) : body.at(place);
         return RADIUS * relative;

@@ -27,7 +27,6 @@ public final class SnakeScales {
         }
     }
 
-    /** Returns u at a place along the body, 0 to 1. */
     static double u(double place) {
         if (place <= SnakeProfile.NECK) {
             return BEGIN * place / SnakeProfile.NECK;

@@ -27,7 +27,6 @@ final class SnakeSurface {
     /** @param angle radians from the middle of the belly, growing over the side that is right when looking towards the tail */
     Vector3d point(double place, double angle) {
         Vector3d forward = direction(place);
-        // The cross product is not zero, because the body is never vertical.
         Vector3d right = new Vector3d(forward).cross(0, 0, 1).normalize();
         Vector3d up = right.cross(forward, new Vector3d());
         double upward = -Math.cos(angle);
@@ -38,14 +37,12 @@ final class SnakeSurface {
                 .add(up.mul(swell * height * upward));
     }
 
-    /** Returns the unit direction of the body towards the tail. */
     Vector3d direction(double place) {
         double before = Math.max(0, place - PLACE_STEP);
         double after = Math.min(1, place + PLACE_STEP);
         return path.at(after).sub(path.at(before)).normalize();
     }
 
-    /** Returns the bulge of the eyes, relative to the head's half width. */
     private static double eye(double place, double angle) {
         double side = Math.abs(Math.abs(angle - Math.PI) - EYE_ANGLE);
         double along = (place - EYE) / 0.0028;

@@ -19,7 +19,6 @@ final class VertexAssembly {
     private final int[] indices;
     private final Map<Vertex, Integer> numbers = new HashMap<>();
     private final List<Vertex> vertices = new ArrayList<>();
-    // Sums of the triangles' tangents, by vertex.
     private final List<Vector3f> tangents = new ArrayList<>();
     private long computedNormals;
     private int undirected;
@@ -33,7 +32,6 @@ final class VertexAssembly {
      */
     private record TriangleTangent(Vector3d along, boolean mirrored) {
 
-        /** Computes the tangent of the triangle whose first corner is given. */
         static TriangleTangent of(RawMesh mesh, int first) {
             float[] uv = mesh.textureCoordinates();
             int a = 2 * mesh.textureCoordinate(first);
@@ -61,15 +59,10 @@ final class VertexAssembly {
         }
     }
 
-    /**
-     * Index of a position, index of a texture coordinate, key of a normal, and handedness (1 or -1) that the corners of one vertex share.
-     */
+    /** Indices, key of the normal and handedness (1 or -1) that the corners of one vertex share. */
     private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
-    /**
-     * Prepares the assembly of a mesh with texture coordinates at all corners. If alwaysRightHanded, mirrored textures do not give
-     * left-handed frames.
-     */
+    /** @param alwaysRightHanded whether frames stay right-handed where the texture is mirrored */
     VertexAssembly(RawMesh mesh, boolean alwaysRightHanded) {
         this.mesh = mesh;
         this.alwaysRightHanded = alwaysRightHanded;
@@ -77,7 +70,6 @@ final class VertexAssembly {
         this.indices = new int[mesh.cornerCount()];
     }
 
-    /** Returns the number of vertices whose normal was computed. */
     long computedNormals() {
         return computedNormals;
     }
@@ -147,13 +139,11 @@ final class VertexAssembly {
         }
         undirected++;
         Vector3d alongX = tangential(new Vector3d(1, 0, 0), normal);
-        // If the surface faces along x, use y, which is tangential.
         return alongX.length() > 0.1
                 ? alongX.normalize()
                 : tangential(new Vector3d(0, 1, 0), normal).normalize();
     }
 
-    /** Returns the component of a vector that is orthogonal to the normal. */
     private static Vector3d tangential(Vector3d vector, Vector3d normal) {
         return new Vector3d(vector).fma(-vector.dot(normal), normal);
     }

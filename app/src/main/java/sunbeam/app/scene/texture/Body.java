@@ -21,7 +21,6 @@ public record Body(
         BodyTexture patches,
         int patchColor) {
 
-    /** Creates a body with the mesh's own tangents and one patch everywhere. */
     public Body(BodyTexture colors, Scales scales, BodyTexture relief) {
         this(
                 colors,
@@ -49,7 +48,6 @@ public record Body(
                 plain.patchColor);
     }
 
-    /** Returns a body whose patch lies only where a map has its color. */
     public Body with(BodyTexture map, int color) {
         return new Body(colors, scales, relief, directions, map, color);
     }

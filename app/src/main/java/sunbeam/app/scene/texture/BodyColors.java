@@ -15,12 +15,11 @@ interface BodyColors {
      */
     Vector3dc at(double along, double around);
 
-    /** Converts 8-bit sRGB, 0xRRGGBB, to linear light, in which colors mix. */
+    /** Converts 0xRRGGBB to linear light, in which colors mix. */
     static Vector3dc ofSrgb(int rgb) {
         return new Vector3d(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
     }
 
-    /** Returns a smooth step: 0 up to {@code from}, 1 beyond {@code to}. */
     static double step(double from, double to, double value) {
         double t = Math.min(1, Math.max(0, (value - from) / (to - from)));
         return t * t * (3 - 2 * t);

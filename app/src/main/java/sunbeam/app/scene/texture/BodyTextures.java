@@ -10,15 +10,14 @@ import sunbeam.precompute.color.Srgb;
 
 /** Finds a texture by name or file. */
 public final class BodyTextures {
-    /** The name that chooses plain white instead of a texture. */
+    /** Name of plain white instead of a texture. */
     public static final String NONE = "none";
 
-    /** The name of a neutral dark body, on which a nanostructure's colors show. */
+    /** Name of a neutral dark body, on which a nanostructure's colors show. */
     public static final String DARK = "dark";
 
     private static final byte[] DARK_GRAY = {0x30, 0x30, 0x32, -1};
 
-    // Texels along the body and around it.
     private static final int COLUMNS = 4096;
     private static final int ROWS = 512;
 
@@ -53,7 +52,6 @@ public final class BodyTextures {
         };
     }
 
-    /** True if this is the name of a built-in texture of an animal. */
     public static boolean isAnimal(String name) {
         return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
     }
@@ -63,7 +61,6 @@ public final class BodyTextures {
                 COLUMNS, ROWS, cache.get("texture " + name, 4 * COLUMNS * ROWS, () -> paint(colors.get())));
     }
 
-    /** Paints a texture, RGBA: u along the body, v around it, from belly to belly. */
     private static byte[] paint(BodyColors colors) {
         byte[] rgba = new byte[4 * COLUMNS * ROWS];
         IntStream.range(0, ROWS).parallel().forEach(row -> {

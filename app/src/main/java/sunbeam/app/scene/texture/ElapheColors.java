@@ -23,7 +23,6 @@ final class ElapheColors implements BodyColors {
     // Superellipse distance beyond which no marking has color: its outline at 1 wobbles by 0.11, and its edge reaches
     // 0.04 farther.
     private static final double FARTHEST = 1.16;
-    // Depth, negative outside of a marking's outline, at which its edge ends.
     private static final double OUTER_EDGE = -0.04;
 
     private final SnakeHead head = new SnakeHead(BodyColors.ofSrgb(0x8a4a1c));
@@ -41,7 +40,7 @@ final class ElapheColors implements BodyColors {
         return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
     }
 
-    /** Returns the color of the head: a spear from the neck, and a band from each eye to the corner of the mouth. */
+    /** A spear from the neck, and a band from each eye to the corner of the mouth. */
     private Vector3dc head(double along, double around) {
         double side = Math.abs(around);
         Vector3dc ground = GROUND.lerp(FLANK, BodyColors.step(0.3, 0.6, side), new Vector3d());
@@ -65,7 +64,7 @@ final class ElapheColors implements BodyColors {
         return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
     }
 
-    /** Returns the color at a depth inside a marking: red inside, black along its outline, the ground's outside. */
+    /** Returns a marking's color: red inside, black along its outline, the ground's outside. */
     private static Vector3dc mark(Vector3dc ground, double depth) {
         if (depth <= OUTER_EDGE) {
             return ground;

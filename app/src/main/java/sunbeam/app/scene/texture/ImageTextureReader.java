@@ -23,7 +23,6 @@ final class ImageTextureReader {
         return read(file, Runtime.getRuntime().maxMemory());
     }
 
-    /** @param heapBytes largest size of the heap, bytes */
     static BodyTexture read(Path file, long heapBytes) {
         if (!Files.exists(file)) {
             throw new InputException("there is no texture " + file + "; name an image file, or one of "
@@ -32,7 +31,7 @@ final class ImageTextureReader {
         return texels(IMAGE_FILE.read(file, heapBytes));
     }
 
-    /** Converts any image to sRGB; transparent texels keep their color and become opaque. */
+    /** Transparent texels keep their color and become opaque. */
     private static BodyTexture texels(BufferedImage image) {
         boolean gray = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
         return gray && image.getRaster().getTransferType() <= DataBuffer.TYPE_USHORT

@@ -10,7 +10,7 @@ import sunbeam.app.files.input.InputException;
  * interpolate the vectors, not doubled angles as for undirected lines, because a height map turned by 180 degrees is another surface.
  */
 public final class OrientationMap {
-    /** Name that chooses the mesh's own tangents instead of a map. */
+    /** Name of the mesh's own tangents instead of a map. */
     public static final String NONE = "none";
 
     private static final int ZERO = 128;
@@ -20,7 +20,6 @@ public final class OrientationMap {
 
     private OrientationMap() {}
 
-    /** Loads a map, each texel of which must have a direction, or {@link #NONE}. */
     static BodyTexture load(String nameOrFile) {
         if (nameOrFile.equals(NONE)) {
             return new BodyTexture(1, 1, new byte[] {-1, (byte) ZERO, (byte) ZERO, -1});

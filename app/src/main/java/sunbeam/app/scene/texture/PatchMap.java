@@ -10,7 +10,7 @@ import sunbeam.precompute.text.Text;
 
 /** Map of the patches on a mesh's texture: an image with one exact color for each patch. */
 public final class PatchMap {
-    /** Name that chooses one patch everywhere instead of a map. */
+    /** Name of one patch everywhere instead of a map. */
     public static final String NONE = "none";
 
     /** Color of the single patch if there is no map, 0xRRGGBB. */

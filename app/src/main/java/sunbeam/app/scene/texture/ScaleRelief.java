@@ -32,7 +32,6 @@ public final class ScaleRelief {
     /** Share of the texture's height that the head's relief takes, from v = 0 on. */
     public static final double HEAD_SHARE = 0.2;
 
-    // Texels along the body's relief and around it, and around the head.
     private static final int TEXELS = 1024;
     private static final int HEAD_ROWS = 256;
     // Heights in widths of a row: of a scale's dome, of its rise over its own length towards the rear, of the drop at
@@ -49,20 +48,17 @@ public final class ScaleRelief {
     // Largest random variation of the scales' slopes, and of their lightness relative to 1.
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
-    // Distances from a scale's middle to its rear end and to its front end (which is covered), in lengths of a scale,
-    // and to its sides, in widths of a row.
+    // Distances from a scale's middle to its rear end and its covered front end in lengths of a scale, and to its sides in widths of a row.
     private static final double REAR_LENGTH = 0.6;
     private static final double FRONT_LENGTH = 0.9;
     private static final double HALF_WIDTH = 1.04;
-    // Step of numerical derivatives, in lengths of a scale along and in widths of a row around.
+    // Step of numerical derivatives, in lengths of a scale and widths of a row.
     private static final double STEP = 1e-3;
-    // Offset that makes all rows' numbers positive.
     private static final int FIRST_ROW = 64;
-    // Points averaged in a texel, along each axis.
     private static final int POINTS_PER_AXIS = 2;
 
     private final Scales scales;
-    // Largest magnitude of a row's number; row 0 lies on the middle of the back.
+    // Largest magnitude of a row's number; row 0 is the middle of the back.
     private final int outermostRow;
 
     private ScaleRelief(Scales scales) {
@@ -70,11 +66,6 @@ public final class ScaleRelief {
         this.outermostRow = scales.rows() / 2;
     }
 
-    /**
-     * Returns the relief of scales; a single flat texel for none.
-     *
-     * @param cache cache of reliefs
-     */
     public static BodyTexture of(Scales scales, BlobCache cache) {
         if (scales == Scales.NONE) {
             return new BodyTexture(1, 1, new byte[] {(byte) 128, (byte) 128, 0, code(1 / LIGHTEST)});
@@ -125,7 +116,6 @@ public final class ScaleRelief {
      */
     private record Plate(int number, double along, double beside, double edge, boolean isShield) {}
 
-    /** Computes a texel's bytes as means over several points, which smooths rims. */
     private void texel(int column, int row, byte[] rgba, int at) {
         double[] sum = new double[4];
         for (int i = 0; i < POINTS_PER_AXIS; i++) {

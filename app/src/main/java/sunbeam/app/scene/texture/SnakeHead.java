@@ -3,7 +3,7 @@ package sunbeam.app.scene.texture;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Eyes, line of the mouth and shields of a snake's head: their drawing over the color of the skin, and their relief. */
+/** Eyes, line of the mouth and shields of a snake's head: their colors over the skin's, and their relief. */
 public final class SnakeHead {
     /** Center of the eyes along the head: snout 0, neck 1. */
     public static final double EYE_ALONG = 0.27;
@@ -61,7 +61,6 @@ public final class SnakeHead {
         return -GROOVE_DEPTH * seam(along, side, 2.2) - ROUNDING * seam(along, side, 6);
     }
 
-    /** @param widening factor of the seams' width */
     private static double seam(double along, double side, double widening) {
         double width = widening * SEAM_WIDTH;
         double seam = 0;
@@ -75,14 +74,12 @@ public final class SnakeHead {
         double end = 1 - BodyColors.step(SEAMS[4], SEAMS[4] + 0.01, along);
         seam = Math.max(seam, end * line(side - (isFrontal ? FRONTAL_HALF_WIDTH : 0), 2 * width));
         seam = Math.max(seam, end * line(side - TOP_EDGE, 2 * width));
-        // Seams between the shields of the lips.
         double lip = BodyColors.step(MOUTH - LIP_WIDTH, MOUTH - LIP_WIDTH + 0.02, side)
                 * (1 - BodyColors.step(MOUTH + LIP_WIDTH, MOUTH + LIP_WIDTH + 0.02, side));
         double shields = along / 0.085;
         return Math.max(seam, 0.7 * lip * line((shields - Math.rint(shields)) * 0.085, width));
     }
 
-    /** Returns 1 on a line, 0 at its width or more from it. */
     private static double line(double distance, double width) {
         return 1 - BodyColors.step(0.3 * width, width, Math.abs(distance));
     }

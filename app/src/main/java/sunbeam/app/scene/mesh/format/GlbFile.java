@@ -26,7 +26,7 @@ record GlbFile(byte[] json, ByteBuffer binary) {
     private static final int JSON = 0x4E4F534A;
     private static final int BINARY = 0x004E4942;
 
-    /** Reads a file; the binary part is mapped and takes no heap. */
+    /** Reads a file; the binary part is memory-mapped. */
     static GlbFile read(Path file) throws IOException {
         ByteBuffer all = map(file);
         if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {
@@ -44,7 +44,6 @@ record GlbFile(byte[] json, ByteBuffer binary) {
                 binary == 0 ? ByteBuffer.allocate(0) : slice(all, next + CHUNK_HEADER_BYTES, binary));
     }
 
-    /** Maps a file's bytes, little-endian. */
     static ByteBuffer map(Path file) throws IOException {
         MeshLimits.requireSize(file);
         try (FileChannel channel = FileChannel.open(file)) {
@@ -56,7 +55,6 @@ record GlbFile(byte[] json, ByteBuffer binary) {
         return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** Returns the length of a chunk, checked to lie in the file. */
     private static int chunk(Path file, ByteBuffer all, int at, int kind, String name) {
         if (at + CHUNK_HEADER_BYTES > all.limit() || all.getInt(at + 4) != kind) {
             throw new InputException(file + ": there is no " + name + " chunk at byte " + at + "; export it again");

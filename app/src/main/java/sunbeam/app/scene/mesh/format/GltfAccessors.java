@@ -42,7 +42,6 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
         return count;
     }
 
-    /** Returns all numbers of an accessor, element by element, {@code components} each. */
     double[] read(Integer index, int components) throws IOException {
         Accessor accessor = accessor(index);
         if (!Integer.valueOf(components).equals(COMPONENTS.get(String.valueOf(accessor.getType())))) {

@@ -28,9 +28,8 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads the JSON of glTF 2.0 into jgltf's classes. That library's own reader would open any URI and allocate any stated size; here
- * the text has limited size, depth and number of values, and no URI is opened. The message about a value of a wrong type or out of range
- * names its path.
+ * Reads the JSON of glTF 2.0 into jgltf's classes. Its own reader would open any URI and allocate any stated size; here size, depth and
+ * number of values are limited, and no URI is opened. The message about a value of a wrong type or out of range names its path.
  */
 final class GltfDocument {
     private static final int MOST_VALUES = 1_000_000;
@@ -39,7 +38,6 @@ final class GltfDocument {
                     StreamReadConstraints.builder().maxNestingDepth(64).build())
             .build();
     private static final ObjectMapper MAPPER = mapper();
-    /** Top-level properties that are read. */
     private static final Set<String> READ_PROPERTIES = Set.of(
             "asset",
             "extensionsRequired",
@@ -54,7 +52,6 @@ final class GltfDocument {
 
     /** Transforms of nodes; an empty list is an error there, not an omission. */
     private static final Set<String> TRANSFORMS = Set.of("matrix", "translation", "rotation", "scale");
-    /** Properties whose content is not checked. */
     private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
     /** Required extensions that are read, or do not affect positions, directions and faces. */
     private static final Pattern HARMLESS =

@@ -21,7 +21,6 @@ import sunbeam.app.files.input.InputException;
  * morphed meshes are refused.
  */
 final class GltfFile {
-    // Rotation from y up to z up.
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
     private static final int MOST_NODES = 100_000;
 
@@ -51,7 +50,6 @@ final class GltfFile {
         return new InputException(file + ": " + what);
     }
 
-    /** A node that is still to be placed, and its parent's transform to world space. */
     private record PendingNode(Integer node, Matrix4d parent) {}
 
     private RawMesh mesh() throws IOException {
@@ -79,7 +77,6 @@ final class GltfFile {
         return primitives.mesh();
     }
 
-    /** Appends nodes to the queue. */
     private static void add(Deque<PendingNode> waiting, List<Integer> nodes, Matrix4d parent) {
         for (Integer node : nodes == null ? List.<Integer>of() : nodes) {
             waiting.add(new PendingNode(node, parent));

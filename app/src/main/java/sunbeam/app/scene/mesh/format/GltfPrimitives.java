@@ -65,7 +65,6 @@ final class GltfPrimitives {
         }
         Offsets offsets = vertices(GltfTextureCoordinates.of(file, gltf, primitive), attributes, vertices, place);
         int[] indices = indices(primitive, corners, vertices);
-        // A mirroring transform needs its triangles reversed.
         boolean mirrored = place.determinant3x3() < 0;
         for (int triangle = 0; triangle < triangles; triangle++) {
             int[] at = corners(mode, triangle);

@@ -23,7 +23,6 @@ import sunbeam.app.files.input.InputException;
 record GltfTextureCoordinates(int set, Vector2d offset, double rotation, Vector2d scale) {
     private static final String TRANSFORM = "KHR_texture_transform";
 
-    /** @throws InputException for a damaged transform */
     static GltfTextureCoordinates of(Path file, GlTF gltf, MeshPrimitive primitive) {
         List<Material> materials = gltf.getMaterials();
         Integer index = primitive.getMaterial();

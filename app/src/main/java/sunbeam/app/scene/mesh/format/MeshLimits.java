@@ -23,15 +23,12 @@ final class MeshLimits {
 
     private MeshLimits() {}
 
-    /** True if a coordinate is finite and within the limit. */
     static boolean allows(double value) {
         return Math.abs(value) <= FARTHEST;
     }
 
-    /** End of a message about a number beyond the limits: fault and remedy. */
     static final String BAD_NUMBER = "no finite number up to 1e9; repair the mesh or export it again";
 
-    /** @throws InputException for a file that is too large */
     static void requireSize(Path file) throws IOException {
         long bytes = Files.size(file);
         if (bytes > MOST_BYTES) {

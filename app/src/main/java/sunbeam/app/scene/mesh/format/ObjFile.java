@@ -20,7 +20,6 @@ import sunbeam.precompute.text.Quoted;
  */
 final class ObjFile {
     private static final int LONGEST_LINE = 1 << 16;
-    /** Byte order mark of UTF-8, read as Latin 1. */
     private static final String UTF8_MARK = "\u00EF\u00BB\u00BF";
 
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
@@ -28,7 +27,6 @@ final class ObjFile {
     private final Path file;
     private final BufferedReader reader;
     private final RawMeshBuilder mesh = new RawMeshBuilder();
-    /** Number of the current line, from 1, for messages. */
     private long line;
 
     private long nextLine = 1;
@@ -67,7 +65,6 @@ final class ObjFile {
                             2);
                 case "f" -> face(words);
                 default -> {
-                    // No geometry.
                 }
             }
         }

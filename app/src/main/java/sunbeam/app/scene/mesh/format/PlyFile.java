@@ -32,7 +32,6 @@ final class PlyFile {
     private int vertices;
     private boolean hasCoordinates;
     private boolean hasNormals;
-    /** Name of the current element. */
     private String element = "header";
 
     private int row;
@@ -92,7 +91,6 @@ final class PlyFile {
         return element.equals("tristrips");
     }
 
-    /** Returns an error in the current row; rows count from 0, like indices. */
     private InputException wrong(String what) {
         return new InputException(file + ", " + element + " " + row + ": " + what);
     }
@@ -183,7 +181,6 @@ final class PlyFile {
         }
     }
 
-    /** @param texture texture coordinates u, v of each corner; empty to use those of the vertices */
     private void face(double[] corners, double[] texture) {
         int count = corners.length;
         if (count < 3 || count > MeshLimits.MOST_POLYGON_CORNERS) {

@@ -50,7 +50,6 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
      */
     record Property(String name, Optional<SampleType> length, SampleType type) {}
 
-    /** A table with these properties as columns. */
     record Element(String name, int count, List<Property> properties) {
 
         /** Returns the index of the property with the first of these names that occurs, or -1. */
@@ -64,7 +63,6 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         }
     }
 
-    /** Reads the header, through its last line. */
     static PlyHeader read(InputStream stream) throws IOException {
         Encoding encoding = null;
         List<Element> elements = new ArrayList<>();
@@ -84,7 +82,6 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
                         return new PlyHeader(encoding, elements);
                     }
                     case "ply", "comment", "obj_info" -> {
-                        // No geometry.
                     }
                     default -> throw new IllegalArgumentException("no such line is known");
                 }

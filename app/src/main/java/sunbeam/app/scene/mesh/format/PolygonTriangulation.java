@@ -9,7 +9,7 @@ import org.joml.Vector3d;
  * polygon of n corners takes O(n^2) steps at worst.
  */
 final class PolygonTriangulation {
-    // Ring of the remaining corners: the previous and the next corner of each.
+    // Ring of the remaining corners.
     private final int[] previous;
     private final int[] next;
     private final boolean[] isReflex;
@@ -127,7 +127,6 @@ final class PolygonTriangulation {
         return true;
     }
 
-    /** Returns twice the area of a triangle; positive if its corners turn left. */
     private double turn(int a, int b, int c) {
         return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
     }

@@ -95,7 +95,6 @@ public record RawMesh(
         return isFar ? Optional.of(center) : Optional.empty();
     }
 
-    /** Returns the mesh moved so that a point becomes the origin. */
     public RawMesh centered(Vector3d center) {
         double[] moved = positions.clone();
         for (int i = 0; i < moved.length; i++) {
@@ -145,7 +144,6 @@ public record RawMesh(
             }
         }
         double side = Math.max(most[0] - least[0], most[1] - least[1]);
-        // Without an extent in x and y there is nothing to scale.
         double scale = side > 0 ? 1 / side : 1;
         int count = positions.length / 3;
         float[] coordinates = new float[2 * count];

@@ -6,12 +6,12 @@ import org.joml.Vector3d;
 
 /** Collects a file's geometry; callers check {@link MeshLimits}. */
 final class RawMeshBuilder {
-    /** Positions, in double precision because meshes may lie far from the origin. */
+    /** In double precision, because meshes may lie far from the origin. */
     final ResizableDoubleArray positions = new ResizableDoubleArray(64);
 
     final FloatList textureCoordinates = new FloatList();
     final FloatList normals = new FloatList();
-    /** Tangents: empty, or four numbers for each normal. */
+    /** Empty, or four numbers for each normal. */
     final FloatList tangents = new FloatList();
 
     private final IntStream.Builder corners = IntStream.builder();
@@ -32,7 +32,7 @@ final class RawMeshBuilder {
                 positions.getElement(3 * index + 2));
     }
 
-    /** Adds a face as triangles; each of its corners has three indices: position, texture coordinate or -1, normal or -1. */
+    /** Adds a face as triangles; a corner has three indices: position, texture coordinate or -1, normal or -1. */
     void face(int[] polygon) {
         for (int corner : PolygonTriangulation.of(this::position, polygon)) {
             for (int kind = 0; kind < 3; kind++) {

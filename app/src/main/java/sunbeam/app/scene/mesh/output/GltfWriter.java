@@ -90,7 +90,6 @@ public final class GltfWriter {
         gltf.addBuffers(buffer);
     }
 
-    /** Rotates vectors from z up to y up; a fourth component stays. */
     private static float[] toYUp(float[] vectors, int components) {
         float[] turned = vectors.clone();
         for (int i = 0; i < turned.length; i += components) {
@@ -144,7 +143,6 @@ public final class GltfWriter {
         return gltf.getAccessors().size() - 1;
     }
 
-    /** @param target OpenGL target of vertex or index data; null for pictures */
     private int view(byte[] content, Integer target) {
         BufferView view = new BufferView();
         view.setBuffer(0);

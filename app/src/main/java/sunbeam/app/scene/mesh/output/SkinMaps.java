@@ -25,7 +25,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // Numbers of points averaged in a texel, along the body and across: as dense as the texels of the relief texture.
     private static final int POINTS_ALONG = 5;
     private static final int POINTS_ACROSS = 2;
-    // Relief of smooth skin: no slopes along u and v, lightness 1, no pale pigment.
+    // Slopes along u and v, lightness, share of pale pigment.
     private static final double[] SMOOTH = {0, 0, 1, 0};
     // PALE of shaders/include/relief.glsl, linear.
     private static final double[] PALE = {0.61, 0.52, 0.39};
@@ -36,7 +36,6 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 : of(body, WIDTH, HEIGHT);
     }
 
-    /** Computes maps of a size in texels. */
     static SkinMaps of(Body body, int width, int height) {
         boolean isSmooth = body.scales() == Scales.NONE;
         SkinMaps maps = new SkinMaps(
@@ -56,7 +55,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 albedo[column] = rgb(color(body.colors(), u, v), relief[2], relief[3]);
                 normals[column] = normal(relief);
             }
-            // Threads may write rows in parallel, because these do not overlap in the image's array.
+            // Rows do not overlap in the image's array, so threads may write them in parallel.
             maps.albedo.setRGB(0, row, width, 1, albedo, 0, width);
             maps.normals.ifPresent(image -> image.setRGB(0, row, width, 1, normals, 0, width));
         });
