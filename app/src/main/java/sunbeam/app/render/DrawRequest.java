@@ -42,7 +42,6 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
         return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest);
     }
 
-    /** Returns this request, by the coarsest level of a color table alone. */
     DrawRequest coarsest() {
         return new DrawRequest(scene, width, height, tile, samples, stride, true);
     }

@@ -9,8 +9,6 @@ final class FootprintUniforms {
     private FootprintUniforms() {}
 
     /**
-     * Sets the uniforms.
-     *
      * @param scene scene whose fine relief widens footprints, unless the table's levels include it
      * @param mostTaps most taps along a footprint's major axis
      * @param samplesAcross samples along a pixel's side

@@ -26,8 +26,6 @@ public final class FrameText {
     private final String inputs;
 
     /**
-     * Creates the texts for all frames of a picture or an animation.
-     *
      * @param parts data of the scene, one for each patch and reflectance component
      * @param width pixels per row
      * @param height rows

@@ -23,7 +23,7 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
                         "geometry", new FloatTargetSpec(block.width(), block.height(), images, true)));
     }
 
-    /** Returns the attributes' bindings for the shading pass: image i to sampler i. */
+    /** Binds image i to sampler i of the shading pass. */
     List<Binding> bindings() {
         List<String> samplers = layout.samplers();
         return IntStream.range(0, samplers.size())

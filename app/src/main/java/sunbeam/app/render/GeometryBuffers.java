@@ -23,7 +23,6 @@ final class GeometryBuffers implements AutoCloseable {
     private final SceneRenderer renderer;
     private final GeometryLayout layout;
     private final ShaderProgram program;
-    // Least recently used first.
     private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * CAPACITY, 0.75f, true);
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;

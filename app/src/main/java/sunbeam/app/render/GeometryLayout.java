@@ -19,12 +19,10 @@ enum GeometryLayout {
         this.samplers = List.of(samplers);
     }
 
-    /** Returns the fragment shader that writes buffers of this layout. */
     String shader() {
         return shader;
     }
 
-    /** Returns the names of the samplers by which the shading pass reads the images, in order. */
     List<String> samplers() {
         return samplers;
     }

@@ -40,7 +40,6 @@ final class Ground implements AutoCloseable {
     private final CachedTarget target;
     private final CachedTarget movingTarget;
     private final ShaderProgram program;
-    // Compiled for the first moving picture.
     private Optional<ShaderProgram> moving = Optional.empty();
 
     private Ground(RenderContext context, double height, FloatTexture sky, ShaderProgram program) {
@@ -89,7 +88,6 @@ final class Ground implements AutoCloseable {
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
-        // Rows counted from below, as in shaders.
         int highest = block.height() - 1 - part.y();
         int top = highest / samples;
         int bottom = (highest - part.height() + 1) / samples;

@@ -19,8 +19,7 @@ import sunbeam.app.scene.Scene;
  * @param towards unit vector towards the light, camera space
  */
 public record LightCone(Vector3fc towards) {
-    // Length of the cone and half width of its mouth, as shares of the picture's shorter side; width of its lines in
-    // pixels.
+    // Length and half width as shares of the picture's shorter side; width of lines in pixels.
     private static final double LENGTH = 0.4;
     private static final double HALF_WIDTH = 0.035;
     private static final float STROKE = 1.4f;
@@ -60,7 +59,6 @@ public record LightCone(Vector3fc towards) {
         return covered.getBounds();
     }
 
-    /** Draws the cone and disposes of the graphics. */
     public void paint(Graphics2D graphics, int width, int height) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         Outline outline = outline(width, height);
@@ -68,7 +66,6 @@ public record LightCone(Vector3fc towards) {
         double mouthY = outline.mouthY();
         double radius = outline.radius();
         double length = Math.hypot(mouthX - outline.apexX(), mouthY - outline.apexY());
-        // Behind the model the cone is dimmer.
         int opacity = towards.z() > 0 ? 70 : 30;
         graphics.setStroke(new BasicStroke(STROKE, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         if (length > radius) {

@@ -12,7 +12,6 @@ import sunbeam.precompute.text.Text;
  * @param filled pixels of the mesh
  */
 public record LitPixels(long lit, long filled) {
-    /** No picture. */
     public static final LitPixels NONE = new LitPixels(0, 0);
 
     /** Least sRGB channel, of 255, that is visible beside bright pixels. */

@@ -54,7 +54,6 @@ public final class LoadingScene implements AutoCloseable {
         }
     }
 
-    /** Waits for loading to end after a failure elsewhere. */
     @Override
     public void close() {
         parts.settle();

@@ -9,7 +9,6 @@ import jrtr.scene.SceneRenderer;
 final class MovingPictures implements AutoCloseable {
     private final RenderContext context;
     private final SceneRenderer renderer;
-    // Created with the first moving picture.
     private GeometryBuffers buffers;
     private long meshNanoseconds;
 

@@ -49,7 +49,6 @@ final class MovingSkin implements AutoCloseable {
         return lights;
     }
 
-    /** Returns the program, so that the caller can set the uniforms of light and reflection. */
     ShaderProgram program() {
         return program;
     }

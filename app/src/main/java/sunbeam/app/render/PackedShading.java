@@ -21,7 +21,7 @@ final class PackedShading implements AutoCloseable {
     private static final int CHANNELS = 4;
     // Images of the target: radiance, centers of footprints, axes of footprints.
     private static final int IMAGES = 3;
-    // Side of the squares of pixels that are packed one after the other, so that neighbors stay neighbors.
+    // Side of the squares of pixels packed one after the other, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
     private final RenderContext context;
@@ -64,7 +64,6 @@ final class PackedShading implements AutoCloseable {
         return lit;
     }
 
-    /** Shades the uploaded pixels; returns linear XYZ and coverage of each. */
     private float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
         if (skin.virtualTexture().isEmpty()) {
             return meanOfDraws(skin, request, buffer, packing);
@@ -94,7 +93,6 @@ final class PackedShading implements AutoCloseable {
                 unpacked(packing, target.read(1, packing.used())), unpacked(packing, target.read(2, packing.used())));
     }
 
-    /** True if the color of a pixel is missing, because a tile is not resident. */
     static boolean isMissing(float[] lit) {
         for (int alpha = CHANNELS - 1; alpha < lit.length; alpha += CHANNELS) {
             if (lit[alpha] == MISSING_COVERAGE) {
@@ -161,7 +159,7 @@ final class PackedShading implements AutoCloseable {
         return Arrays.copyOf(pixels, count);
     }
 
-    /** Uploads for each slot of the target the index of the geometry buffer's texel that it shades; -1 for none. */
+    /** Uploads for each slot the index of the geometry buffer's texel that it shades; -1 for none. */
     private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, int stride) {
         int columns = SceneBlocks.ceilDiv(part.width(), stride);
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
@@ -173,7 +171,6 @@ final class PackedShading implements AutoCloseable {
         sources.upload(slots);
     }
 
-    /** Returns the values read back from the target in the order of the packed pixels; values of unused slots are dropped. */
     private static float[] unpacked(Packing packing, float[] packed) {
         float[] lit = new float[CHANNELS * packing.count()];
         for (int i = 0; i < packing.count(); i++) {

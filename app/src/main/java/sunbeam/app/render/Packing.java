@@ -17,7 +17,6 @@ record Packing(int count, int columns, int rows) {
     /** Rows of the target. */
     static final int ROWS = 32;
 
-    /** Capacity in pixels. */
     static final int MOST = COLUMNS * ROWS;
 
     private static final int SMALL = 4;
@@ -46,7 +45,7 @@ record Packing(int count, int columns, int rows) {
         return columns * (rows - 1 - row(pixel)) + column(pixel);
     }
 
-    /** Returns the column of a pixel's slot; sixteen successive pixels share a small square. */
+    /** Sixteen successive pixels share a small square. */
     private int column(int pixel) {
         return SMALL * (pixel / (SMALL * SMALL) % (columns / SMALL)) + pixel % SMALL;
     }

@@ -17,11 +17,7 @@ import sunbeam.app.scene.SceneSettings;
 public final class PartSum {
     private final List<SceneSession> sessions;
 
-    /**
-     * Creates the sum of parts.
-     *
-     * @param sessions one session per part
-     */
+    /** @param sessions one session per part */
     public PartSum(List<SceneSession> sessions) {
         this.sessions = List.copyOf(sessions);
     }
@@ -66,7 +62,7 @@ public final class PartSum {
     }
 
     /**
-     * Draws a preview of the scene: few samples of diffracted light, interpolated, over the body in full resolution.
+     * Draws a preview: few samples of diffracted light, interpolated, over the body in full resolution.
      *
      * @param stride every stride-th pixel of every stride-th row has a sample; a power of two
      * @param white luminance to which brighter samples are dimmed, so that interpolation does not spread a glint
@@ -146,7 +142,7 @@ public final class PartSum {
 
     private static ScenePicture over(ScenePicture body, ScenePicture light, Scene scene) {
         double intensity = scene.light().intensity();
-        // With Fresnel's reflectance as opacity the shader has attenuated the body already.
+        // With Fresnel's reflectance as opacity the shader has already attenuated the body.
         boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
         double share = byLight ? 1 : 1 - scene.blend().ambient();
         float[] rgba = light.rgba().clone();

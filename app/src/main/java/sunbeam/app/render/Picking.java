@@ -32,7 +32,6 @@ final class Picking implements AutoCloseable {
                 () -> context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true)), program::close);
     }
 
-    /** Returns the point under a pixel; empty for the background. */
     Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
         Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, List.of());
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));

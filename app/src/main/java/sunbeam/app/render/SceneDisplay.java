@@ -20,7 +20,7 @@ public final class SceneDisplay {
     /** Longer side, in pixels, of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
-    /** Samples along a pixel's side of the metered picture with method {@code table}. */
+    /** Samples along a pixel's side of the metered picture. */
     public static final int TABLE_SAMPLES = 2;
 
     private SceneDisplay() {}
@@ -55,7 +55,6 @@ public final class SceneDisplay {
         return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
     }
 
-    /** Returns requests for the picture that is metered, of method {@code table}. */
     static List<DrawRequest> meterParts(Scene scene, int width, int height) {
         Tile meter = meter(width, height);
         return SceneSession.parts(scene, meter.width(), meter.height(), TABLE_SAMPLES).stream()

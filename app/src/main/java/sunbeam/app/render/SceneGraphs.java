@@ -32,14 +32,12 @@ final class SceneGraphs {
 
     private SceneGraphs() {}
 
-    /** Returns the graph of one mesh under the scene's lights. */
     static SceneGraph of(Scene scene, VertexBuffer mesh, Material material) {
         Group lights = new Group(lights(scene).toArray(Node[]::new));
         Group root = new Group(lights, turned(scene.orientation(), mesh, material));
         return new SceneGraph(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
     }
 
-    /** Returns the graph of one mesh without lights, for geometry passes. */
     static SceneGraph unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
         return new SceneGraph(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
     }
@@ -78,7 +76,6 @@ final class SceneGraphs {
         return Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
     }
 
-    /** Returns the frustum whose planes enclose the mesh in any orientation. */
     static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
         float distance = distance(view, bounds);
         float reach = reach(distance, bounds);

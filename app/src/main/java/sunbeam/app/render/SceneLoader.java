@@ -71,8 +71,7 @@ public final class SceneLoader {
      * Loads a scene's parts, one per patch and reflectance component; the scene's picture is their sum.
      *
      * @return parts, ordered by patch
-     * @throws sunbeam.app.files.input.InputException if the mesh cannot be used
-     * @throws sunbeam.app.files.input.InputException if texture, orientation map, patch map or index cannot be used
+     * @throws sunbeam.app.files.input.InputException if mesh, texture, orientation map, patch map or index cannot be used
      * @throws sunbeam.precompute.patch.PatchException if a patch cannot be used
      * @throws sunbeam.precompute.json.JsonException if its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if a choice about patch or method cannot be used; names its source

@@ -15,7 +15,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 public record ScenePicture(int width, int height, float[] rgba) {
     private static final int CHANNELS = 4;
 
-    /** Returns a picture that shows only background. */
     public static ScenePicture empty(int width, int height) {
         return new ScenePicture(
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);

@@ -28,15 +28,13 @@ public final class SceneSession implements AutoCloseable {
 
     private final RenderContext context;
     private final SceneRenderer renderer;
-    // One cache for geometry with shadows, true, for the first light, and one without for the others; lights are drawn
-    // one after the other.
+    // One cache with shadows (true), for the first light, and one without for the others.
     private final Map<Boolean, GeometryBuffers> buffers = new HashMap<>();
     private final MovingPictures moving;
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
     private long meshNanoseconds;
-    // Requests whose tiles were baked last.
     private BakedRequests lastBaked;
 
     private record BakedRequests(Optional<VirtualTexture> tiles, List<DrawRequest> parts) {}
@@ -214,7 +212,7 @@ public final class SceneSession implements AutoCloseable {
         }
     }
 
-    /** Returns requests for all parts of a picture. */
+    /** Returns requests for all {@link #tiles} of a picture. */
     public static List<DrawRequest> parts(Scene scene, int width, int height, int samples) {
         return tiles(width, height, samples).stream()
                 .map(tile -> DrawRequest.ofPixels(scene, width, height, tile, samples))
@@ -275,7 +273,6 @@ public final class SceneSession implements AutoCloseable {
         return meshNanoseconds + moving.meshNanoseconds();
     }
 
-    /** Draws a moving picture (see {@link MovingPictures#draw}). */
     public BufferedImage moving(int fullWidth, int fullHeight, double divisor, double exposure) {
         return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
     }

@@ -43,11 +43,10 @@ final class Shadows implements AutoCloseable {
     private Camera camera;
     private Frustum frustum;
     private float lift;
-    // Bound instead of a map if there are no shadows.
     private final FloatTarget noShadows;
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private Optional<ShaderProgram> program = Optional.empty();
-    // Inputs of the last draw by the side of the map that was drawn; side of the map in use.
+    // Inputs of the last draw of each map, by its side.
     private final Map<Integer, Key> shown = new HashMap<>();
     private int side;
 
@@ -93,7 +92,6 @@ final class Shadows implements AutoCloseable {
         lift = LIFT * 2 * reach / side;
     }
 
-    /** Returns the map's binding for programs that include shadow.glsl. */
     Binding binding() {
         return new Binding("shadowMap", maps.getOrDefault(side, noShadows).depth());
     }

@@ -26,8 +26,8 @@ import sunbeam.app.scene.Viewpoint;
  * @param closed whether the triangles enclose a body
  * @param body textures
  * @param view camera
- * @param orientation rotation of the mesh, {@link Scene#orientation()}
- * @param rotatePatch rotation of the patch about the normal, {@link SceneSettings#ROTATE_PATCH}
+ * @param orientation rotation of the mesh
+ * @param rotatePatch rotation of the patch about the normal, radians
  * @param shadows shadow maps of the mesh
  * @param shadowLight direction of the light whose shadows the attributes include; empty for none
  * @param width pixels per row of the whole picture
@@ -45,7 +45,6 @@ record SkinGeometry(
         int width,
         int height) {
 
-    /** Returns the view rays of a block's pixels. */
     ViewRays viewRays(Tile block) {
         return ViewRays.of(
                 view.camera(), SceneGraphs.frustum(view, mesh.bounds()), new PictureArea(width, height, block));
@@ -61,7 +60,6 @@ record SkinGeometry(
         return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
     }
 
-    /** Returns the scene graph for a geometry pass by the program of a {@linkplain GeometryLayout#shader() layout's shader}. */
     SceneGraph graph(ShaderProgram program) {
         Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
         boolean isShaded = program.isActive("shadowMap");

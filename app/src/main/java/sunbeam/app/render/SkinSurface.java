@@ -26,13 +26,11 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
-    // Number of draws with one random slope of fine relief each: this constant, or the other one times the samples
-    // along a pixel's side if that is more. There are many since few slopes meet a sharp order, and since pictures by
-    // methods that evaluate points are the reference for method table.
+    // Draws with one random slope of fine relief each: at least LEAST_SLOPES, else SLOPES_PER_SAMPLE for each sample along a pixel's side.
+    // Few slopes meet a sharp order, and these pictures are the reference for method table.
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
-    // Most taps along a footprint's major axis.
     private static final int MOST_TAPS = 8;
 
     private final UploadedTables method;
@@ -41,7 +39,6 @@ final class SkinSurface implements AutoCloseable {
     private final ShaderProgram program;
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
-    // Compiled when something moves for the first time.
     private MovingSkin moving;
 
     private SkinSurface(
@@ -94,8 +91,6 @@ final class SkinSurface implements AutoCloseable {
      *
      * @param sources for each pixel of the target the index of the texel to shade, as by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined at pixels without source
-     * @param tile part of the target to draw
-     * @param pass parameters of the pass
      */
     void shade(
             RenderContext context,
@@ -141,7 +136,7 @@ final class SkinSurface implements AutoCloseable {
         return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
     }
 
-    /** Sets the uniforms of jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
+    /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
     private void setLight(ShaderProgram program, Scene scene) {
         LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
         Blend blend = scene.blend();

@@ -11,13 +11,11 @@ import jrtr.Tile;
  * since drawing a tile cannot be interrupted.
  */
 public final class TimedTiles {
-    /** Target time of a tile in nanoseconds. */
     public static final long BUDGET_NANOSECONDS = 40_000_000;
 
     /** Side of the squares that are divided into tiles, in pixels; the largest side of a tile. */
     public static final int LARGEST = 128;
 
-    /** Largest {@link #stride}. */
     public static final int COARSEST = 32;
 
     private static final int SMALLEST = 8;
@@ -29,7 +27,7 @@ public final class TimedTiles {
     private final LongSupplier clock;
     // Largest time per pixel of recent tiles; initially that of the thesis's shader on two processors.
     private double nanosecondsPerPixel = 120_000;
-    // Mean time per pixel of the last picture, including its empty pixels.
+    // Of the last picture, including its empty pixels.
     private double averagePerPixel = nanosecondsPerPixel;
 
     /** @param clock clock in nanoseconds; may exclude work that does not depend on a tile's size */
@@ -68,7 +66,6 @@ public final class TimedTiles {
         return true;
     }
 
-    /** Returns the mean time per pixel of the last picture. */
     public double secondsPerPixel() {
         return 1e-9 * averagePerPixel;
     }

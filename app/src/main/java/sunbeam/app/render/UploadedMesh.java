@@ -29,7 +29,6 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
         return new UploadedMesh(mesh, buffer, Optional.of(ground));
     }
 
-    /** True if a scene with this mesh can be drawn without another upload. */
     @SuppressWarnings("ReferenceEquality") // comparing triangles would take as long as uploading them
     boolean serves(Scene scene, Mesh wanted) {
         return mesh == wanted

@@ -22,7 +22,7 @@ final class UploadedScene implements AutoCloseable {
         orClose(() -> update(data));
     }
 
-    /** Uploads a scene's shape. Before drawing, {@link #update} must be called. */
+    /** Before drawing, {@link #update} must be called. */
     UploadedScene(RenderContext context, SceneRenderer renderer, Scene scene, SceneShape shape) {
         this(context, renderer);
         orClose(() -> {

@@ -27,7 +27,6 @@ public final class Wireframe {
 
     private Wireframe() {}
 
-    /** @param normals true to draw the normals, too */
     public static BufferedImage draw(Scene scene, Mesh mesh, boolean normals, int width, int height) {
         float[] vertices = vertices(scene, mesh, 0);
         float[] tips = vertices(scene, mesh, NORMAL_LENGTH);

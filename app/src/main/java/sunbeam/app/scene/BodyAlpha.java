@@ -6,7 +6,6 @@ public enum BodyAlpha {
     LIGHT,
     /** Fresnel's reflectance, independent of the diffracted light, as in the thesis's program. */
     FRESNEL,
-    /** None: the texture is added without light, as far as |F| / |F(0)| > 1, which is everywhere but in the mirror direction (thesis
-     * algorithm 3.4). */
+    /** The texture is added unlit where |F| / |F(0)| > 1: everywhere but in the mirror direction (thesis algorithm 3.4). */
     DRAFT
 }

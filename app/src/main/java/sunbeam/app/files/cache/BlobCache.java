@@ -24,14 +24,13 @@ import sunbeam.precompute.table.TableLabel;
  * endian). A program that runs from a folder of classes has no build number, so it caches nothing.
  */
 public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
-    /** Cache without files, which computes everything again. */
+    /** Cache without files. */
     public static final BlobCache NONE = new BlobCache(Optional.empty(), new CacheFolder(Path.of(""), ""), line -> {});
 
     static final String FORMAT = "Sunbeam bytes 1";
     private static final int DIGEST_BYTES = 32;
     // Bytes before the heights: numbers of columns and rows, pitches along x and y, and the digest.
     private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES + DIGEST_BYTES;
-    // Limits of the values in one file.
     private static final int MOST_HEIGHTS = 1 << 22;
     private static final int MOST_NUMBERS = 1 << 10;
 
@@ -109,7 +108,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         return doubles;
     }
 
-    /** Drops a warning that the folder takes no files, which the cache of tables prints already. */
+    /** The cache of tables prints the same warning already. */
     private static void dropWarning(String line) {}
 
     private static void write(Path file, byte[] head, byte[] bytes) {
@@ -122,7 +121,6 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         }
     }
 
-    /** Returns the checksum of all bytes but the last eight, which hold it. */
     private static long checksum(ByteBuffer all) {
         CRC32C checksum = new CRC32C();
         checksum.update(all.slice(0, all.capacity() - Long.BYTES));

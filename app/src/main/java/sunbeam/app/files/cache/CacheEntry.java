@@ -14,11 +14,8 @@ import sunbeam.precompute.table.TableLabel;
  * @param lastUsed time of the last read, or of the write if there was no read
  */
 public record CacheEntry(Path file, long bytes, Instant lastUsed) {
-    /** Ending of files of shader tables. */
     static final String SHADER = "tables";
-    /** Ending of a {@link TileFile}. */
     static final String TILES = "tiles";
-    /** Ending of files of a {@link BlobCache}. */
     static final String BYTES = "bytes";
 
     // Hexadecimal digits in a file's name, of the surface's digest and of the hash of the key.

@@ -36,7 +36,7 @@ import sunbeam.precompute.table.TableException;
  * @param allowed limit of the folder's size as the environment states it; empty for {@link #STANDARD_LIMIT}
  */
 public record CacheFolder(Path path, String allowed) {
-    /** Limit of the folder's size in bytes if the environment states none. */
+    /** Default limit of the folder's size in bytes. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
     private static final String NAME = "sunbeam";
@@ -117,7 +117,6 @@ public record CacheFolder(Path path, String allowed) {
                     entries.add(new CacheEntry(file, attributes.size(), used));
                 }
             } catch (IOException gone) {
-                // Another process has removed the file.
             }
         }
         entries.sort(Comparator.comparing(CacheEntry::lastUsed)
@@ -152,7 +151,6 @@ public record CacheFolder(Path path, String allowed) {
             used(file);
             return Optional.of(content);
         } catch (TableException failure) {
-            // A file that another process removed meanwhile counts as missing.
             if (Files.exists(file)) {
                 warning.accept("cached table is made again: " + failure.getMessage());
             }
@@ -177,7 +175,6 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Marks a file as used now, so that it is deleted last. */
     void used(Path file) {
         try {
             Files.setLastModifiedTime(file, FileTime.from(Instant.now()));

@@ -125,7 +125,7 @@ public record DiffractionSetup(
     }
 
     /**
-     * Returns the sources from which a plan's tables are computed.
+     * Returns the sources of a plan's tables.
      *
      * @param bakers function that opens a baker which evaluates shader tables
      * @param shortfall receives a line for each table that misses its tolerance
@@ -178,7 +178,7 @@ public record DiffractionSetup(
         };
     }
 
-    /** Like {@link #tables(MethodPlan, MethodUse, Function, DoubleConsumer)}, without progress. */
+    /** Like the other {@code tables}, without progress. */
     public ShaderTables tables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
         return tables(plan, use, bakers, share -> {});
     }
@@ -212,7 +212,7 @@ public record DiffractionSetup(
                     ? label
                     : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
             folder.save(file.get(), path -> ShaderTablesFile.write(path, key, labelOfMade, made), warning);
-            // The table is mapped from the file, so that its layers do not stay in the heap.
+            // Mapped from the file, so that layers do not stay in the heap.
             return folder.read(file.get(), reader, warning).orElse(made);
         });
     }

@@ -34,9 +34,9 @@ import sunbeam.precompute.table.TableLabel;
 
 /**
  * Cache file of the tiles of one color table, in the order in which they were baked. After the head (format, label, hash of the key) come
- * records, each of a number made of level and tile, a checksum of key, number and content (both int64, big endian), and the content, which
- * is the tile's coefficients in the shader's format. A damaged or truncated record is skipped; its tile is baked and appended again. One
- * process at a time appends; other processes only read.
+ * records. Each has a number made of level and tile, a checksum of key, number and content (both int64, big endian), and the tile's
+ * coefficients in the shader's format. A damaged or truncated record is skipped; its tile is baked and appended again. One process at a
+ * time appends; other processes only read.
  */
 public final class TileFile implements CachedTiles {
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
@@ -50,7 +50,6 @@ public final class TileFile implements CachedTiles {
     private final long mostBytes;
     private final Consumer<String> warning;
     private final Runnable closed;
-    // Offset of each record in bytes, by its number.
     private final Map<Long, Long> records = new HashMap<>();
     private final boolean locked;
     private boolean writable;
@@ -140,7 +139,6 @@ public final class TileFile implements CachedTiles {
         }
     }
 
-    /** Returns the head of a file: its format, its label, and the hash of its key. */
     static byte[] head(String format, TableLabel label, String keyHash) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
@@ -154,7 +152,6 @@ public final class TileFile implements CachedTiles {
         return bytes.toByteArray();
     }
 
-    /** Reads the label in the head of a file of the given format. */
     static TableLabel label(Path file, String format) {
         try (DataInputStream in = new DataInputStream(Files.newInputStream(file))) {
             if (in.readUTF().equals(format)) {
@@ -227,7 +224,6 @@ public final class TileFile implements CachedTiles {
         return found;
     }
 
-    /** Returns the content of a record; empty if it is damaged. */
     private Optional<byte[]> content(long number) {
         ByteBuffer record = ByteBuffer.allocate(recordBytes());
         try {
@@ -301,7 +297,6 @@ public final class TileFile implements CachedTiles {
                 channel.close();
             }
         } catch (IOException failure) {
-            // A later run bakes the missing tiles again.
         }
     }
 

@@ -31,7 +31,6 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 
-    /** Range of the values of each column. */
     public interface Limits {
         /** Returns a complaint about a value, for example {@code must lie in 0..90}; empty if it is in range. */
         Optional<String> complaint(String column, double value);
@@ -40,8 +39,8 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
     /**
      * Reads a table.
      *
-     * @throws InputException if the file is missing, has no header or no row, lacks a required column, names a requested column twice, or
-     *     has a row of another length or a requested field that is not a finite number within the limits
+     * @throws InputException if the file is missing, or has no header, no row, a missing or repeated requested column, a row of another
+     *     length, or a requested field that is no finite number within the limits
      */
     public static CsvTable read(Path file, List<String> required, List<String> optional, Limits limits) {
         if (Files.isDirectory(file)) {

@@ -18,7 +18,7 @@ public record DirectionList(CsvTable table, double turnDegrees) {
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is infinite.
     private static final double LARGEST_THETA = 89.999;
-    /** Largest azimuth in degrees: a hundred turns, as for the light's azimuth. Much larger angles lose all digits by rounding. */
+    /** Largest azimuth in degrees: a hundred turns, as for the light's azimuth. */
     private static final int LARGEST_PHI = 36_000;
 
     /**
@@ -73,7 +73,6 @@ public record DirectionList(CsvTable table, double turnDegrees) {
         return table.rows().get(index).clone();
     }
 
-    /** Returns the directions of a row in the patch's frame. */
     public DirectionPair pair(int index) {
         double[] cells = table.rows().get(index);
         return new DirectionPair(
@@ -81,7 +80,6 @@ public record DirectionList(CsvTable table, double turnDegrees) {
                 Direction.ofDegrees(cells[2], cells[3] - turnDegrees));
     }
 
-    /** Returns the wavelength of a row in meters. */
     public double wavelength(int index) {
         return table.rows().get(index)[4] * 1e-9;
     }

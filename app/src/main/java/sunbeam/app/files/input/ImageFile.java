@@ -97,7 +97,6 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
         } catch (InputException refused) {
             throw refused;
         } catch (RuntimeException broken) {
-            // Decoders throw many kinds of exceptions on damaged files.
             String reason = broken.getMessage() == null ? broken.getClass().getSimpleName() : broken.getMessage();
             throw new InputException(what + " " + file + " is damaged (" + reason + "); export it again", broken);
         } finally {

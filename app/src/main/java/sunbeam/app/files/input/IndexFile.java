@@ -81,7 +81,6 @@ public final class IndexFile {
         }
     }
 
-    /** Interpolates values linearly at a wavelength; beyond the ends, returns the end value. */
     static double at(NavigableMap<Double, Double> values, double wavelength) {
         var below = values.floorEntry(wavelength);
         var above = values.ceilingEntry(wavelength);

@@ -18,7 +18,6 @@ public final class InputException extends RuntimeException {
         super(Quoted.oneLine(message), cause);
     }
 
-    /** Describes an operating system's failure to read the file. */
     public static InputException of(Path file, IOException cause) {
         return new InputException("cannot read " + file + ": " + reason(cause), cause);
     }
@@ -37,13 +36,6 @@ public final class InputException extends RuntimeException {
         }
     }
 
-    /**
-     * Throws an exception if a file is too large.
-     *
-     * @param most limit in bytes
-     * @param otherwise complaint about a larger file, which follows the file's name in the message
-     * @throws InputException if the file is larger, or no regular file
-     */
     public static void requireSmall(Path file, long most, String otherwise) {
         requireRegular(file);
         try {

@@ -155,7 +155,6 @@ public final class LightTable {
         return powers;
     }
 
-    /** Returns the separator in the first row that is no comment. */
     private static String separator(Path file) throws IOException {
         String first = Files.readString(file)
                 .lines()
@@ -173,7 +172,6 @@ public final class LightTable {
         OptionalDouble wavelength = Decimals.parse(row.getField(0).strip());
         if (wavelength.isEmpty()) {
             if (powers.isEmpty() && row.getFieldCount() > 1) {
-                // The row is a header.
                 return;
             }
             throw unusable(file, "'" + row.getField(0) + "'" + line + " is no wavelength");

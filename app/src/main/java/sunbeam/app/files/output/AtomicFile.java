@@ -42,11 +42,11 @@ public final class AtomicFile implements AutoCloseable {
     private final Overwrite overwrite;
     private final boolean direct;
     private final ShutdownHook hook;
-    /** Path that receives the content: a temporary file, or the target itself. */
+    /** A temporary file, or the target itself. */
     private Path contentPath;
-    /** Name that is reserved for this file before it is committed, or null. */
+    /** Name reserved before the commit, or null. */
     private Path claimedName;
-    /** True if the reserved name is a link to the content, false if it is an empty file. */
+    /** False if the reserved name is an empty file instead of a link to the content. */
     private boolean isClaimedByLink;
 
     private State state = State.OPEN;
@@ -59,19 +59,16 @@ public final class AtomicFile implements AutoCloseable {
         hook = new ShutdownHook(this::discard);
     }
 
-    /** Writes a file's bytes to a stream. */
     @FunctionalInterface
     public interface StreamContent {
         void writeTo(OutputStream stream) throws IOException;
 
-        /** Returns a text in UTF-8. */
         static StreamContent of(CharSequence text) {
             byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
             return stream -> stream.write(bytes);
         }
     }
 
-    /** Writes content into an empty file. */
     @FunctionalInterface
     public interface FileContent {
         void writeTo(Path file) throws IOException;
@@ -138,7 +135,6 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Work on the file; its failure is reported as a failure to write the target. */
     private interface FileWork {
         void run() throws IOException;
     }
@@ -256,7 +252,6 @@ public final class AtomicFile implements AutoCloseable {
         return places;
     }
 
-    /** Reserves all names or none. Returns true if all were free. */
     private static boolean claimAll(List<AtomicFile> files, List<Path> names, int number) throws IOException {
         for (int i = 0; i < files.size(); i++) {
             try {
@@ -299,7 +294,6 @@ public final class AtomicFile implements AutoCloseable {
         claimedName = name;
     }
 
-    /** Moves the content to its reserved or replaceable name. */
     private synchronized Path keep(Path name) throws IOException {
         requireOpen();
         if (StandardOutput.isMeant(target)) {
@@ -339,7 +333,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Removes the temporary file and the reserved name, unless the file was committed. */
+    /** Removes the temporary file and the reserved name unless committed. */
     @Override
     public void close() {
         try {

@@ -19,7 +19,6 @@ public enum Ending {
 
     private final String what;
     private final String usual;
-    /** Endings, separated by blanks. */
     private final String endings;
 
     Ending(String what, String... endings) {

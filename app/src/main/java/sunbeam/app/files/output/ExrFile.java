@@ -71,7 +71,6 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
                 .toArray();
     }
 
-    /** Writes to a stream, which stays open. */
     public void write(OutputStream stream) throws IOException {
         byte[] header = header();
         List<byte[]> blocks = new ArrayList<>();

@@ -31,7 +31,6 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
         plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
     }
 
-    /** Returns the paths without a number. */
     public List<Path> plainPaths() {
         return endings.stream().map(ending -> path(1, ending)).toList();
     }

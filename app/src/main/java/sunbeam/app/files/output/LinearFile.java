@@ -25,7 +25,6 @@ public final class LinearFile {
                 : stream -> NpyWriter.write(stream, xyz, height, width, 3);
     }
 
-    /** Converts XYZ to linear Rec. 709 and alpha, which is 1 where there is a surface. */
     static float[] rgba(float[] xyz) {
         float[] rgba = new float[xyz.length / 3 * 4];
         for (int pixel = 0; pixel < xyz.length / 3; pixel++) {

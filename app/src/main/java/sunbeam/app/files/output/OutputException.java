@@ -28,7 +28,6 @@ public class OutputException extends RuntimeException {
                 : new OutputException(message, cause);
     }
 
-    /** Returns the message for standard output that cannot be written. */
     public static String toStandardOutput(String reason) {
         return "cannot write to standard output (" + reason
                 + "): the program that reads it has ended, or the disk that it goes to is full";

@@ -33,7 +33,7 @@ public final class OutputFolder {
         }
     }
 
-    /** Creates the folder and the folders above it, like {@link #create}. */
+    /** Creates the folder and its parents. */
     public static void createWithParents(Path folder) {
         Path above = folder.toAbsolutePath().getParent();
         if (above != null && !Files.exists(above)) {
@@ -131,7 +131,7 @@ public final class OutputFolder {
         }
     }
 
-    /** Returns the reason in words: Java's message is only the folder's name. */
+    /** Java's message is only the folder's name. */
     private static String reason(IOException failure) {
         if (failure instanceof FileAlreadyExistsException) {
             return "a file has this name";

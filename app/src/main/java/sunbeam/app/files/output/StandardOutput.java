@@ -18,7 +18,6 @@ public final class StandardOutput {
         return NAME.equals(target);
     }
 
-    /** Returns the name of a target in reports, on one line. */
     public static String name(Path target) {
         return isMeant(target) ? "written to standard output" : Quoted.oneLine(target.toString());
     }

@@ -105,7 +105,7 @@ final class TargetFolder {
     }
 
     /**
-     * Checks that the next number may be tried after a name that exists.
+     * Checks that the next number may be tried.
      *
      * @throws OutputException if it may not
      */
@@ -129,13 +129,11 @@ final class TargetFolder {
             try {
                 return Files.createFile(folder.resolve(stem + number + ".part"));
             } catch (FileAlreadyExistsException taken) {
-                // Another output of this process has this name, or one of another machine's process with the same
-                // number.
+                // Taken by another output of this process, or by another machine's process of the same number.
             }
         }
     }
 
-    /** Copies the permissions of the replaced file, if it exists, to the new file. */
     static void copyMode(Path replaced, Path file) throws IOException {
         PosixFileAttributeView view =
                 Files.getFileAttributeView(replaced, PosixFileAttributeView.class, LinkOption.NOFOLLOW_LINKS);

@@ -20,19 +20,17 @@ import sunbeam.app.terminal.Messages;
  * warning is printed, and drawing goes on.
  */
 public final class TevClient implements AutoCloseable {
-    /** Port on which tev listens by default. */
     public static final int PORT = 14158;
 
     private static final int CREATE = 4;
     private static final int UPDATE = 6;
     private static final String[] CHANNELS = {"R", "G", "B", "A"};
-    /** Upper limit of a packet's bytes without name and values. */
     private static final int LARGEST_OVERHEAD_BYTES = 256;
 
     /** Longest wait for a connection, and for each packet: a viewer on the same machine receives a picture in less than a second. */
     static final long PATIENCE_MILLISECONDS = 5000;
 
-    /** Socket in non-blocking mode; {@link #await} waits. */
+    /** Non-blocking; {@link #await} waits. */
     private final SocketChannel socket;
 
     private final Selector selector;
@@ -125,7 +123,6 @@ public final class TevClient implements AutoCloseable {
         send(packet);
     }
 
-    /** Returns the beginning of a packet, with room for the rest. {@link #send} enters its length. */
     private static ByteBuffer packet(int operation, int flag, String name, int values) {
         byte[] nameBytes = string(name);
         int room = Math.addExact(nameBytes.length + LARGEST_OVERHEAD_BYTES, Math.multiplyExact(Float.BYTES, values));
@@ -144,7 +141,6 @@ public final class TevClient implements AutoCloseable {
         }
     }
 
-    /** Returns the text in UTF-8, with a zero at its end. */
     private static byte[] string(String text) {
         return (text + "\0").getBytes(StandardCharsets.UTF_8);
     }

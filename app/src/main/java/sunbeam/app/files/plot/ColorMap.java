@@ -10,7 +10,7 @@ public record ColorMap(int... points) {
     public static final ColorMap VIRIDIS =
             new ColorMap(0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
 
-    /** Black to white: heights, as microscopes show them. */
+    /** Heights as microscopes show them. */
     public static final ColorMap GRAY = new ColorMap(0x000000, 0xFFFFFF);
 
     /** Returns a value's color as 0xRRGGBB, linear between the points. Values outside 0..1 get the colors of the ends, NaN gets white. */

@@ -12,7 +12,7 @@ import java.util.Set;
  * size.
  */
 public final class FittedNames {
-    // As in pictures, text is anti-aliased and letters begin at whole pixels.
+    // Text is anti-aliased and letters begin at whole pixels, as in pictures.
     private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
     private static final String GAP = "\u2026";
 

@@ -33,7 +33,6 @@ import org.jfree.data.xy.DefaultXYDataset;
 public final class HeatMap {
     // Ratio of the sides from which a matrix is a thin strip, which is drawn broader than its scales.
     private static final double THIN_STRIP_RATIO = 10;
-    // Space for the axes' tick labels and labels, in pixels.
     private static final double SPACE_LEFT = 76;
     private static final double SPACE_BELOW = 64;
     private static final double GAP = 12;
@@ -126,7 +125,6 @@ public final class HeatMap {
         return this;
     }
 
-    /** Returns the first series, with NaN at the points at which any series has no value. */
     private static double[] atCommonPoints(double[]... series) {
         double[] values = series[0].clone();
         for (int i = 0; i < values.length; i++) {
@@ -155,7 +153,6 @@ public final class HeatMap {
                 : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
-    /** Adds an arrow to a point with a label. */
     public HeatMap mark(String label, double x, double y) {
         boolean right = x > 0.5 * (values.xRange()[0] + values.xRange()[1]);
         XYPointerAnnotation arrow = new XYPointerAnnotation(label, x, y, (right ? 0.75 : 0.25) * Math.PI);
@@ -191,7 +188,6 @@ public final class HeatMap {
         return draw(new ChartRenderingInfo());
     }
 
-    /** Draws the picture and records the positions of its parts. */
     BufferedImage draw(ChartRenderingInfo info) {
         ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()), 0, 1);
         horizontal.setRange(values.xRange()[0], values.xRange()[1]);

@@ -110,7 +110,6 @@ public final class MapAnnotation {
         }
     }
 
-    /** Returns text centered at a point of the disc. */
     private Shape centered(Graphics2D graphics, String text, double x, double y) {
         Rectangle2D bounds =
                 font.createGlyphVector(graphics.getFontRenderContext(), text).getVisualBounds();

@@ -41,7 +41,6 @@ public final class Plot {
         OUTLINE
     }
 
-    /** @param color number of the series' color and mark, from 0 */
     private record Series(String name, double[] x, double[] y, Form form, int color) {
         XYDataset dataset() {
             DefaultXYDataset dataset = new DefaultXYDataset();
@@ -50,14 +49,12 @@ public final class Plot {
         }
     }
 
-    /** Scale of an axis. */
     public enum Scale {
         LINEAR,
-        /** Decimal logarithm; values must be positive. */
+        /** Values must be positive. */
         LOGARITHMIC
     }
 
-    /** Axis, with its label (and unit) and its scale. */
     public record Axis(String label, Scale scale) {
         public static Axis linear(String label) {
             return new Axis(label, Scale.LINEAR);
@@ -102,7 +99,7 @@ public final class Plot {
         return add(new Series(name, x, y, Form.LINE, allSeries.size()));
     }
 
-    /** Adds a line like {@link #line(String, double[], double[])}, in the color of the series with the given number. */
+    /** Adds a line in the color of the series with the given number. */
     public Plot line(String name, double[] x, double[] y, int color) {
         return add(new Series(name, x, y, Form.LINE, color));
     }
@@ -117,7 +114,7 @@ public final class Plot {
         return add(new Series(name, x, y, Form.POINTS, allSeries.size()));
     }
 
-    /** Adds points without a line, in the color and with the mark of the series with the given number. */
+    /** Adds points in the color and with the mark of the series with the given number. */
     public Plot points(String name, double[] x, double[] y, int color) {
         return add(new Series(name, x, y, Form.POINTS, color));
     }
@@ -178,7 +175,6 @@ public final class Plot {
         return PlotStyle.image(chart, frame.width(), frame.height(), null);
     }
 
-    /** Adds margins around the axes, so that units have the same length. */
     private void equalizeScales(JFreeChart chart, double step) {
         XYPlot plot = chart.getXYPlot();
         NumberAxis x = (NumberAxis) plot.getDomainAxis();

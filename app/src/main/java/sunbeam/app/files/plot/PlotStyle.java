@@ -58,7 +58,6 @@ final class PlotStyle {
     static final BasicStroke THIN = new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
 
-    // Steps between labels of a logarithmic axis, in decades.
     private static final TickUnits DECADES = units(1, 2, 3, 5);
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
     // Ratio of its ends below which a logarithmic axis has labels at 1, 2, 4, 8 and so on.
@@ -102,7 +101,6 @@ final class PlotStyle {
         return axis(description, low, high, new RectangleInsets(10, 4, 10, 4));
     }
 
-    /** @param labelMargins margins of the tick labels, which keep neighboring labels apart */
     private static ValueAxis axis(Plot.Axis description, double low, double high, RectangleInsets labelMargins) {
         NumberFormat labels = description.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
         ValueAxis axis;
@@ -143,7 +141,6 @@ final class PlotStyle {
         return plot;
     }
 
-    /** Returns a chart without a legend. */
     static JFreeChart chart(String title, XYPlot plot) {
         JFreeChart chart = new JFreeChart(title, TITLE_FONT, plot, false);
         chart.setBackgroundPaint(Color.WHITE);

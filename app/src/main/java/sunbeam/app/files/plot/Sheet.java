@@ -29,17 +29,14 @@ public final class Sheet {
 
     private record Part(int height, Consumer<Graphics2D> drawing) {}
 
-    /** @param width width of the page in pixels */
     public Sheet(int width) {
         this.width = width;
     }
 
-    /** Adds a heading. */
     public Sheet heading(String text) {
         return text(text, PlotStyle.TITLE_FONT);
     }
 
-    /** Adds a paragraph. */
     public Sheet text(String text, Font font) {
         TextBlock block = block(text, font, width - 2 * MARGIN);
         return part(height(block) + GAP, graphics -> draw(block, graphics, MARGIN, GAP));
@@ -71,12 +68,11 @@ public final class Sheet {
         return this;
     }
 
-    /** Returns the height of the parts so far, pixels. */
+    /** Returns the height of the parts so far in pixels. */
     public int height() {
         return parts.stream().mapToInt(Part::height).sum();
     }
 
-    /** Draws the page, as high as its parts. */
     public BufferedImage draw() {
         BufferedImage page = new BufferedImage(width, height() + GAP, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = smooth(page);
@@ -100,7 +96,6 @@ public final class Sheet {
         return graphics;
     }
 
-    /** Breaks a text into lines that fit a width in pixels. */
     static TextBlock block(String text, Font font, int width) {
         Graphics2D measuring = measuring(font);
         TextBlock block =

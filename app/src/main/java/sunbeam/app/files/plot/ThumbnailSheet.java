@@ -19,12 +19,6 @@ public final class ThumbnailSheet {
     private static final int LARGEST_HEIGHT = 260;
     private static final Color FAILURE = new Color(0xB00020);
 
-    /**
-     * Small picture with its text.
-     *
-     * @param picture picture, at most {@link #CELL} pixels wide; empty if there is none because of a failure
-     * @param name name of a file, which may be abbreviated
-     */
     public record Thumbnail(Optional<Image> picture, String name, String sentence) {
         /** Reduces a picture to the size of a thumbnail. */
         public static Image reduced(BufferedImage picture) {
@@ -41,7 +35,6 @@ public final class ThumbnailSheet {
 
     private ThumbnailSheet() {}
 
-    /** Draws one page. */
     public static BufferedImage draw(String title, List<Thumbnail> thumbnails) {
         Sheet sheet = new Sheet(GAP + COLUMNS * CELL).heading(title);
         for (int first = 0; first < thumbnails.size(); first += COLUMNS) {
