@@ -8,11 +8,10 @@ import org.joml.Vector3fc;
  * Sphere that encloses a shape.
  *
  * @param center center in the shape's coordinates; copied
- * @param radius radius in the shape's units, at least 0
+ * @param radius in the shape's units, at least 0
  */
 public record BoundingSphere(Vector3fc center, float radius) {
 
-    /** Copies the center and rejects a radius that is negative or not finite. */
     public BoundingSphere {
         center = new Vector3f(center);
         if (!(radius >= 0) || Float.isInfinite(radius)) {

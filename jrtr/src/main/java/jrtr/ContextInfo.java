@@ -3,12 +3,9 @@ package jrtr;
 /**
  * Names and versions of the driver and the device that render.
  *
- * @param vendor the driver's maker
  * @param renderer the device, such as {@code llvmpipe (LLVM 15.0.6, 256 bits)}
- * @param version version of the graphics API and the driver
- * @param shadingLanguageVersion version of the shading language
+ * @param version of the graphics API and the driver
  * @param software true if the renderer's name is that of a software rasterizer
- * @param limits largest sizes that the driver allows
  */
 public record ContextInfo(
         String vendor,

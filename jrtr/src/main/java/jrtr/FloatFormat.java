@@ -17,7 +17,6 @@ public enum FloatFormat {
         this.bytesPerChannel = bytesPerChannel;
     }
 
-    /** Returns the number of floats per texel. */
     public int channels() {
         return channels;
     }

@@ -12,7 +12,6 @@ package jrtr;
  */
 public record FloatTextureSpec(int width, int height, int layers, boolean array, FloatFormat format, Filter filter) {
 
-    /** Rejects sizes below 1 and layers without an array. */
     public FloatTextureSpec {
         if (width < 1 || height < 1 || layers < 1) {
             throw new IllegalArgumentException(
@@ -37,7 +36,6 @@ public record FloatTextureSpec(int width, int height, int layers, boolean array,
         return new FloatTextureSpec(width, height, layers, array, format, newFilter);
     }
 
-    /** Returns the number of floats in one layer: width x height x channels. */
     public long floatsPerLayer() {
         return (long) width * height * format.channels();
     }

@@ -9,7 +9,6 @@ import java.util.List;
 public class ShaderException extends GraphicsException {
     private static final long serialVersionUID = 1L;
 
-    /** @param message what failed and how to mend it */
     public ShaderException(String message) {
         super(message);
     }

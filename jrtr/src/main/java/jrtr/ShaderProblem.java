@@ -3,7 +3,7 @@ package jrtr;
 /**
  * One error of a shader compiler or linker, with its line in the shader file before include expansion.
  *
- * @param file name of the shader file, as the {@linkplain ShaderSource source} names it
+ * @param file name of the shader file, as in {@link ShaderSource}
  * @param line line in that file, counted from 1; 0 if the message names no line
  * @param message the driver's message without the line number
  * @param sourceLine the offending line's text; empty if the message names no line

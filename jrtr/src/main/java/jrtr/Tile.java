@@ -36,7 +36,7 @@ public record Tile(int x, int y, int width, int height) {
     /**
      * Returns square tiles that cover this one exactly once, row by row from the top left.
      *
-     * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
+     * @param side of each tile, at least 1; those at the right and the bottom are cut
      */
     public List<Tile> divided(int side) {
         return divided(side, side);

@@ -3,20 +3,19 @@ package jrtr;
 import org.joml.Vector3f;
 
 /**
- * Triangle mesh with normals, tangents and texture coordinates in main memory. The arrays are shared, not copied: callers must
- * not change them. Triangles are counter-clockwise seen from outside.
+ * Triangle mesh in main memory. Arrays are shared, not copied: callers must not change them. Triangles are counter-clockwise seen from
+ * outside.
  *
  * @param positions 3 per vertex: x, y, z
  * @param normals 3 per vertex, unit length
- * @param tangents 4 per vertex: the tangent, unit length and orthogonal to the normal, then the handedness h, 1 or -1; the
- *     bitangent is h (normal x tangent)
+ * @param tangents 4 per vertex: the tangent, unit length and orthogonal to the normal, then the handedness h, 1 or -1; the bitangent is h
+ *     (normal x tangent)
  * @param textureCoordinates 2 per vertex: u, v
  * @param indices 3 per triangle: vertices, from 0
  */
 public record VertexData(
         float[] positions, float[] normals, float[] tangents, float[] textureCoordinates, int[] indices) {
 
-    /** Rejects arrays that do not fit together, indices without vertex, and positions that are not finite. */
     public VertexData {
         int vertices = positions.length / 3;
         requireLength("positions", positions.length, 3 * vertices);

@@ -1,9 +1,4 @@
 package jrtr.gl;
 
-/**
- * Texture bound to a sampler for one draw.
- *
- * @param sampler name of the program's sampler uniform
- * @param texture the texture that it samples
- */
+/** Texture bound to a program's sampler uniform for one draw. */
 public record Binding(String sampler, Texture texture) {}

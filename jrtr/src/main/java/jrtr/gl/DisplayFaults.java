@@ -31,7 +31,6 @@ import jrtr.GraphicsException;
  */
 public final class DisplayFaults {
     private static final Pattern DISPLAY = Pattern.compile("(?:unix/?)?([^:/]*):(\\d{1,5})(?:\\.\\d+)?");
-    // TCP port of display 0.
     private static final int FIRST_PORT = 6000;
     private static final int LAST_DISPLAY = 0xffff - FIRST_PORT;
 
@@ -88,7 +87,7 @@ public final class DisplayFaults {
         prepared = true;
     }
 
-    /** Drops JOGL's output on standard error: stack traces while it searches drivers, and lists of displays at the end. */
+    /** JOGL prints stack traces while it searches drivers, and lists of displays at the end. */
     private static void hideTraces() {
         PrintStream original = System.err;
         System.setErr(new PrintStream(
@@ -150,7 +149,6 @@ public final class DisplayFaults {
         }
     }
 
-    /** Runs an action when the server of a display has gone; does nothing if there is no server. */
     static void watch(String display, Runnable loss) {
         Matcher parts = DISPLAY.matcher(display);
         if (!parts.matches() || Integer.parseInt(parts.group(2)) > LAST_DISPLAY) {
@@ -205,7 +203,6 @@ public final class DisplayFaults {
         OPENING.add(Thread.currentThread());
     }
 
-    /** Ends the calling thread's opening of a context, successful or not. */
     static void finishOpening() {
         OPENING.remove(Thread.currentThread());
     }

@@ -105,9 +105,7 @@ public final class FloatTarget extends Resource {
         }
 
         @Override
-        void requireUploaded() {
-            // A draw fills this texture.
-        }
+        void requireUploaded() {}
     }
 
     private void attachDepth(GL3 gl) {
@@ -127,7 +125,6 @@ public final class FloatTarget extends Resource {
         gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }
 
-    /** Binds the framebuffer, with the whole target as viewport, and restricts drawing to the tile. */
     void bindForDrawing(GL3 gl, Tile tile) {
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
         gl.glViewport(0, 0, spec.width(), spec.height());
@@ -230,11 +227,6 @@ public final class FloatTarget extends Resource {
         device().check(gl, "reading '" + label() + "'");
     }
 
-    /**
-     * Reverses the order of rows, in place.
-     *
-     * @param row scratch array for one row, of the pixels' type
-     */
     private static void turnUpsideDown(Object pixels, Object row) {
         int length = Array.getLength(row);
         for (int top = 0, bottom = Array.getLength(pixels) - length; top < bottom; top += length, bottom -= length) {

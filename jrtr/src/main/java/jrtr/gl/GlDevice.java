@@ -24,7 +24,6 @@ final class GlDevice {
         this.info = info(surface.makeCurrent());
     }
 
-    /** Makes the context current and returns OpenGL's functions. */
     GL3 gl() {
         requireUsable();
         GL3 gl = surface.makeCurrent();
@@ -54,16 +53,13 @@ final class GlDevice {
         return info.limits();
     }
 
-    /** Throws if the driver reports an error. */
     void check(GL3 gl, String doing) {
         int error = gl.glGetError();
         if (error == GL3.GL_NO_ERROR) {
             return;
         }
         // A context has one flag per kind of error: clear all, so that the next check starts clean.
-        for (int more = 0; more < 8 && gl.glGetError() != GL3.GL_NO_ERROR; more++) {
-            // Only the first error is reported: it names the cause.
-        }
+        for (int more = 0; more < 8 && gl.glGetError() != GL3.GL_NO_ERROR; more++) {}
         throw new GraphicsException(
                 "OpenGL reported " + GlNames.error(error) + " while " + doing + GlNames.remedy(error));
     }
@@ -76,7 +72,6 @@ final class GlDevice {
         resources.remove(resource);
     }
 
-    /** Frees all resources, newest first, then the context. */
     void close() {
         requireOwner();
         if (closed) {

@@ -31,7 +31,6 @@ final class GlSamplers {
         this.boundUnits = new boolean[units.size()];
     }
 
-    /** Binds textures for a draw into the target. */
     void bind(GL3 gl, GlDevice device, List<Binding> bindings, FloatTarget target) {
         Arrays.fill(boundUnits, false);
         for (int index = 0; index < bindings.size(); index++) {

@@ -6,7 +6,7 @@ import java.util.Map;
 /**
  * Active uniform of a linked program.
  *
- * @param name name without {@code [0]}
+ * @param name without {@code [0]}
  * @param location OpenGL's handle for setting it
  * @param type OpenGL's code of the type, such as GL_FLOAT_VEC2
  * @param array whether it was declared as an array
@@ -42,7 +42,6 @@ record GlUniform(String name, int location, int type, boolean array) {
         };
     }
 
-    /** Returns the number of components of a scalar or vector. */
     int components() {
         char last = typeName().charAt(typeName().length() - 1);
         return Character.isDigit(last) ? last - '0' : 1;

@@ -54,7 +54,6 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
         return new MipLevel(across.length(), down.length(), means, encoding);
     }
 
-    /** Returns the area mean of the texels that a texel of the next level covers. */
     private float mean(float[] values, int channel, Halving across, int column, Halving down, int row) {
         float sum = 0;
         for (int y = 0; y < down.texels(); y++) {
@@ -69,7 +68,7 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
     }
 
     /**
-     * Texels and weights along one axis for each texel of the next level.
+     * Texels and weights along one axis for the next level.
      *
      * @param texels number per texel of the next level: 2, or 3 if the side is odd
      */

@@ -60,7 +60,7 @@ final class OffscreenSurface {
         }
     }
 
-    /** Connects to the display first, so that a missing display and a missing driver have separate messages. */
+    /** A step of its own, so that a missing display and a missing driver have separate messages. */
     private static AbstractGraphicsDevice connectToDisplay() {
         try {
             NativeWindowFactory.initSingleton();
@@ -108,7 +108,6 @@ final class OffscreenSurface {
         }
     }
 
-    /** Makes the context current on this thread, if it is not, and returns OpenGL's functions. */
     GL3 makeCurrent() {
         if (!context.isCurrent() && context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) {
             throw new GLException("the context cannot be made current");
@@ -116,7 +115,7 @@ final class OffscreenSurface {
         return context.getGL().getGL3();
     }
 
-    /** Destroys the context and its drawable. Must be called only once. */
+    /** Must be called only once. */
     void destroy() {
         try {
             release();

@@ -6,11 +6,7 @@ import java.util.function.Supplier;
 public final class Opening {
     private Opening() {}
 
-    /**
-     * Opens a resource; if that fails, closes the others in the given order.
-     *
-     * @param others actions that close the resources opened before
-     */
+    /** Opens a resource; if that fails, closes the others in the given order. */
     public static <T> T orClose(Supplier<T> opening, Runnable... others) {
         try {
             return opening.get();

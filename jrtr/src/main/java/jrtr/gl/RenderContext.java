@@ -24,12 +24,11 @@ import jrtr.glsl.FlatUniforms;
  */
 public final class RenderContext implements AutoCloseable {
     private final GlDevice device;
-    /** Empty vertex array for full-screen triangles, whose corners follow from the vertex number. */
+    /** Empty: the corners of full-screen triangles follow from the vertex number. */
     private final int[] noVertices = new int[1];
 
     private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
 
-    /** Depth test that a fragment must pass to be drawn. */
     private enum DepthTest {
         NONE,
         NEARER,

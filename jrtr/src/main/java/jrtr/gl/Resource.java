@@ -9,7 +9,6 @@ public abstract class Resource implements AutoCloseable {
     private final String label;
     private boolean closed;
 
-    /** Registers with the device, which frees all open resources when it is closed. */
     Resource(GlDevice device, String label) {
         this.device = device;
         this.label = label;
@@ -27,14 +26,13 @@ public abstract class Resource implements AutoCloseable {
         }
     }
 
-    /** Deletes the OpenGL objects. Called once, with the context current. */
+    /** Called once, with the context current. */
     abstract void delete(GL3 gl);
 
     final GlDevice device() {
         return device;
     }
 
-    /** Returns OpenGL's functions; throws if this resource is closed. */
     final GL3 gl() {
         GL3 gl = device.gl();
         if (closed) {
@@ -43,7 +41,6 @@ public abstract class Resource implements AutoCloseable {
         return gl;
     }
 
-    /** Throws unless this resource is open and belongs to the given device. */
     final void requireUsableBy(GlDevice user) {
         if (user != device) {
             throw new IllegalStateException("'" + label + "' belongs to another render context");

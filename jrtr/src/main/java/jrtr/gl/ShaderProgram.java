@@ -52,7 +52,6 @@ public final class ShaderProgram extends Resource {
         return samplers;
     }
 
-    /** Sets an active uniform; throws if its type is none of the given ones. */
     private void set(String uniform, String value, Setter setter, int... types) {
         GL3 gl = gl();
         gl.glUseProgram(name);

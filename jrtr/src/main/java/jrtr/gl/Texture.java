@@ -18,10 +18,8 @@ public abstract class Texture extends Resource {
         this.glTarget = glTarget;
     }
 
-    /** Throws unless all texels have been uploaded. */
     abstract void requireUploaded();
 
-    /** @throws GraphicsException if the driver allows no texture of this size */
     static void requireSides(GlDevice device, String label, int width, int height, int layers) {
         ContextLimits limits = device.limits();
         if (width > limits.textureSize() || height > limits.textureSize()) {
@@ -50,7 +48,6 @@ public abstract class Texture extends Resource {
         }
     }
 
-    /** Allocates memory for the bound texture. */
     final void allocate(GL3 gl, int internal, int width, int height, int layers, int format, int type, long bytes) {
         if (isArray()) {
             gl.glTexImage3D(glTarget, 0, internal, width, height, layers, 0, format, type, null);
@@ -60,7 +57,6 @@ public abstract class Texture extends Resource {
         device().check(gl, String.format(Locale.ROOT, "taking %.1f MiB for '%s'", bytes / (double) (1 << 20), label()));
     }
 
-    /** Binds the texture for an upload. */
     final void bind(GL3 gl) {
         gl.glActiveTexture(GL3.GL_TEXTURE0);
         gl.glBindTexture(glTarget, name[0]);
@@ -71,7 +67,7 @@ public abstract class Texture extends Resource {
         return name[0];
     }
 
-    /** True if the shader's sampler is a {@code sampler2DArray} (also with one layer) rather than a {@code sampler2D}. */
+    /** True for a {@code sampler2DArray}, also with one layer. */
     final boolean isArray() {
         return glTarget == GL3.GL_TEXTURE_2D_ARRAY;
     }

@@ -73,7 +73,7 @@ public final class VertexBuffer extends Resource {
         gl.glDeleteBuffers(buffers.length, buffers, 0);
     }
 
-    /** Returns a sphere that encloses all vertices, for culling. */
+    /** Returns a sphere that encloses all vertices. */
     public BoundingSphere bounds() {
         return bounds;
     }

@@ -29,7 +29,6 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             Pattern.compile("\\s*(uniform\\s+(int|ivec[234]|float|vec[234]|mat[234])\\s+(\\w+)\\s*(?:=[^;]*)?;)\\s*");
     private static final String MAIN = "void main()";
 
-    /** Uniform that can be moved. */
     private record Uniform(String declaration, String type, String name) {
         static Optional<Uniform> in(String line) {
             Matcher found = UNIFORM.matcher(line);
@@ -44,7 +43,6 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             return type.startsWith("mat") ? size * size : size;
         }
 
-        /** Returns the fragment shader's declaration: two lines. */
         String input() {
             return "flat in " + type + " " + name + SUFFIX + ";\n#define " + name + " " + name + SUFFIX + "\n";
         }

@@ -130,7 +130,6 @@ final class IncludeExpansion {
         }
     }
 
-    /** One line per define, sorted by name. */
     private static List<String> prologue(Map<String, String> defines) {
         List<String> lines = new ArrayList<>();
         new TreeMap<>(defines).forEach((name, value) -> {
@@ -185,7 +184,6 @@ final class IncludeExpansion {
     private static final class CommentStripper {
         private boolean insideBlock;
 
-        /** The line with each comment replaced by a blank. */
         String strip(String line) {
             StringBuilder code = new StringBuilder(line.length());
             int position = 0;
@@ -211,7 +209,6 @@ final class IncludeExpansion {
             return code.toString().stripTrailing();
         }
 
-        /** True if a block comment is open. */
         boolean isInsideBlock() {
             return insideBlock;
         }

@@ -39,7 +39,7 @@ public interface ShaderLibrary {
     /**
      * Returns the file with its includes expanded.
      *
-     * @param name name of the root file
+     * @param name of the root file
      * @param defines values by name, which become {@code #define NAME value} lines after {@code #version}; sorted by name, so that equal
      *     defines give equal text
      * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define

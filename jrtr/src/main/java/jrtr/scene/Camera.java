@@ -13,7 +13,6 @@ import org.joml.Vector3fc;
  */
 public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) {
 
-    /** Rejects cameras without line of sight or with {@code up} along it. */
     public Camera {
         centerOfProjection = new Vector3f(centerOfProjection);
         lookAtPoint = new Vector3f(lookAtPoint);

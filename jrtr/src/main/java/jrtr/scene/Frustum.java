@@ -14,7 +14,6 @@ import org.joml.Matrix4f;
  */
 public record Frustum(float verticalFieldOfView, float leastAspect, float near, float far) {
 
-    /** Rejects angles and distances outside the ranges above. */
     public Frustum {
         boolean angle = verticalFieldOfView > 0 && verticalFieldOfView < Math.PI;
         if (!(leastAspect >= 0) || Float.isInfinite(leastAspect)) {

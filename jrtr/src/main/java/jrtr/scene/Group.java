@@ -11,7 +11,7 @@ import org.joml.Matrix4fc;
  * @param children child nodes; copied
  */
 public record Group(Matrix4fc toParent, List<Node> children) implements Node {
-    /** Rejects a transformation that is not affine, not finite or flattens space. */
+    /** @throws IllegalArgumentException if the transformation is not affine, not finite or flattens space */
     public Group {
         toParent = new Matrix4f(toParent);
         children = List.copyOf(children);

@@ -12,7 +12,6 @@ import org.joml.Vector3fc;
  */
 public record Light(Vector3fc towards, Vector3fc radiance) implements Node {
 
-    /** Normalizes the direction; rejects the zero vector. */
     public Light {
         float length = towards.length();
         if (!(length > 0) || Float.isInfinite(length)) {

@@ -32,7 +32,6 @@ public record PictureArea(int pictureWidth, int pictureHeight, Tile part) {
         return new PictureArea(pictureWidth, pictureHeight, part.part(tile));
     }
 
-    /** Returns the matrix from the whole picture's clip space to the part's. */
     Matrix4f wholeToPart() {
         double bottom = (double) pictureHeight - part.y() - part.height();
         double scaleX = (double) pictureWidth / part.width();

@@ -6,13 +6,7 @@ import jrtr.BoundingSphere;
 import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 
-/**
- * Scene graph with its camera.
- *
- * @param root node that contains all others
- * @param camera position and orientation of the view
- * @param frustum extent of the view
- */
+/** Scene graph, by its root, with the position and extent of its view. */
 public record SceneGraph(Node root, Camera camera, Frustum frustum) {
     /**
      * Shape with its transformation to world space.

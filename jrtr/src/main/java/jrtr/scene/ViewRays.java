@@ -30,7 +30,6 @@ public record ViewRays(Vector3fc corner, Vector3fc perColumn, Vector3fc perRow) 
         return new ViewRays(corner, perColumn, perRow);
     }
 
-    /** Returns an axis of the camera in world space. */
     private static Vector3f row(Matrix4f worldToCamera, int row) {
         return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
     }

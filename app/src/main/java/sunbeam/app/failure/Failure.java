@@ -40,14 +40,12 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
             Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 
-    /** Returns the failure of any exception. */
     public static Failure of(Throwable thrown) {
         Throwable cause = unwrapped(thrown);
         ExitCode code = cause instanceof SettingException choice ? codeOf(choice) : codeOf(cause.getClass());
         return new Failure(code, message(cause, code), cause);
     }
 
-    /** True if only a change of Sunbeam helps. */
     public boolean isBug() {
         return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
     }
@@ -83,7 +81,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
         return cause.getMessage();
     }
 
-    /** Removes the wrappers of thread pools. */
     private static Throwable unwrapped(Throwable thrown) {
         boolean wrapper = thrown instanceof ExecutionException || thrown instanceof CompletionException;
         return wrapper && thrown.getCause() != null ? unwrapped(thrown.getCause()) : thrown;

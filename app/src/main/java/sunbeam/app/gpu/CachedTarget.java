@@ -13,7 +13,7 @@ public final class CachedTarget implements AutoCloseable {
     private FloatTarget target;
 
     /**
-     * Creates an empty cache; the target is created on first use.
+     * The target is created on first use.
      *
      * @param label name of the target in messages
      * @param depth whether the target has a depth buffer

@@ -110,7 +110,6 @@ public final class UploadedTables implements AutoCloseable {
         }
     }
 
-    /** Returns the method's textures, by sampler name. */
     public List<Binding> bindings() {
         return bindings;
     }

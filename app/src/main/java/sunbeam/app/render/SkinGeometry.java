@@ -15,8 +15,6 @@ import jrtr.scene.ViewRays;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
-import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 
 /**

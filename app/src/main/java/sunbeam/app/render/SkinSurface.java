@@ -26,7 +26,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
-    // Draws with one random slope of fine relief each: at least LEAST_SLOPES, else SLOPES_PER_SAMPLE for each sample along a pixel's side.
+    // Draws with one random slope of fine relief each: at least LEAST_SLOPES, else SLOPES_PER_SAMPLE for each sample
+    // along a pixel's side.
     // Few slopes meet a sharp order, and these pictures are the reference for method table.
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;

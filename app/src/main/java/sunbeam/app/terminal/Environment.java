@@ -23,12 +23,11 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         this(variables, home, ProgressDisplay.ofStandardError(variables));
     }
 
-    /** Returns the environment of this process. */
     public static Environment ofProcess() {
         return new Environment(System.getenv(), Path.of(System.getProperty("user.home")));
     }
 
-    /** Returns the variable's value, or an empty string if it is not set. */
+    /** Returns the variable's value; empty if it is not set. */
     public String variable(String name) {
         return variables.getOrDefault(name, "");
     }

@@ -37,7 +37,7 @@ public final class Messages {
                 .map(String::strip)
                 .filter(part -> !part.isEmpty())
                 .collect(Collectors.joining(" "));
-        // The middle is cut: the beginning names the place, the end the remedy.
+        // The beginning names the place, the end the remedy.
         int half = LONGEST / 2;
         return line.length() <= LONGEST
                 ? line

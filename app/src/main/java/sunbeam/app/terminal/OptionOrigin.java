@@ -5,9 +5,7 @@ import sunbeam.precompute.setting.Setting;
 
 /** Origin of choices made on the command line: the setting {@code coherenceLength} is the option {@code --coherence-length}. */
 public enum OptionOrigin implements Origin {
-    /** The choice is an option's value. */
     INSTANCE,
-    /** The choice is a positional argument. */
     ARGUMENT;
 
     @Override

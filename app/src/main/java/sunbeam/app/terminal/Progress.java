@@ -10,7 +10,6 @@ import sunbeam.precompute.colortable.BakeToken;
 
 /** Progress of one long task. {@link ProgressDisplay} starts it; the task closes it at its end. Thread-safe. */
 public final class Progress implements BakeToken {
-    /** Time after which a task is shown. */
     static final Duration DELAY = Duration.ofSeconds(2);
     /** Share of the steps done from which the time left is estimated. */
     private static final double LEAST_DONE = 0.02;
@@ -27,7 +26,6 @@ public final class Progress implements BakeToken {
         this.hook = hook;
     }
 
-    /** Returns a task that is not shown. */
     static Progress hidden() {
         return new Progress(null, null, null);
     }
@@ -55,7 +53,6 @@ public final class Progress implements BakeToken {
                 : Optional.of(Duration.ofSeconds(Math.round(elapsed.toSeconds() * (1 / done - 1))));
     }
 
-    /** Adds finished steps. */
     @Override
     public void step(long count) {
         if (bar != null) {

@@ -8,7 +8,6 @@ import sunbeam.precompute.patch.Patch;
 
 /** Prints the warnings about a scan, in full or abbreviated to one line. */
 public final class ScanWarnings {
-    // Maximum length of the line in characters.
     private static final int LONGEST = 200;
 
     private ScanWarnings() {}

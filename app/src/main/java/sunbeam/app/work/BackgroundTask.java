@@ -21,7 +21,6 @@ public final class BackgroundTask<T> {
         this.future = future;
     }
 
-    /** Starts the computation. */
     public static <T> BackgroundTask<T> start(Supplier<T> work) {
         return new BackgroundTask<>(CompletableFuture.supplyAsync(work, POOL));
     }

@@ -117,6 +117,7 @@ public record CacheFolder(Path path, String allowed) {
                     entries.add(new CacheEntry(file, attributes.size(), used));
                 }
             } catch (IOException gone) {
+                // Removed by another process.
             }
         }
         entries.sort(Comparator.comparing(CacheEntry::lastUsed)

@@ -297,6 +297,7 @@ public final class TileFile implements CachedTiles {
                 channel.close();
             }
         } catch (IOException failure) {
+            // A later run bakes the missing tiles again.
         }
     }
 

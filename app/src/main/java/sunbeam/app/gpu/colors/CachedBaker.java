@@ -28,10 +28,10 @@ final class CachedBaker implements TileBaker {
     // short.
     private static final int SHADER_BATCH = 64;
 
-    // Samples evaluated without table between checks of the token; they take some milliseconds on one processor.
+    // Samples evaluated without table between checks of the token: some milliseconds on one processor.
     private static final int SAMPLE_BATCH = 96;
 
-    // Used in place of a level's number for points of the patch, over which no level averages.
+    // Level number of points of the patch, over which no level averages.
     static final int POINTS = -1;
 
     private final LevelBakers bakers;
@@ -39,7 +39,6 @@ final class CachedBaker implements TileBaker {
     private final List<LevelBaking> bakings = new ArrayList<>();
     // Open bakers by level or POINTS. They stay open, since opening one takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> openBakers = new TreeMap<>();
-    // Cache of tiles, opened with the first tile.
     private CachedTiles cached;
     private boolean warned;
 
@@ -109,7 +108,6 @@ final class CachedBaker implements TileBaker {
         return List.copyOf(all.values());
     }
 
-    /** Bakes tiles of all levels and reports progress. */
     List<Scheduler.BakedTiles> bakeAll(TileSet tiles) {
         List<Scheduler.BakedTiles> all = new ArrayList<>();
         try (BakeToken progress = bakers.progress(missing(tiles))) {
@@ -123,7 +121,7 @@ final class CachedBaker implements TileBaker {
         return all;
     }
 
-    /** Returns the number of samples that must be evaluated for tiles that are not in the cache. */
+    /** Returns the number of samples to be evaluated for tiles that the cache lacks. */
     long missing(TileSet tiles) {
         long places = 0;
         for (int level = 0; level < tiles.levels(); level++) {

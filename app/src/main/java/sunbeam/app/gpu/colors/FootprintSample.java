@@ -26,10 +26,9 @@ final class FootprintSample {
     private SplittableRandom random = new SplittableRandom(SEED);
     private long seen;
 
-    /** A footprint: the index of its level, and u, v, w of each tap. */
+    /** @param taps u, v, w of each tap */
     private record Footprint(int level, double[][] taps) {}
 
-    /** Adds a random selection of these footprints. */
     void add(Footprints footprints) {
         for (int i = 0; i < footprints.count(); i++) {
             if (footprints.level(i) < 0) {
@@ -76,11 +75,7 @@ final class FootprintSample {
         return new Tabulated(colorTable, bright);
     }
 
-    /**
-     * Returns the mean color of a footprint.
-     *
-     * @param xyz function from a tap's index to its X, Y, Z
-     */
+    /** @param xyz function from a tap's index to its X, Y, Z */
     private static double[] mean(double[][] taps, IntFunction<double[]> xyz) {
         double[] mean = new double[COMPONENTS];
         for (int i = 0; i < taps.length; i++) {
@@ -100,11 +95,8 @@ final class FootprintSample {
      */
     record BrightFootprint(int level, double[][] taps, double[] tabulated) {}
 
-    /** Colors of a table at some footprints. Immutable. */
     record Tabulated(ColorTable colorTable, List<BrightFootprint> footprints) {
         /**
-         * Returns the errors of the table.
-         *
          * @param exact function that evaluates, without table, the X, Y, Z of a level at some (u, v, w), not yet multiplied by the level's
          *     scale
          */

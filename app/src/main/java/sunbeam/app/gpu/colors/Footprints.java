@@ -15,19 +15,17 @@ import sunbeam.precompute.colortable.TileGrid;
 public record Footprints(float[] centers, float[] axes) {
     private static final int CHANNELS = 4;
     private static final int COORDINATES = 3;
-    // Footprints per parallel task, which takes about a millisecond.
+    // Footprints per parallel task, about a millisecond.
     private static final int BATCH = 1 << 10;
 
     int count() {
         return centers.length / CHANNELS;
     }
 
-    /** Returns the level of a footprint; -1 where nothing is diffracted. */
     int level(int footprint) {
         return (int) centers[CHANNELS * footprint + COORDINATES];
     }
 
-    /** Returns u, v, w of a footprint's taps. */
     double[][] taps(int footprint) {
         double[][] taps = new double[(int) axes[CHANNELS * footprint + COORDINATES]][COORDINATES];
         for (int tap = 0; tap < taps.length; tap++) {

@@ -21,7 +21,6 @@ record FrameRequest(TileSet coarsest, TileSet picture, TileSet prefetched) {
         return new FrameRequest(none, none, none);
     }
 
-    /** Returns the sets of tiles, the most urgent first. */
     List<TileSet> byPriority() {
         return List.of(coarsest, picture, prefetched);
     }

@@ -20,10 +20,7 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
 public final class GpuBaker implements ColorBaker {
-    /**
-     * Side of the square of samples per draw: enough samples to keep all processors of a software renderer busy, few enough for a short
-     * draw on slow drivers.
-     */
+    /** Side of the square of samples per draw: keeps all processors of a software renderer busy, in a short draw. */
     private static final int SIDE = 128;
 
     /** Fourth component of a texel with a sample; unused texels have 0. */
@@ -100,7 +97,6 @@ public final class GpuBaker implements ColorBaker {
 
     @Override
     public void close() {
-        // The context owns its objects.
         context.close();
     }
 }

@@ -49,7 +49,7 @@ final class Scheduler implements AutoCloseable {
     private Optional<DueJob> running = Optional.empty();
     private Optional<IdleTask> idling = Optional.empty();
     private Optional<Throwable> failure = Optional.empty();
-    // True from the submission of turn() to the executor until it has run.
+    // True from the submission of turn() until it has run.
     private boolean isQueued;
     private boolean isInteractive;
     private Life life = Life.OPEN;
@@ -144,7 +144,7 @@ final class Scheduler implements AutoCloseable {
         return Optional.empty();
     }
 
-    /** Guarded by this. True if a waiting idle task may run now. */
+    /** Guarded by this. */
     private boolean mayIdle(Optional<DueJob> first) {
         return life == Life.OPEN && isComplete(first) && !isInteractive && !idleTasks.isEmpty();
     }

@@ -52,12 +52,11 @@ final class TileAtlas implements AutoCloseable {
         changed.set(pages.add(level, tile, coefficients));
     }
 
-    /** Returns look-ups in the tiles that were added. */
     TableLookUp lookUp(List<TileGrid> grids) {
         return new TableLookUp(grids, format, pages::coefficient);
     }
 
-    /** Returns the textures by sampler name; valid until a tile is added. */
+    /** Valid until a tile is added. */
     List<Binding> bindings() {
         if (!changed.isEmpty()) {
             upload();
@@ -72,7 +71,6 @@ final class TileAtlas implements AutoCloseable {
         }
     }
 
-    /** Returns the number of layers to allocate for a new texture. */
     private int layerCapacity() {
         int layers = pages.layers().size();
         int needed = Math.max(layers, AtlasPages.layers(expectedTiles));

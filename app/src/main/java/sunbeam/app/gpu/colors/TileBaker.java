@@ -8,8 +8,7 @@ interface TileBaker extends AutoCloseable {
     /**
      * Tiles of one level that are baked together.
      *
-     * @param level index of the tiles' level
-     * @param tiles their numbers; at least one
+     * @param tiles numbers of the tiles, at least one
      */
     record Job(int level, BitSet tiles) {}
 

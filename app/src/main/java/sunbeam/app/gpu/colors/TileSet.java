@@ -19,7 +19,7 @@ record TileSet(List<BitSet> ofLevels) {
                 ofLevels.stream().map(level -> (BitSet) level.clone()).toList());
     }
 
-    /** Returns the number of levels, including those without tiles in this set. */
+    /** Counts levels without tiles, too. */
     int levels() {
         return ofLevels.size();
     }
@@ -35,7 +35,6 @@ record TileSet(List<BitSet> ofLevels) {
         }
     }
 
-    /** Returns the tiles of this set that another set lacks. */
     TileSet without(TileSet other) {
         TileSet rest = copy();
         for (int level = 0; level < ofLevels.size(); level++) {

@@ -21,7 +21,6 @@ import sunbeam.precompute.text.Text;
  * waits ({@link #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
  */
 public final class VirtualTexture implements AutoCloseable {
-    // Limit of the atlas, which is one texture.
     private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
     // Share of Java's heap that colors may take.
     private static final double USABLE_HEAP = 0.8;
@@ -34,9 +33,7 @@ public final class VirtualTexture implements AutoCloseable {
     private final TileSet resident;
     private final PrefetchSet prefetchSet;
     private boolean hasCoarsest;
-    // Footprints at which the table is validated.
     private final FootprintSample sample = new FootprintSample();
-    // Tiles of the last request, resident or not.
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
 
@@ -107,7 +104,7 @@ public final class VirtualTexture implements AutoCloseable {
         baker.validate(tabulated(), new CancellationToken());
     }
 
-    /** Returns colors of the table at the sampled footprints and starts a new sample. */
+    /** Starts a new sample. */
     private FootprintSample.Tabulated tabulated() {
         FootprintSample.Tabulated tabulated = sample.tabulated(table(), atlas.lookUp(grids));
         sample.clear();

@@ -30,11 +30,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     private final boolean spectral;
     private final ShaderProgram program;
 
-    /**
-     * Compiles the shader.
-     *
-     * @param spectral true to evaluate powers at each direction's wavelength, false to evaluate colors
-     */
+    /** @param spectral true to evaluate powers at each direction's wavelength, false to evaluate colors */
     public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
         this(context, method, spectral, spectral ? Map.of("SPECTRAL", "1") : Map.of());
     }

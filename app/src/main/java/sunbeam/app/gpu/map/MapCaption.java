@@ -63,7 +63,6 @@ public final class MapCaption {
     }
 
     private static String degrees(double radians) {
-        // Avoids a negative zero.
         return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
     }
 

@@ -21,7 +21,6 @@ final class MapTiles {
     private int top;
     private int height;
 
-    /** @param size width and height of the map, pixels */
     MapTiles(int size) {
         this.size = size;
         this.height = Math.min(SIDE, size);

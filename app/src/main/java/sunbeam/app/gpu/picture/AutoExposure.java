@@ -13,7 +13,6 @@ public final class AutoExposure {
     /** Display luminance to which the brighter half's mean is mapped; white is 1. Orders several times brighter are compressed. */
     public static final double TARGET = 0.42;
 
-    // Share of the total weight below the brighter half.
     private static final double DARKER = 0.5;
 
     private AutoExposure() {}
@@ -44,7 +43,6 @@ public final class AutoExposure {
         return TARGET / Math.exp(logarithms / weights);
     }
 
-    /** Returns the positive luminances in ascending order. */
     private static double[] luminances(LinearPicture... pictures) {
         int pixels = Arrays.stream(pictures)
                 .mapToInt(picture -> picture.width() * picture.height())

@@ -36,7 +36,6 @@ public record PictureDifference(double median, double high) {
         return new PictureDifference(Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95));
     }
 
-    /** Returns the difference as part of a sentence. */
     public String text() {
         return Text.format("CIEDE2000 %.2g (median), %.2g (95th percentile)", median, high);
     }

@@ -41,7 +41,7 @@ public record Certificate(
      * @param meanDifference mean CIEDE2000
      */
     public record Limits(double median, double percentile95, double meanDifference) {
-        /** Limits of an anti-aliased picture of a mesh: a CIEDE2000 of 1 is just visible. */
+        /** A CIEDE2000 of 1 is just visible. */
         public static final Limits ANTI_ALIASED = new Limits(0.02, Double.POSITIVE_INFINITY, 1);
 
         /** Returns the limits of a tolerance: the median may reach it, the 95th percentile three times it. */
@@ -63,11 +63,7 @@ public record Certificate(
         }
     }
 
-    /**
-     * Compares pixels.
-     *
-     * @param exposure factor for X, Y, Z before colors are compared
-     */
+    /** @param exposure factor for X, Y, Z before colors are compared */
     static Certificate ofPixels(String places, List<Comparison> compared, double exposure, Limits limits) {
         ErrorStatistics differences = ErrorStatistics.of(compared.stream()
                 .filter(Comparison::bright)
@@ -79,10 +75,8 @@ public record Certificate(
     /**
      * Evaluates random rows of a table.
      *
-     * @param display display of the progress
-     * @param rows number of rows of the table
      * @param count number of rows to evaluate, at most all
-     * @param row function that compares a row, given its number from 0
+     * @param row function from a row's number, from 0, to its comparison
      * @param quantity compared quantity: XYZ or power
      * @param tolerance relative error for which the table was made
      */
@@ -113,7 +107,6 @@ public record Certificate(
         return !dark && !(limits.hold(relative) && even);
     }
 
-    /** Returns one line with all numbers. */
     public String summary() {
         if (relative.count() == 0) {
             return Text.format("%s, all darker than %.0e: nothing to compare", places, Comparison.FLOOR);

@@ -19,7 +19,6 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
  *
  * @param reference exact reference for the patch and window of the map
  * @param pairs directions at a pixel's center, by the pixel's number, row by row from the top left
- * @param display display of the progress
  * @param material reflectance of the material divided by that of the standard material
  */
 public record Certifier(
@@ -36,7 +35,7 @@ public record Certifier(
     }
 
     /**
-     * Evaluates random pixels in parallel, with progress.
+     * Evaluates random pixels in parallel.
      *
      * @param picture linear XYZ of rho; pixels that show no surface are skipped
      * @param count number of pixels, or all if the picture has fewer. At most a quarter of them are dark in the picture, unless there are

@@ -27,11 +27,7 @@ public final class DirectionSampler {
         this(map, window, seed, Optional.empty());
     }
 
-    /**
-     * Creates a sampler for a patch under a window.
-     *
-     * @param light direction of all lights; if empty, lights are uniform on the hemisphere
-     */
+    /** @param light direction of all lights; if empty, lights are uniform on the hemisphere */
     public DirectionSampler(HeightMap map, CoherenceWindow window, long seed, Optional<Direction> light) {
         this.width = map.width();
         this.height = map.height();
@@ -64,7 +60,7 @@ public final class DirectionSampler {
                 return new Query(new DirectionPair(light, view), wavelength);
             }
         }
-        // The light is grazing, and a narrow patch diffracts no order above the horizon.
+        // A narrow patch under grazing light diffracts no order above the horizon.
         return uniform();
     }
 

@@ -52,6 +52,7 @@ final class GltfDocument {
 
     /** Transforms of nodes; an empty list is an error there, not an omission. */
     private static final Set<String> TRANSFORMS = Set.of("matrix", "translation", "rotation", "scale");
+
     private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
     /** Required extensions that are read, or do not affect positions, directions and faces. */
     private static final Pattern HARMLESS =

@@ -65,6 +65,7 @@ final class ObjFile {
                             2);
                 case "f" -> face(words);
                 default -> {
+                    // No geometry.
                 }
             }
         }

@@ -82,6 +82,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
                         return new PlyHeader(encoding, elements);
                     }
                     case "ply", "comment", "obj_info" -> {
+                        // No geometry.
                     }
                     default -> throw new IllegalArgumentException("no such line is known");
                 }
