@@ -6,9 +6,9 @@ package jrtr;
  * @param width texels per row, at least 1
  * @param height rows, at least 1
  * @param layers layers, at least 1
- * @param array whether the sampler is a {@code sampler2DArray}; without it there is one layer and a {@code sampler2D}
+ * @param array whether the sampler is a {@code sampler2DArray}; otherwise it is a {@code sampler2D}, and there is one layer
  * @param format number and size of a texel's channels
- * @param filter nearest unless set by {@link #with(Filter)}
+ * @param filter interpolation between texels; the static factories choose {@link Filter#NEAREST}
  */
 public record FloatTextureSpec(int width, int height, int layers, boolean array, FloatFormat format, Filter filter) {
 

@@ -15,8 +15,8 @@ public record Tile(int x, int y, int width, int height) {
 
     public Tile {
         if (x < 0 || y < 0 || width < 1 || height < 1) {
-            throw new IllegalArgumentException(
-                    "tile " + width + " x " + height + " at (" + x + ", " + y + ") is empty or outside");
+            throw new IllegalArgumentException("tile " + width + " x " + height + " at (" + x + ", " + y
+                    + "): x and y must be at least 0, width and height at least 1");
         }
     }
 
@@ -30,7 +30,7 @@ public record Tile(int x, int y, int width, int height) {
      * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
      */
     public static List<Tile> cover(int width, int height, int side) {
-        return whole(width, height).divided(side);
+        return whole(width, height).divide(side);
     }
 
     /**
@@ -38,17 +38,17 @@ public record Tile(int x, int y, int width, int height) {
      *
      * @param side of each tile, at least 1; those at the right and the bottom are cut
      */
-    public List<Tile> divided(int side) {
-        return divided(side, side);
+    public List<Tile> divide(int side) {
+        return divide(side, side);
     }
 
     /**
-     * Returns tiles of any aspect that cover this one exactly once, row by row from the top left.
+     * Returns tiles of the given width and height that cover this one exactly once, row by row from the top left.
      *
      * @param columns width of each tile, at least 1; those at the right are cut
      * @param rows height of each tile, at least 1; those at the bottom are cut
      */
-    public List<Tile> divided(int columns, int rows) {
+    public List<Tile> divide(int columns, int rows) {
         if (columns < 1 || rows < 1) {
             throw new IllegalArgumentException("tile side " + Math.min(columns, rows) + " is below 1");
         }
@@ -63,7 +63,7 @@ public record Tile(int x, int y, int width, int height) {
         return List.copyOf(tiles);
     }
 
-    /** Converts a tile relative to this tile's corner to the same tile relative to the image's corner. */
+    /** Returns, in image coordinates, a tile that is given relative to this tile's top left corner. */
     public Tile part(Tile inside) {
         return new Tile(x + inside.x, y + inside.y, inside.width, inside.height);
     }

@@ -28,7 +28,7 @@ public record VertexData(
         }
         for (int index : indices) {
             if (index < 0 || index >= vertices) {
-                throw new IllegalArgumentException("index " + index + " is none of " + vertices + " vertices");
+                throw new IllegalArgumentException("index " + index + " is out of range for " + vertices + " vertices");
             }
         }
         for (float coordinate : positions) {

@@ -40,12 +40,12 @@ class TileTest {
     @Test
     void partsOfATileLieWithinItAndCoverIt() {
         Tile tile = new Tile(5, 7, 10, 9);
-        assertThat(tile.divided(4))
+        assertThat(tile.divide(4))
                 .allMatch(part -> part.x() >= 5 && part.x() + part.width() <= 15)
                 .allMatch(part -> part.y() >= 7 && part.y() + part.height() <= 16)
                 .hasSize(9)
                 .startsWith(new Tile(5, 7, 4, 4));
-        assertThat(tile.divided(4).stream().mapToLong(Tile::pixels).sum()).isEqualTo(tile.pixels());
+        assertThat(tile.divide(4).stream().mapToLong(Tile::pixels).sum()).isEqualTo(tile.pixels());
         assertThat(tile.part(new Tile(8, 0, 2, 9))).isEqualTo(new Tile(13, 7, 2, 9));
     }
 }

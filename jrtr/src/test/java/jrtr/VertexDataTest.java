@@ -21,7 +21,8 @@ class VertexDataTest {
         float[] three = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
         assertThat(triangle(three, 0, 1, 2).triangles()).isEqualTo(1);
-        assertThatThrownBy(() -> triangle(three, 0, 1, 3)).hasMessageContaining("index 3 is none of 3 vertices");
+        assertThatThrownBy(() -> triangle(three, 0, 1, 3))
+                .hasMessageContaining("index 3 is out of range for 3 vertices");
         assertThatThrownBy(() -> triangle(three, 0, -1, 2)).hasMessageContaining("index -1");
         assertThatThrownBy(() -> triangle(three, 0, 1)).hasMessageContaining("indices");
         assertThatThrownBy(() -> triangle(three)).hasMessageContaining("without a triangle");

@@ -197,8 +197,8 @@ public final class DisplayFaults {
         }
     }
 
-    /** Registers the calling thread, which is about to open a context and to draw, until {@link #stopDrawing}. */
-    static void startDrawing() {
+    /** Registers the calling thread, which is about to open a context and to draw, until {@link #unregisterDrawingThread}. */
+    static void registerDrawingThread() {
         DRAWING.add(Thread.currentThread());
         OPENING.add(Thread.currentThread());
     }
@@ -208,12 +208,12 @@ public final class DisplayFaults {
     }
 
     /** Unregisters the calling thread once, after a context was closed or could not be opened. */
-    static void stopDrawing() {
+    static void unregisterDrawingThread() {
         DRAWING.remove(Thread.currentThread());
     }
 
     /** Must precede each operation: when the process is ending, finishes earlier operations and never returns. */
-    static void restIfEnding(GL3 gl) {
+    static void blockIfExiting(GL3 gl) {
         if (ending) {
             gl.glFinish();
             RESTING.add(Thread.currentThread());

@@ -75,17 +75,18 @@ public final class FloatTarget extends Resource {
         gl.glDrawBuffers(drawBuffers.length, drawBuffers, 0);
         int status = gl.glCheckFramebufferStatus(GL3.GL_FRAMEBUFFER);
         if (status != GL3.GL_FRAMEBUFFER_COMPLETE) {
-            throw new GraphicsException("target '" + label() + "' cannot be drawn to on this driver: "
-                    + GlNames.framebufferStatus(status) + "; LIBGL_ALWAYS_SOFTWARE=1 takes Mesa's software renderer");
+            throw new GraphicsException(
+                    "target '" + label() + "' cannot be drawn to on this driver: " + GlNames.framebufferStatus(status)
+                            + "; set LIBGL_ALWAYS_SOFTWARE=1 to use Mesa's software renderer");
         }
-        device().check(gl, "taking memory for '" + label() + "'");
+        device().check(gl, "allocating '" + label() + "'");
     }
 
     private Image createImage(GL3 gl, int color) {
         return initialize(new Image(device(), label() + "[" + color + "]"), image -> {
             image.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
             long pixels = (long) spec.width() * spec.height();
-            // BGRA, as in readColors, so that drivers copy without conversion.
+            // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
             boolean screen = spec.format() == FloatTargetSpec.Format.RGBA8;
             image.allocate(
                     gl,
@@ -172,7 +173,7 @@ public final class FloatTarget extends Resource {
      * Reads a whole image: {@code 4 * width * height} floats, RGBA interleaved, row 0 on top.
      *
      * @param color index of the image, from 0
-     * @throws GraphicsException if the image has more floats than a Java array; read it tile by tile then
+     * @throws GraphicsException if the image has more floats than a Java array can hold; read such an image tile by tile
      */
     public float[] read(int color) {
         return read(color, Tile.whole(spec.width(), spec.height()));
@@ -211,7 +212,7 @@ public final class FloatTarget extends Resource {
         long length = tile.pixels() * channels;
         if (length > Integer.MAX_VALUE - 8) {
             throw new GraphicsException("reading " + tile.width() + " x " + tile.height() + " pixels of '" + label()
-                    + "' needs " + length + " values, more than an array has; read smaller tiles");
+                    + "' needs " + length + " values, more than a Java array can hold; read smaller tiles");
         }
         return (int) length;
     }
@@ -267,8 +268,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Copies another target into this one, with linear filtering. The other has the same size, or half the width and height (rounded up)
-     * and is enlarged; lower left corners coincide.
+     * Copies another target into this one, with linear filtering. The other target has either the same size, or half the width and height
+     * (rounded up); the copy then enlarges it by 2. Lower left corners coincide.
      *
      * @param from target with one color image, in this target's format
      */
@@ -281,7 +282,7 @@ public final class FloatTarget extends Resource {
      *
      * @param from target of the same size; both have depth
      */
-    public void fillDepth(FloatTarget from) {
+    public void copyDepthFrom(FloatTarget from) {
         copy(from, 1, GL3.GL_DEPTH_BUFFER_BIT, GL3.GL_NEAREST);
     }
 

@@ -27,7 +27,7 @@ final class GlDevice {
     GL3 gl() {
         requireUsable();
         GL3 gl = surface.makeCurrent();
-        DisplayFaults.restIfEnding(gl);
+        DisplayFaults.blockIfExiting(gl);
         return gl;
     }
 
@@ -79,7 +79,7 @@ final class GlDevice {
         }
         try {
             GL3 gl = surface.makeCurrent();
-            DisplayFaults.restIfEnding(gl);
+            DisplayFaults.blockIfExiting(gl);
             List<Resource> open = new ArrayList<>(resources);
             for (int index = open.size() - 1; index >= 0; index--) {
                 open.get(index).close();

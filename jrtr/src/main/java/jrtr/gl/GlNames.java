@@ -19,7 +19,7 @@ final class GlNames {
     }
 
     static String remedy(int code) {
-        return code == GL3.GL_OUT_OF_MEMORY ? ". Ask for something smaller" : "";
+        return code == GL3.GL_OUT_OF_MEMORY ? ". Use a smaller picture, mesh or texture" : "";
     }
 
     static String framebufferStatus(int code) {

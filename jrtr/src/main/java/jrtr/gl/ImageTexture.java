@@ -51,7 +51,7 @@ public final class ImageTexture extends Texture {
      * Uploads the picture and its mipmaps.
      *
      * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
-     * @throws IllegalArgumentException if there are more or fewer
+     * @throws IllegalArgumentException if {@code rgba} has any other length
      */
     public void upload(byte[] rgba) {
         if (rgba.length != spec.bytes()) {
@@ -82,7 +82,7 @@ public final class ImageTexture extends Texture {
     @Override
     void requireUploaded() {
         if (!uploaded) {
-            throw new IllegalStateException("image '" + label() + "' is drawn with before it was uploaded");
+            throw new IllegalStateException("image '" + label() + "' must be uploaded before a draw uses it");
         }
     }
 }

@@ -9,24 +9,27 @@ import jrtr.ColorEncoding;
  */
 record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
     private static final int CHANNELS = 4;
-    /** Steps of linear light in the table of sRGB bytes: even the narrowest byte value, at the dark end, is five steps wide. */
+    /**
+     * Steps of [0, 1] in the table from linear light to sRGB bytes. The darkest bytes, which are closest together in linear light, are five
+     * steps apart.
+     */
     private static final int STEPS = 1 << 14;
 
-    // Values of bytes without and with sRGB decoding, and sRGB bytes by step of linear light.
-    private static final float[] PLAIN = new float[256];
-    private static final float[] LIGHT = new float[256];
-    private static final byte[] BYTES = new byte[STEPS + 1];
+    // Tables from byte to value without and with sRGB decoding, and from linear light (in STEPS steps) to sRGB byte.
+    private static final float[] BYTE_TO_VALUE = new float[256];
+    private static final float[] SRGB_TO_LINEAR = new float[256];
+    private static final byte[] LINEAR_TO_SRGB = new byte[STEPS + 1];
 
     static {
-        for (int i = 0; i < PLAIN.length; i++) {
+        for (int i = 0; i < BYTE_TO_VALUE.length; i++) {
             double value = i / 255.0;
-            PLAIN[i] = (float) value;
-            LIGHT[i] = (float) (value <= 0.04045 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4));
+            BYTE_TO_VALUE[i] = (float) value;
+            SRGB_TO_LINEAR[i] = (float) (value <= 0.04045 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4));
         }
         for (int i = 0; i <= STEPS; i++) {
             double light = (double) i / STEPS;
             double value = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.pow(light, 1 / 2.4) - 0.055;
-            BYTES[i] = (byte) Math.round(255 * value);
+            LINEAR_TO_SRGB[i] = (byte) Math.round(255 * value);
         }
     }
 
@@ -34,19 +37,22 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
         return width == 1 && height == 1;
     }
 
-    /** Returns the next level: half as wide and high, rounded down, at least 1; area means in linear light. */
+    /**
+     * Returns the next level: half as wide and high, rounded down, at least 1. Each texel is the area mean, in linear light, of the texels
+     * that it covers.
+     */
     MipLevel next() {
         Halving across = Halving.of(width);
         Halving down = Halving.of(height);
         byte[] means = new byte[CHANNELS * across.length() * down.length()];
         for (int channel = 0; channel < CHANNELS; channel++) {
             boolean isLight = encoding == ColorEncoding.SRGB && channel < CHANNELS - 1;
-            float[] values = isLight ? LIGHT : PLAIN;
+            float[] values = isLight ? SRGB_TO_LINEAR : BYTE_TO_VALUE;
             int at = channel;
             for (int row = 0; row < down.length(); row++) {
                 for (int column = 0; column < across.length(); column++) {
                     float mean = Math.min(1, mean(values, channel, across, column, down, row));
-                    means[at] = isLight ? BYTES[(int) (STEPS * mean + 0.5f)] : (byte) (255 * mean + 0.5f);
+                    means[at] = isLight ? LINEAR_TO_SRGB[(int) (STEPS * mean + 0.5f)] : (byte) (255 * mean + 0.5f);
                     at += CHANNELS;
                 }
             }
@@ -70,7 +76,7 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
     /**
      * Texels and weights along one axis for the next level.
      *
-     * @param texels number per texel of the next level: 2, or 3 if the side is odd
+     * @param texels number of texels averaged into one texel of the next level: 2, or 3 if the side is odd, or 1 if the side is 1
      */
     private record Halving(int length, int texels, float[] weights) {
         static Halving of(int side) {
@@ -79,7 +85,8 @@ record MipLevel(int width, int height, byte[] rgba, ColorEncoding encoding) {
             float[] weights = new float[length * texels];
             for (int i = 0; i < length; i++) {
                 for (int k = 0; k < texels; k++) {
-                    // Overlap of texel 2 i + k with texel i of the next level, in units of 1 / (length side).
+                    // Overlap of texel 2 i + k with texel i of the next level, in units of 1 / (length * side) of the
+                    // axis.
                     double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
                             - Math.max((2 * i + k) * (double) length, (double) i * side);
                     weights[i * texels + k] = (float) (covered / side);

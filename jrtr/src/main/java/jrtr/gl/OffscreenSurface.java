@@ -17,10 +17,12 @@ import jrtr.GraphicsException;
 final class OffscreenSurface {
     private static final String[] CORE_PROFILES = {GLProfile.GL4, GLProfile.GL3};
 
-    private static final VersionNumber OLDEST = new VersionNumber(3, 3, 0);
+    private static final VersionNumber OLDEST_VERSION = new VersionNumber(3, 3, 0);
 
     static {
-        // This runs before JOGL's shutdown code, which would wait forever for a thread that is just starting.
+        // At exit, this hook waits for threads that are opening a context. It runs before JOGL's shutdown code, which
+        // would wait forever
+        // for a helper thread that JOGL is then starting.
         NativeWindowFactory.addCustomShutdownHook(true, DisplayFaults::awaitRest);
     }
 
@@ -33,11 +35,11 @@ final class OffscreenSurface {
     }
 
     static OffscreenSurface create() {
-        DisplayFaults.startDrawing();
+        DisplayFaults.registerDrawingThread();
         try {
             return connect();
         } catch (RuntimeException | Error failure) {
-            DisplayFaults.stopDrawing();
+            DisplayFaults.unregisterDrawingThread();
             throw failure;
         } finally {
             DisplayFaults.finishOpening();
@@ -73,8 +75,8 @@ final class OffscreenSurface {
         } catch (LinkageError failure) {
             throw new GraphicsException(
                     "JOGL's native libraries cannot be loaded: " + reason(failure)
-                            + ". Where the folder for temporary files (java.io.tmpdir) is full, free some space there; programs must be"
-                            + " allowed to run there, and the X11 libraries be installed",
+                            + ". The folder for temporary files (java.io.tmpdir) needs free space, programs must be"
+                            + " allowed to run there, and the X11 libraries must be installed",
                     failure);
         }
     }
@@ -98,7 +100,7 @@ final class OffscreenSurface {
         try {
             surface.makeCurrent();
             VersionNumber version = surface.context.getGLVersionNumber();
-            if (version.compareTo(OLDEST) < 0) {
+            if (version.compareTo(OLDEST_VERSION) < 0) {
                 throw new GLException("the driver has OpenGL " + version + " only");
             }
             return surface;
@@ -120,7 +122,7 @@ final class OffscreenSurface {
         try {
             release();
         } finally {
-            DisplayFaults.stopDrawing();
+            DisplayFaults.unregisterDrawingThread();
         }
     }
 

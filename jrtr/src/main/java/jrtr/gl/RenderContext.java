@@ -32,7 +32,7 @@ public final class RenderContext implements AutoCloseable {
     private enum DepthTest {
         NONE,
         NEARER,
-        /** The stored depth is in front of the far plane, in which a full-screen triangle lies. */
+        /** The stored depth is less than 1, the depth of full-screen triangles (the far plane). */
         COVERED
     }
 

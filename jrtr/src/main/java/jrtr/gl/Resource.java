@@ -50,7 +50,7 @@ public abstract class Resource implements AutoCloseable {
         }
     }
 
-    /** Returns the name in messages, given at creation. */
+    /** Returns the name of this resource in messages, as given at creation. */
     public final String label() {
         return label;
     }

@@ -105,7 +105,7 @@ public final class ShaderProgram extends Resource {
      * Sets the first elements of a {@code float[]}, {@code vec2[]}, {@code vec3[]} or {@code vec4[]}, or one vector.
      *
      * @param values components one after the other; elements past the array's end are ignored
-     * @throws IllegalArgumentException if empty or not a multiple of the type's components
+     * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
      */
     public void set(String uniform, float[] values) {
         Setter setter = (gl, found) -> {
@@ -124,7 +124,7 @@ public final class ShaderProgram extends Resource {
      * Sets the first elements of an {@code int[]}, {@code ivec2[]}, {@code ivec3[]} or {@code ivec4[]}, or one vector.
      *
      * @param values components one after the other; elements past the array's end are ignored
-     * @throws IllegalArgumentException if empty or not a multiple of the type's components
+     * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
      */
     public void set(String uniform, int[] values) {
         Setter setter = (gl, found) -> {

@@ -35,17 +35,17 @@ public final class CompilerLog {
      * Returns the errors in the log's order, without warnings. Errors without a line number are returned only if no error has one.
      */
     public static List<ShaderProblem> parse(String log, ShaderSource source) {
-        List<ShaderProblem> placed = new ArrayList<>();
-        List<ShaderProblem> unplaced = new ArrayList<>();
+        List<ShaderProblem> withLine = new ArrayList<>();
+        List<ShaderProblem> withoutLine = new ArrayList<>();
         log.replace("\0", "")
                 .lines()
                 .map(String::strip)
                 .filter(line -> !line.isEmpty() && !WARNING.matcher(line).find())
                 .forEach(line -> {
                     ShaderProblem problem = parseLine(line, source);
-                    (problem.line() > 0 ? placed : unplaced).add(problem);
+                    (problem.line() > 0 ? withLine : withoutLine).add(problem);
                 });
-        return placed.isEmpty() ? unplaced : placed;
+        return withLine.isEmpty() ? withoutLine : withLine;
     }
 
     private static ShaderProblem parseLine(String line, ShaderSource source) {

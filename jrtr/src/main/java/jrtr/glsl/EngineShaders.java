@@ -9,8 +9,8 @@ public final class EngineShaders {
     private EngineShaders() {}
 
     /**
-     * Returns the engine's files; an application appends them to its own with {@link ShaderLibrary#orElse}. Fragment shaders of
-     * meshes include {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
+     * Returns the engine's files; an application appends them to its own with {@link ShaderLibrary#orElse}. Fragment shaders of meshes may
+     * include {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
      */
     public static ShaderLibrary library() {
         ShaderLibrary files = ShaderLibrary.ofClassPath(EngineShaders.class.getClassLoader(), "jrtr/shaders");

@@ -101,7 +101,7 @@ final class IncludeExpansion {
         return DEFINE_IN_NAME.matcher(name).replaceAll(match -> {
             String value = defines.get(match.group(1));
             if (value == null) {
-                throw fault(line, "#include asks for the define " + match.group(1) + ", which is not set");
+                throw fault(line, "#include uses the define " + match.group(1) + ", which is not set");
             }
             return Matcher.quoteReplacement(value);
         });
@@ -140,9 +140,9 @@ final class IncludeExpansion {
     }
 
     private static void checkDefine(String name, String value) {
-        // GLSL 3.30, section 3.3: names with GL_ in front or __ anywhere are the language's own.
+        // GLSL 3.30, section 3.3: names that begin with GL_ or contain __ are reserved.
         if (!DEFINE.matcher(name).matches() || name.startsWith("GL_") || name.contains("__")) {
-            throw new ShaderException("shader define '" + name + "' is no name that GLSL allows for a macro");
+            throw new ShaderException("shader define '" + name + "' is not a valid GLSL macro name");
         }
         boolean oneLineOfAscii = value.chars().allMatch(character -> character >= ' ' && character < 127);
         if (!oneLineOfAscii || value.endsWith("\\")) {
@@ -180,7 +180,10 @@ final class IncludeExpansion {
                 + line.text().strip() + "`");
     }
 
-    /** Replaces comments by blanks, line by line; its state is an open block comment. GLSL has no string literals. */
+    /**
+     * Removes comments, line by line, and remembers whether a block comment is open. GLSL has no string literals, so comment marks always
+     * start a comment.
+     */
     private static final class CommentStripper {
         private boolean insideBlock;
 

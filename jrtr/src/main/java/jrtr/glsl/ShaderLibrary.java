@@ -40,8 +40,8 @@ public interface ShaderLibrary {
      * Returns the file with its includes expanded.
      *
      * @param name of the root file
-     * @param defines values by name, which become {@code #define NAME value} lines after {@code #version}; sorted by name, so that equal
-     *     defines give equal text
+     * @param defines values by name, in any order; they become {@code #define NAME value} lines after {@code #version}, which are sorted by
+     *     name, so that equal defines give equal text
      * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
      */
     default ShaderSource load(String name, Map<String, String> defines) {

@@ -19,7 +19,8 @@ public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector
         up = new Vector3f(up);
         Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
         float across = sight.cross(up, new Vector3f()).length();
-        // In float32 an angle of 1e-5 between the line of sight and up leaves two digits of the picture's x axis.
+        // In float32, at an angle of 1e-5 between the line of sight and up, only two digits of the picture's x axis are
+        // correct.
         if (!(across > 1e-5f * sight.length() * up.length()) || Float.isInfinite(across)) {
             throw new IllegalArgumentException("camera at " + numbers(centerOfProjection) + " looking at "
                     + numbers(lookAtPoint) + " with up " + numbers(up)

@@ -16,7 +16,7 @@ public record Light(Vector3fc towards, Vector3fc radiance) implements Node {
         float length = towards.length();
         if (!(length > 0) || Float.isInfinite(length)) {
             throw new IllegalArgumentException("light's direction (" + towards.x() + ", " + towards.y() + ", "
-                    + towards.z() + ") has no direction");
+                    + towards.z() + ") must have a finite length above 0");
         }
         towards = towards.div(length, new Vector3f());
         radiance = new Vector3f(radiance);

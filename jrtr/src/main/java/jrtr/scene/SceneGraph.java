@@ -13,8 +13,8 @@ public record SceneGraph(Node root, Camera camera, Frustum frustum) {
      *
      * @param modelToWorld affine, copied
      */
-    public record Placed(Shape shape, Matrix4fc modelToWorld) {
-        public Placed {
+    public record ShapeInstance(Shape shape, Matrix4fc modelToWorld) {
+        public ShapeInstance {
             modelToWorld = new Matrix4f(modelToWorld);
         }
 
@@ -25,8 +25,8 @@ public record SceneGraph(Node root, Camera camera, Frustum frustum) {
     }
 
     /** Returns the shapes with their transformations to world space: depth first, children in their order. */
-    public List<Placed> shapes() {
-        List<Placed> shapes = new ArrayList<>();
+    public List<ShapeInstance> shapes() {
+        List<ShapeInstance> shapes = new ArrayList<>();
         collect(root, new Matrix4f(), shapes, new ArrayList<>());
         return shapes;
     }
@@ -38,12 +38,12 @@ public record SceneGraph(Node root, Camera camera, Frustum frustum) {
         return lights;
     }
 
-    private static void collect(Node node, Matrix4fc toWorld, List<Placed> shapes, List<Light> lights) {
+    private static void collect(Node node, Matrix4fc toWorld, List<ShapeInstance> shapes, List<Light> lights) {
         if (node instanceof Group group) {
             Matrix4f childToWorld = toWorld.mul(group.toParent(), new Matrix4f());
             group.children().forEach(child -> collect(child, childToWorld, shapes, lights));
         } else if (node instanceof Shape shape) {
-            shapes.add(new Placed(shape, toWorld));
+            shapes.add(new ShapeInstance(shape, toWorld));
         } else if (node instanceof Light light) {
             lights.add(light.transformed(toWorld));
         }

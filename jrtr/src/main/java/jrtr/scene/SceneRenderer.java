@@ -16,7 +16,7 @@ import org.joml.Vector3f;
 /** Renderer of scene graphs, with frustum culling. */
 public final class SceneRenderer {
     /** Factor on bounding radii, because the frustum's planes from float matrices err by a few 1e-6. */
-    private static final float WIDER = 1.001f;
+    private static final float CULLING_RADIUS_FACTOR = 1.001f;
 
     private final RenderContext context;
 
@@ -28,7 +28,7 @@ public final class SceneRenderer {
      * Clears the tile to zeros and draws the scene there; no pixel outside is touched. Tiles that cover the target give the same picture as
      * one draw, bit for bit. Pixels without a shape stay zero, so a shader that writes alpha 1 marks the covered pixels.
      *
-     * @param area part of the picture that the target shows, of the target's size
+     * @param area part of the picture that the target shows; it has the target's size in pixels
      * @param target target with depth
      * @param tile tile inside the target
      * @throws IllegalArgumentException if the scene has more than {@link LightUniforms#MOST} lights, or target, area and tile do not fit
@@ -44,19 +44,20 @@ public final class SceneRenderer {
         target.clear(tile, 0, 0, 0, 0);
         Matrix4f worldToClip =
                 scene.frustum().cameraToClip(area).mul(scene.camera().worldToCamera());
-        for (SceneGraph.Placed item : visible(scene, area.within(tile))) {
+        for (SceneGraph.ShapeInstance item : visible(scene, area.within(tile))) {
             draw(item, scene.camera(), lights, worldToClip, target, tile);
         }
     }
 
     /** Returns the shapes that intersect the frustum, nearest first, so that the depth test rejects most of the hidden fragments. */
-    private static List<SceneGraph.Placed> visible(SceneGraph scene, PictureArea area) {
+    private static List<SceneGraph.ShapeInstance> visible(SceneGraph scene, PictureArea area) {
         Matrix4f worldToCamera = scene.camera().worldToCamera();
         FrustumIntersection planes =
                 new FrustumIntersection(scene.frustum().cameraToClip(area).mul(worldToCamera));
         return scene.shapes().stream()
                 .filter(item -> planes.testSphere(
-                        item.bounds().center(), WIDER * item.bounds().radius()))
+                        item.bounds().center(),
+                        CULLING_RADIUS_FACTOR * item.bounds().radius()))
                 .sorted(Comparator.comparingDouble(item -> nearestDepth(worldToCamera, item.bounds())))
                 .toList();
     }
@@ -67,7 +68,7 @@ public final class SceneRenderer {
     }
 
     private void draw(
-            SceneGraph.Placed item,
+            SceneGraph.ShapeInstance item,
             Camera camera,
             LightUniforms lights,
             Matrix4f worldToClip,

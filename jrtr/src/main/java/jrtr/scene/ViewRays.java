@@ -6,8 +6,8 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * Direction towards the viewer as a linear function of the pixel's position: the uniforms of jrtr/view_rays.glsl. World space, not of
- * unit length; positions are in pixels from the target's lower left corner.
+ * Direction towards the viewer as a linear function of the pixel's position: the uniforms of jrtr/view_rays.glsl. The direction is in world
+ * space and not normalized; positions are in pixels from the target's lower left corner.
  *
  * @param corner direction at position (0, 0)
  * @param perColumn change per pixel to the right

@@ -108,7 +108,7 @@ class IncludeExpansionTest {
                 .doesNotContain("three");
         assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism")))
                 .isInstanceOf(ShaderException.class)
-                .hasMessageStartingWith("root.glsl:2: #include asks for the define SIDES, which is not set");
+                .hasMessageStartingWith("root.glsl:2: #include uses the define SIDES, which is not set");
         assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism", "SIDES", "5")))
                 .hasMessageStartingWith("root.glsl:2: included file shape/prism_5.glsl is missing");
         assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "../prism", "SIDES", "4")))

@@ -30,11 +30,11 @@ class GraphTest {
         return new SceneGraph(root, CAMERA, FRUSTUM);
     }
 
-    private static List<SceneGraph.Placed> items(Node root) {
+    private static List<SceneGraph.ShapeInstance> items(Node root) {
         return scene(root).shapes();
     }
 
-    private static String label(SceneGraph.Placed item) {
+    private static String label(SceneGraph.ShapeInstance item) {
         return item.shape().vertices().label();
     }
 
@@ -72,7 +72,7 @@ class GraphTest {
         Matrix4f outer = new Matrix4f().translate(1, 2, 3);
         Matrix4f inner = new Matrix4f().rotateZ(0.5f).scale(2);
 
-        List<SceneGraph.Placed> items = items(new Group(outer, new Group(inner, ball("a")), ball("b")));
+        List<SceneGraph.ShapeInstance> items = items(new Group(outer, new Group(inner, ball("a")), ball("b")));
 
         assertThat(items.get(0).modelToWorld()).isEqualTo(new Matrix4f(outer).mul(inner));
         assertThat(items.get(1).modelToWorld()).isEqualTo(outer);

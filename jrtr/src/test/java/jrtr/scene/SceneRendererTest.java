@@ -224,7 +224,7 @@ class SceneRendererTest {
         try (FloatTarget other = context.createFloatTarget("other", target.spec());
                 FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
             other.clear(whole, 0, 0, 0, 0);
-            other.fillDepth(target);
+            other.copyDepthFrom(target);
             context.drawCovered(two, List.of(), other, whole);
             // The depth is still there.
             context.drawCovered(two, List.of(), other, whole);

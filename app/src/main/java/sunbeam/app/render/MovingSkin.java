@@ -92,7 +92,7 @@ final class MovingSkin implements AutoCloseable {
             int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
         }
-        target.fillDepth(buffer.attributes());
+        target.copyDepthFrom(buffer.attributes());
         context.drawCovered(program, textures, target, whole);
         return target.readColors(0, whole);
     }

@@ -58,8 +58,8 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     List<Tile> tiles(int samples, int side) {
         int columns = Math.max(1, blockWidth / samples);
         int rows = Math.max(1, blockHeight / samples);
-        return Tile.whole(width / samples, height / samples).divided(columns, rows).stream()
-                .flatMap(part -> part.divided(side).stream())
+        return Tile.whole(width / samples, height / samples).divide(columns, rows).stream()
+                .flatMap(part -> part.divide(side).stream())
                 .toList();
     }
 

@@ -51,7 +51,7 @@ public final class TimedTiles {
     public boolean draw(List<Tile> squares, BooleanSupplier interrupted, Consumer<Tile> drawing) {
         long begun = clock.getAsLong();
         for (Tile square : squares) {
-            for (Tile tile : square.divided(side())) {
+            for (Tile tile : square.divide(side())) {
                 if (interrupted.getAsBoolean()) {
                     return false;
                 }

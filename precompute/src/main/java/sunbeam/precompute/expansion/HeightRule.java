@@ -21,7 +21,7 @@ record HeightRule(double[] heights, double[] shares) {
     static HeightRule of(HeightLevels levels, HeightScale scale, double maximumPhase) {
         int count = Math.max(1, (int) Math.ceil(2 * maximumPhase / INTERVAL));
         Interval[] intervals = new Interval[count];
-        boolean many = levels.areMany();
+        boolean many = levels.areTooManyToTabulate();
         double[] all = many ? levels.map().heights() : levels.levels();
         int[] counts = many ? new int[0] : levels.histogram();
         for (int i = 0; i < all.length; i++) {

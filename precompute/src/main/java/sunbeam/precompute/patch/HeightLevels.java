@@ -128,7 +128,7 @@ public final class HeightLevels {
     }
 
     /** Estimates from a subset of the samples whether evaluating a function for every sample is faster than finding the levels. */
-    public boolean areMany() {
+    public boolean areTooManyToTabulate() {
         int samples = map.heights().length;
         int examined = Math.min(EXAMINED_SAMPLES, samples);
         double[] some = IntStream.range(0, examined)

@@ -144,13 +144,15 @@ final class GridArrays {
         double patchWidth = table.patch().width();
         double patchHeight = table.patch().height();
         GridResampler columns = new GridResampler(
-                GridResampler.Axis.exact(nodesX.extended(layout.array().height()), table.bandX(), patchWidth, sigma),
+                GridResampler.Axis.forGridPoints(
+                        nodesX.extended(layout.array().height()), table.bandX(), patchWidth, sigma),
                 GridResampler.Axis.forInterpolation(
                         samplesY.extended(layout.samples()), table.bandY(), patchHeight, sampling.interpolation()));
         GridResampler rows = new GridResampler(
                 GridResampler.Axis.forInterpolation(
                         samplesX.extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
-                GridResampler.Axis.exact(nodesY.extended(layout.array().height()), table.bandY(), patchHeight, sigma));
+                GridResampler.Axis.forGridPoints(
+                        nodesY.extended(layout.array().height()), table.bandY(), patchHeight, sigma));
         int layers = layout.layersPerGrid();
         if (layouts.size() == 1) {
             tables.array(TableArray.computed(

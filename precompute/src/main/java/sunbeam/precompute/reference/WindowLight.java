@@ -7,7 +7,7 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /**
- * Exact diffracted power under the evaluator's Gaussian coherence window.
+ * Exact diffracted power under a Gaussian coherence window; {@code window} is the one that {@code evaluator} was made with.
  *
  * @param ensemble whether powers are means over all positions of the window
  */

@@ -10,19 +10,21 @@ public record GridResampler(Axis alongX, Axis alongY) {
     /**
      * Weights from the DFT bins of one axis to the samples of a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within reach.
      *
-     * @param firstBin index of the first bin within reach of each sample, from the band's first bin
+     * @param firstBin index of the first bin within reach of each sample, counted from the band's first bin
      * @param weights {@code [sample][bin]}, beginning with {@code firstBin}
      */
     public record Axis(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
 
-        /** Returns the Gaussian with the interpolation kernel divided out. */
+        /**
+         * Returns weights for samples that are interpolated later: the Gaussian with the interpolation kernel divided out of its transform.
+         */
         public static Axis forInterpolation(AxisGrid grid, Band band, double period, InterpolationDesign design) {
             Spread spread = design.spread();
             return of(grid, band, period, spread::value, spread.reach());
         }
 
-        /** Returns the plain Gaussian, for samples read at grid points only; sigma in cycles per meter. */
-        public static Axis exact(AxisGrid grid, Band band, double period, double sigma) {
+        /** Returns weights for samples that are read at grid points only: the plain Gaussian; sigma in cycles per meter. */
+        public static Axis forGridPoints(AxisGrid grid, Band band, double period, double sigma) {
             double deviation = sigma / grid.step();
             return of(
                     grid,
@@ -61,7 +63,8 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     /**
-     * Resamples real fields of bins (rows of ascending y bins), interleaved by sample.
+     * Resamples real fields given at the bins, row by row in ascending y. The target interleaves the fields: all values of a sample are
+     * adjacent.
      *
      * @param fields {@code [field][bin]}, at most {@code stride} fields
      * @param target output: {@code stride} values per sample

@@ -14,10 +14,13 @@ public interface Origin {
     /** Returns the name of a setting at this source, for use in a sentence: {@code --terms}, {@code terms}. */
     String name(Setting<?> setting);
 
-    /** Returns a complaint in one line; the value is as written at the source, or empty, and the problem continues "the value ...". */
+    /**
+     * Returns an error message in one line. The value is the text at the source, or empty; the problem completes a sentence whose subject
+     * is the value, such as "must be at least 1".
+     */
     String complaint(Setting<?> setting, String value, String problem);
 
-    /** The program itself; its names of settings are the words of their keys. */
+    /** The program itself. It names a setting by the words of its key, such as {@code coherence length}. */
     Origin PROGRAM = new Origin() {
         @Override
         public Place place() {

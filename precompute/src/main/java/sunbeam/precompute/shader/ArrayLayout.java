@@ -28,11 +28,13 @@ public record ArrayLayout(String sampler, int width, int height, int layers, Kin
 
     public ArrayLayout {
         if (width < 1 || height < 1 || layers < 1 || (kind == Kind.FLAT && layers != 1)) {
-            throw new IllegalArgumentException(
-                    Text.format("array '%s' of %d x %d x %d, %s", sampler, width, height, layers, kind));
+            throw new IllegalArgumentException(Text.format(
+                    "array '%s' of %d x %d x %d, %s: each side must be at least 1, and FLAT needs 1 layer",
+                    sampler, width, height, layers, kind));
         }
         if (channels != 1 && channels != 2 && channels != 4) {
-            throw new IllegalArgumentException(Text.format("array '%s' with %d channels", sampler, channels));
+            throw new IllegalArgumentException(
+                    Text.format("array '%s' with %d channels: must be 1, 2 or 4", sampler, channels));
         }
     }
 

@@ -56,9 +56,9 @@ public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsume
 
     /** Transforms two real terms a, b at once, z = a + i b: A(f) = (Z(f) + Z*(-f)) / 2, B(f) = (Z(f) - Z*(-f)) / 2i. */
     private void transformPairs(Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
-        Band wideX = bandX.symmetric();
-        Band wideY = bandY.symmetric();
-        BandTransform2d transform = new BandTransform2d(patch.columns(), patch.rows(), wideX, wideY);
+        Band symmetricX = bandX.symmetric();
+        Band symmetricY = bandY.symmetric();
+        BandTransform2d transform = new BandTransform2d(patch.columns(), patch.rows(), symmetricX, symmetricY);
         for (int n = 0; n < expansion.terms(); n += 2) {
             boolean pair = n + 1 < expansion.terms();
             int first = n;
@@ -67,19 +67,26 @@ public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsume
             for (int term = n; term <= (pair ? n + 1 : n); term++) {
                 real[term] = new float[bandX.count() * bandY.count()];
                 imaginary[term] = new float[bandX.count() * bandY.count()];
-                separate(z, wideX, wideY, bandX, bandY, term == n, real[term], imaginary[term]);
+                separate(z, symmetricX, symmetricY, bandX, bandY, term == n, real[term], imaginary[term]);
             }
             progress.accept(pair ? n + 2 : n + 1);
         }
     }
 
     private static void separate(
-            ComplexVector z, Band wideX, Band wideY, Band bandX, Band bandY, boolean first, float[] re, float[] im) {
+            ComplexVector z,
+            Band symmetricX,
+            Band symmetricY,
+            Band bandX,
+            Band bandY,
+            boolean first,
+            float[] re,
+            float[] im) {
         int last = z.length() - 1;
         int target = 0;
         for (int jy = bandY.first(); jy <= bandY.last(); jy++) {
             for (int jx = bandX.first(); jx <= bandX.last(); jx++, target++) {
-                int at = (jy - wideY.first()) * wideX.count() + jx - wideX.first();
+                int at = (jy - symmetricY.first()) * symmetricX.count() + jx - symmetricX.first();
                 double a = z.real()[at];
                 double b = z.imaginary()[at];
                 double mirroredA = z.real()[last - at];
@@ -90,12 +97,12 @@ public record TableBuilder(PatchIdentity patch, HeightLevels heights, IntConsume
         }
     }
 
-    /** Real and imaginary parts are two functions of the scaled height at each sample. */
+    /** Returns the rows of a complex image: its real and imaginary parts are the given functions of the scaled height of each sample. */
     private BandTransform2d.RowSource rows(
             Expansion expansion, DoubleUnaryOperator real, DoubleUnaryOperator imaginary) {
         HeightScale scale = expansion.scale();
         int columns = patch.columns();
-        if (heights.areMany()) {
+        if (heights.areTooManyToTabulate()) {
             HeightMap map = heights.map();
             return (row, realRow, imaginaryRow) -> {
                 for (int column = 0; column < columns; column++) {

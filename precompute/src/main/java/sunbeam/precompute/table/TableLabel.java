@@ -1,12 +1,12 @@
 package sunbeam.precompute.table;
 
 /**
- * Description of a cached table for lists of the cache; it identifies nothing.
+ * Description of a cached table, shown when the cache is listed; it is not part of the cache key.
  *
- * @param patch name of the surface whose request made the table; others with the same heights use it, too
+ * @param patch name of the surface for which the table was built, with digits of its digest; surfaces with the same heights share the table
  */
 public record TableLabel(String patch, String what) {
-    /** Hexadecimal digits of the digest that tell surfaces of one name apart. */
+    /** Number of hexadecimal digits of the digest; they distinguish surfaces of the same name. */
     private static final int DIGITS = 6;
 
     /** Describes a surface's table; the first digits of the digest make the name unique. */

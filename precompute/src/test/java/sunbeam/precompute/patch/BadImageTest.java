@@ -111,7 +111,7 @@ class BadImageTest {
         TinyTiff.COMPRESSION + ", 7, JPEG compression",
         TinyTiff.COMPRESSION + ", 50000, compression 50000",
         TinyTiff.BITS + ", 12, 12-bit samples of format 1",
-        TinyTiff.STRIP_BYTES + ", 15, has 15 bytes of samples of 16",
+        TinyTiff.STRIP_BYTES + ", 15, has 15 of 16 bytes of samples",
         TinyTiff.STRIP_OFFSETS + ", 1000, damaged",
         TinyTiff.STRIP_BYTES + ", 2000000000, announces 2000000000 bytes of samples but ends after",
         TinyTiff.CHANNELS + ", 60000, 60000 channels",

@@ -29,7 +29,7 @@ class TableBuilderTest {
         HeightMap map = step == 0 ? random : rounded(random, step);
         HeightLevels heights = HeightLevels.of(map);
         // Functions of the height are evaluated at samples or at levels.
-        assertThat(heights.areMany()).isEqualTo(step == 0);
+        assertThat(heights.areTooManyToTabulate()).isEqualTo(step == 0);
         TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), terms, 5);
         Band bandX = Band.of(-2, 4);
         Band bandY = Band.of(-3, 1);

@@ -24,7 +24,7 @@ import sunbeam.precompute.scan.text.TextNumbers;
  * or NaN in binary files.
  */
 final class SurfaceDataReader {
-    private static final int BINARY_HEADER = 81;
+    private static final int BINARY_HEADER_BYTES = 81;
     private static final Map<Integer, SampleType> TYPES = Map.of(
             0, SampleType.UNSIGNED_8,
             1, SampleType.UNSIGNED_16,
@@ -48,7 +48,7 @@ final class SurfaceDataReader {
     private static ScanChannel text(ScanBytes file) throws IOException {
         String head = file.headBefore("*");
         Header values = Header.of(head, '=');
-        requirePlain((int) values.number("Compression", 0));
+        requireUncompressed((int) values.number("Compression", 0));
         long line = head.lines().count() + 1;
         int columns = values.count("NumPoints");
         int rows = values.count("NumProfiles");
@@ -57,7 +57,7 @@ final class SurfaceDataReader {
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
 
-    /** A trailer follows the numbers. */
+    /** Reads the first {@code count} numbers and ignores the trailer after them. */
     private static double[] numbers(ScanBytes file, long offset, long line, int count) throws IOException {
         Reader reader = new InputStreamReader(file.stream(offset), StandardCharsets.ISO_8859_1);
         return TextNumbers.read(new BufferedReader(reader), false, line, count).first(count);
@@ -73,14 +73,15 @@ final class SurfaceDataReader {
         double scale = cursor.float64();
         // Skips the resolution of heights.
         cursor.float64();
-        requirePlain(cursor.unsignedByte());
+        requireUncompressed(cursor.unsignedByte());
         SampleType type = SampleType.of(TYPES, cursor.unsignedByte());
         double missing = switch (type) {
             case SIGNED_16 -> Short.MIN_VALUE;
             case SIGNED_32 -> Integer.MIN_VALUE;
             default -> Double.NaN;
         };
-        Samples samples = Samples.of(file, BINARY_HEADER, columns, rows, type).withMissing(missing);
+        Samples samples =
+                Samples.of(file, BINARY_HEADER_BYTES, columns, rows, type).withMissing(missing);
         return channel(samples, pitchX, pitchY, scale);
     }
 
@@ -89,9 +90,9 @@ final class SurfaceDataReader {
         return new ScanChannel("Topography", samples.scale(scale, 0), extent, "m");
     }
 
-    private static void requirePlain(int compression) {
+    private static void requireUncompressed(int compression) {
         if (compression != 0) {
-            throw new ScanException("is compressed in a way of its own; export it without compression");
+            throw new ScanException("is compressed, which this reader does not support; export it without compression");
         }
     }
 }

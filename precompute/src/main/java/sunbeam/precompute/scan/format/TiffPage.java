@@ -40,7 +40,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     /** Codes of lossless compressions: none, LZW, ZIP (two codes) and PackBits. */
     private static final Set<Integer> LOSSLESS = Set.of(UNCOMPRESSED, 5, 8, 32_946, 32_773);
 
-    private static final int MOST_BANDS = 4;
+    private static final int MAX_BANDS = 4;
 
     /** True if one of the first {@code pages} pages of a TIFF file has a tag; false for unreadable files. */
     static boolean has(ScanBytes file, int pages, int tag) throws IOException {
@@ -95,7 +95,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
                             .mapToDouble(i -> ((Number) Array.get(value, i)).doubleValue())
                             .toArray();
         } catch (IllegalArgumentException | ClassCastException none) {
-            throw new ScanException("has a TIFF tag " + tag + " that is no number; export it again", none);
+            throw new ScanException("has a TIFF tag " + tag + " whose value is not a number; export it again", none);
         }
     }
 
@@ -104,7 +104,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return numbers.length == 0 ? otherwise : numbers[0];
     }
 
-    /** Empty if the tag is missing. */
+    /** Returns the tag's text; empty if the tag is missing or is not text. */
     String text(int tag) {
         Entry entry = tags.getEntryById(tag);
         return entry != null && entry.getValue() instanceof String text ? text : "";
@@ -168,7 +168,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         ScanLimits.requireSize(columns(), rows());
         int compression = (int) number(TIFF.TAG_COMPRESSION, UNCOMPRESSED);
         if (compression == 6 || compression == 7) {
-            throw new ScanException("has JPEG compression, which falsifies heights; save it with LZW, ZIP or none");
+            throw new ScanException("has JPEG compression, which changes heights; save it with LZW, ZIP or none");
         }
         if (!LOSSLESS.contains(compression)) {
             throw new ScanException("is a TIFF with compression " + compression + "; save it with LZW, ZIP or none");
@@ -178,17 +178,18 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
             throw new ScanException("is a TIFF with orientation tag " + orientation
                     + "; save it upright (row 0 on top, column 0 on the left)");
         }
-        boolean alike =
+        boolean sameBitDepth =
                 Arrays.stream(numbers(TIFF.TAG_BITS_PER_SAMPLE)).distinct().count() <= 1;
         boolean known = isFloat()
                 ? Set.of(16, 32, 64).contains(bits())
                 : Set.of(UNSIGNED, SIGNED).contains(format())
                         && Set.of(8, 16, 32).contains(bits());
-        if (!known || !alike) {
-            throw new ScanException("is a TIFF with " + (alike ? bits() + "-bit" : "unlike") + " samples of format "
-                    + format() + "; save it as integers of 8, 16 or 32 bits or floats of 16, 32 or 64");
+        if (!known || !sameBitDepth) {
+            throw new ScanException(
+                    "is a TIFF with " + (sameBitDepth ? bits() + "-bit" : "differently sized") + " samples of format "
+                            + format() + "; save it as integers of 8, 16 or 32 bits or floats of 16, 32 or 64");
         }
-        if (bands() < 1 || bands() > MOST_BANDS) {
+        if (bands() < 1 || bands() > MAX_BANDS) {
             throw new ScanException("has " + bands() + " channels; save it as gray or RGB");
         }
         double tile = number(TIFF.TAG_TILE_WIDTH, 0) * number(TIFF.TAG_TILE_HEIGTH, 0);
@@ -208,7 +209,9 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         if (stored.length > 0 && (bytes < needed || bytes > file.size() || empty)) {
             String fault = bytes > file.size()
                     ? "announces " + bytes + " bytes of samples but ends after " + file.size()
-                    : empty ? "has no bytes for some parts" : "has " + bytes + " bytes of samples of " + needed;
+                    : empty
+                            ? "has no bytes for some strips or tiles"
+                            : "has " + bytes + " of " + needed + " bytes of samples";
             throw new ScanException("is a damaged TIFF: it " + fault + "; copy or export it again");
         }
     }
