@@ -6,7 +6,7 @@
 // Unit vector towards the light, in the patch's frame; cosine and sine of the patch's counterclockwise turn in the map.
 uniform vec3 lightDirection;
 uniform vec2 patchTurn;
-// Width and height of the whole map in pixels.
+// Size of the whole map in pixels.
 uniform vec2 mapSize;
 
 // Linear XYZ of the relative radiance; alpha 1 inside the disc, 0 outside.

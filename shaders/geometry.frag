@@ -8,7 +8,6 @@
 // Geometry pass: surface attributes of each pixel, independent of the light. The costly shading pass (skin.frag) then runs once per pixel
 // instead of once per triangle and 2 x 2 block. If only light or blend weights change, only the shading pass runs again.
 
-// Linear light; the sampler undoes the sRGB curve.
 uniform sampler2D bodyTexture;
 
 // Unit vector towards the viewer, tangent frame; w is THIS_PATCH, OTHER_PATCH or NO_SKIN.

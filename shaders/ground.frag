@@ -27,7 +27,7 @@ uniform vec3 groundAlong;
 uniform vec3 groundNormal;
 // Number of pixels, as viewAt of jrtr/view_rays.glsl counts them, along the side of one fragment.
 uniform float viewPixels;
-// Albedo, linear sRGB.
+// Linear sRGB.
 uniform vec3 groundColor;
 // Share of the sky that the mesh leaves visible, over the square of groundAcross and groundAlong.
 uniform sampler2D groundSky;
@@ -42,7 +42,6 @@ layout(location = 0) out vec4 color;
 // One over the sine of the elevation at which 37 % of the horizon's light is left.
 const float GLOW = 8.0;
 
-// Smooth noise of sand, -1 to 1.
 float noise(vec2 at) {
     vec2 cell = floor(at);
     vec2 t = at - cell;

@@ -22,10 +22,9 @@ uniform sampler2D surfaces;
 uniform sampler2D depths;
 // Matrix from a pixel's position in the image, in pixels, and its depth to world space.
 uniform mat4 targetToWorld;
-// One over the width and height of the images.
+// One over the size of the images.
 uniform vec2 perPicture;
 
-// sRGB in [0, 1].
 layout(location = 0) out vec4 color;
 
 vec3 worldAt(vec2 place) {

@@ -7,7 +7,6 @@
 // direction from the pixel (jrtr/view_rays.glsl) and the position from its depth. NEAREST_FINER_LEVEL (include/relief.glsl) selects the mip
 // levels of a picture at rest, which has two samples along a pixel's side.
 
-// Linear light; the sampler undoes the sRGB curve.
 uniform sampler2D bodyTexture;
 
 layout(location = 0) out vec4 surface;

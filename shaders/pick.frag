@@ -10,9 +10,8 @@ layout(location = 0) out vec4 position;
 layout(location = 1) out vec4 tangent;
 layout(location = 2) out vec4 bitangent;
 layout(location = 3) out vec4 normal;
-// Unit vector towards the first light, tangent frame.
+// Unit vectors in the tangent frame: towards the first light and the viewer.
 layout(location = 4) out vec4 light;
-// Unit vector towards the viewer, tangent frame.
 layout(location = 5) out vec4 view;
 
 void main() {

@@ -14,7 +14,7 @@
 // For each fragment the index of the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
 #if COLOR_LEVELS == 1
-// Distance between shaded pixels along rows and columns, in pixels of geometry.frag's images.
+// In pixels of geometry.frag's images.
 uniform float stride;
 // 1 to look colors up; 0 to write footprints only, as feedback for tiles that are not resident yet.
 uniform int lookUps;
@@ -51,7 +51,6 @@ vec3 pixelXyz(vec3 wi, vec3 wr, ivec2 pixel) {
     return xyz;
 }
 #else
-// Relative radiance at a point.
 vec3 pointRadiance(vec3 wi, vec3 wr) {
     vec3 xyz = relativeRadiance(wi, wr) * diffractedXyz(diffractionVector(wi, wr));
     return loopsWereCut() ? vec3(LOOPS_CUT) : xyz;
@@ -69,7 +68,6 @@ vec2 quantile(vec2 probability) {
 // bright order are drawn more often.
 const float WIDER = 1.6;
 
-// Two standard normal numbers for this draw of a pixel.
 vec2 slopeNumbers(ivec2 pixel) {
     // Roberts's low-discrepancy sequence (2018), numbered through squares of 16 x 16 pixels, then through draws.
     uint number = uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);

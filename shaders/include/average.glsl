@@ -24,7 +24,6 @@ float averagePower(vec3 uvw, float wavelength) {
 #endif
 }
 
-// Power of a complex amplitude (real, imaginary).
 float squaredMagnitude(vec2 amplitude) {
     return dot(amplitude, amplitude);
 }

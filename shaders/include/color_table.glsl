@@ -9,7 +9,7 @@ uniform sampler2DArray colorTexels;
 // Page table: red is the number of a tile's page plus one, 0 if the tile is not resident; green is the same for the next slice. Layers are
 // the slices of level 0, then of level 1, ...
 uniform sampler2DArray colorTiles;
-// One over the width and height of the page table, in tiles.
+// One over the size of the page table in tiles.
 uniform vec2 perColorTiles;
 // Slices per unit of |w|; the first is at 0.
 uniform float colorSlicesPerUnit;

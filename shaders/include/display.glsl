@@ -2,7 +2,6 @@
 
 // Display transform: linear XYZ to linear sRGB of a screen (in double precision: sunbeam.precompute.color.DisplayTransform).
 
-// Factor by which XYZ is multiplied.
 uniform float exposure;
 // Largest channel value that is not compressed (sunbeam.precompute.color.Tone).
 uniform float toneStart;

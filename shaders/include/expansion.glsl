@@ -50,7 +50,7 @@ float nextCoefficient(float previous, int n, float zeta) {
 
 #else
 
-// One row of texels per term: a texel holds the sample before, the sample itself and the sample after.
+// One row of texels per term: a texel has the sample before, the sample itself and the one after.
 uniform sampler2D expansionCoefficients;
 uniform vec2 expansionPhaseMap;
 

@@ -20,7 +20,7 @@ uniform float samplesAcross;
 
 struct Footprint {
     vec3 center;
-    // Mip level; 0 is the finest.
+    // 0 is the finest.
     float level;
     // Change of (u, v, w) along the line over which the taps are spread evenly, a part of the major axis, and the number of taps.
     vec3 axis;

@@ -22,7 +22,6 @@ float schlickReflectance(float cosThetaD) {
 }
 
 float relativeReflectance(float cosThetaD) {
-    // Rounding may push the cosine past 1.
     float grazing = max(0.0, 1.0 - cosThetaD);
     float square = grazing * grazing;
     float reflectance = mirrorWeight + grazingWeight * (square * square * grazing);

@@ -21,7 +21,6 @@ struct Steps {
     float beyondLast;
 };
 
-// Equal steps from one end of the band to the other.
 Steps wholeBand(int count) {
     float origin = 1.0 / LONGEST_WAVELENGTH;
     return Steps(origin, (1.0 / SHORTEST_WAVELENGTH - origin) / float(count - 1), 0, count - 1, false, 0.0, 0.0);
@@ -108,7 +107,6 @@ vec3 partXyz(Ray ray, Steps steps, int weights) {
     return steps.size * overSteps(ray, steps, weights).power;
 }
 
-// CIE XYZ of the range that the panels cover.
 vec3 partXyz(Ray ray, Panels panels, int weights) {
     return panels.size * overPanels(ray, panels, weights).power;
 }

@@ -39,7 +39,7 @@ vec2 patchTurn() {
 }
 
 const float HEAD_SHARE = 0.2;
-// Linear sRGB of pale pigment.
+// Linear sRGB.
 const vec3 PALE = vec3(0.61, 0.52, 0.39);
 
 // Slopes of the relief along u and v (xy), share of pale pigment (z) and factor of the albedo (w). Both reliefs fade out within 1 / 120 of u
@@ -57,7 +57,7 @@ vec4 reliefTexel() {
     return vec4(slopes, share * texel.z, mix(1.0, texel.w * reliefLightest, share));
 }
 
-// Albedo of a skin with that relief over a body's color, linear sRGB.
+// Linear sRGB.
 vec3 skinAlbedo(vec4 relief, vec3 color) {
     return relief.w * mix(color, PALE, relief.z);
 }

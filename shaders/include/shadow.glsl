@@ -4,7 +4,6 @@
 // Depth of the first surface that the light meets, 0 to 1.
 uniform sampler2D shadowMap;
 uniform mat4 worldToShadow;
-// 1 with shadows, 0 without.
 uniform int shadowed;
 // Offset along the normal in meters, so that a surface does not shade itself.
 uniform float shadowLift;
@@ -27,14 +26,12 @@ vec2 firstOnDisc() {
     return vec2(cos(angle), sin(angle));
 }
 
-// Share of the light that reaches a point, 0 to 1.
 float visibility(vec3 world, vec3 normal) {
     if (shadowed == 0) {
         return 1.0;
     }
     vec4 clip = worldToShadow * vec4(world + shadowLift * normal, 1.0);
     vec3 at = 0.5 * clip.xyz / clip.w + 0.5;
-    // Points outside of the map are lit.
     if (any(greaterThan(abs(at.xy - 0.5), vec2(0.5 + SOFTEST)))) {
         return 1.0;
     }

@@ -1,12 +1,10 @@
 // Linear XYZ and sRGB (IEC 61966-2-1): primaries with the white of D65, and the curve.
 
-// Columns of red, green, blue.
 const mat3 LINEAR_SRGB_TO_XYZ = mat3(
         0.4124564, 0.2126729, 0.0193339,
         0.3575761, 0.7151522, 0.1191920,
         0.1804375, 0.0721750, 0.9503041);
 
-// Its inverse; columns of X, Y, Z.
 const mat3 XYZ_TO_LINEAR_SRGB = mat3(
         3.2404542, -0.9692660, 0.0556434,
         -1.5371385, 1.8760108, -0.2040259,

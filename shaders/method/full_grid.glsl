@@ -25,7 +25,6 @@ uniform float gridLongestStep;
 // tables of one average only.
 
 #if COHERENT_TEXELS > 0
-// Two complex terms per texel.
 uniform sampler2DArray coherentPoint;
 #if RAYS_APART
 uniform sampler2DArray coherentColumns;

@@ -20,7 +20,6 @@ vec3 rainbow(float wavelength) {
     return vec3(bump(4.0 * place - 3.0), bump(4.0 * place - 2.0), bump(4.0 * place - 1.0));
 }
 
-// Sum of the rainbow colors of all orders but the mirror's.
 vec3 ordersColor(float path) {
     vec3 color = vec3(0.0);
     for (int n = 1; n <= GEM_ORDERS; ++n) {

@@ -10,7 +10,7 @@
 // DFT bins of the terms T_n, one layer each, (real, imaginary); texel (0, 0) is bin tableFirst.
 uniform sampler2DArray tableTerms;
 uniform ivec2 tableFirst;
-// Bins on each side of the central one, along x and y.
+// On each side of the central bin.
 uniform ivec2 tableRadius;
 // Bins per cycle per meter along x and y, which is the patch's period in meters.
 uniform vec2 tablePeriod;
@@ -21,7 +21,6 @@ uniform vec2 tablePeriodRest;
 // drivers limit iterations (include/loops.glsl).
 const int WRITTEN_OUT = 16;
 
-// The expansion's coefficients c_n at a phase.
 float[TERMS] coefficientsAt(float zeta) {
     float coefficients[TERMS];
     float coefficient = firstCoefficient(zeta);
@@ -36,7 +35,6 @@ float[TERMS] coefficientsAt(float zeta) {
     return coefficients;
 }
 
-// Amplitude F_j of the bin at a texel.
 vec2 binAmplitude(ivec2 texel, float coefficients[TERMS]) {
     vec2 amplitude = vec2(0.0);
     for (int block = 0; block < TERMS; block += WRITTEN_OUT) {
@@ -49,7 +47,7 @@ vec2 binAmplitude(ivec2 texel, float coefficients[TERMS]) {
     return amplitude;
 }
 
-// Power |F_j|^2 of the bin at a texel; 0 beyond the table, which contains all visible frequencies.
+// |F_j|^2; 0 beyond the table, which contains all visible frequencies.
 float binPower(ivec2 texel, float zeta) {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(tableTerms, 0).xy))) {
         return 0.0;

@@ -62,7 +62,6 @@ float sampleShare(float width, float waveNumberStep, float sigmaBins) {
     return waveNumberStep / (sqrt(PI) * width * overrated(sigmaBins));
 }
 
-// The orders of one column of bins, each with its own power.
 vec3 separateOrders(vec3 uvw, float width, float waveNumber) {
     vec3 xyz = vec3(0.0);
     float squaredLength = dot(uvw.xy, uvw.xy);

@@ -12,7 +12,6 @@ uniform vec2 colorTilesAcross;
 uniform float colorScale;
 
 #if COLOR_ONE_LIGHT == 1
-// Unit vector towards the light.
 uniform vec3 colorLight;
 
 // Table coordinates: a view direction at the angle theta to the normal lies at the distance (sin(theta) + 2 sin(theta / 2)) / 2 from the
