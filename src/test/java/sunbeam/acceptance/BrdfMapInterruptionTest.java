@@ -2,22 +2,16 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A map that its user gives up. */
-class BrdfMapInterruptionTest {
-    @TempDir
-    Path root;
-
+class BrdfMapInterruptionTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource({"INT, 130"})
     void leavesNothingAndSaysNothing(String signal, int exitCode) throws Exception {
-        Workplace workplace = Workplace.in(root);
         Sunbeam hours = workplace.command(
                 "brdf-map", "--patch", "blaze", "--size", "8192", "--output", "a.png", "--linear", "a.npy");
 
@@ -37,7 +31,6 @@ class BrdfMapInterruptionTest {
     /** Xlib would crash Java at the next call, after hours of drawing for nothing. */
     @Test
     void aScreenThatEndsIsOneLine() throws Exception {
-        Workplace workplace = Workplace.in(root);
         Sunbeam hours = workplace
                 .command("brdf-map", "--patch", "blaze", "--size", "8192", "--output", "a.png")
                 .without("DISPLAY");

@@ -3,24 +3,11 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** What {@code brdf-map} writes, and where. */
-class BrdfMapTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class BrdfMapTest extends InWorkplace {
     @Test
     void withoutAnyChoiceItDrawsTheDefaultPatchAndSaysWhere() throws Exception {
         SunbeamResult result = workplace.succeed("brdf-map", "--size", "48", "--no-annotate");

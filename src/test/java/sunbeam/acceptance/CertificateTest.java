@@ -2,26 +2,12 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** {@code --certify} on pictures that the real shaders draw. */
-final class CertificateTest {
-    @TempDir
-    private Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+final class CertificateTest extends InWorkplace {
     /** An odd size has a row of pixels in the plane v = 0, where the grating's orders lie; elsewhere it is dark. */
     private SunbeamResult map(String... options) throws Exception {
         String[] common = {"brdf-map", "--patch", "blaze", "--size", "33", "--output", "map.png", "--certify", "40"};

@@ -7,18 +7,13 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** A folder of scans whose inspection is interrupted and goes on. */
-class CollectionInterruptionTest {
+class CollectionInterruptionTest extends InWorkplace {
     private static final int SCANS = 40;
-
-    @TempDir
-    Path root;
 
     @Test
     void keepsWhatIsFinishedAndResumeInspectsTheOthers() throws Exception {
-        Workplace workplace = Workplace.in(root);
         Path scans = Files.createDirectory(workplace.resolve("scans"));
         for (int i = 0; i < SCANS; i++) {
             Images.gray(scans.resolve("scan" + (10 + i) + ".png"), 64, 64, (column, row) -> column % 8 < 4 ? 0 : 200);

@@ -2,7 +2,6 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,19 +9,14 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Eight programs that start together on an empty cache, in one folder. */
 @Tag("thorough")
-class EightAtOnceTest {
+class EightAtOnceTest extends InWorkplace {
     private static final int PROGRAMS = 8;
-
-    @TempDir
-    Path root;
 
     @Test
     void eachHasItsOutputAndOneTableIsLeft() throws Exception {
-        Workplace workplace = Workplace.in(root);
         List<RunningSunbeam> programs = new ArrayList<>();
         try {
             for (int i = 0; i < PROGRAMS; i++) {

@@ -9,14 +9,13 @@ import java.nio.file.Path;
 import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Arrays of colors and of spectral bands, as NumPy has them: what they hold is what {@code reflectance} says. */
-class ExportArrayTest {
+class ExportArrayTest extends InWorkplace {
     private static final String SURFACE = "--coherence-length 10um --theta-max 60";
     private static final String BANDS = "--channels spectral --bands 5 --wavelengths 500nm..600nm --tolerance 0.01 ";
 
@@ -25,21 +24,11 @@ class ExportArrayTest {
 
     private static Workplace made;
 
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
     @BeforeAll
     static void export() throws IOException {
         made = Workplace.in(once);
         made.succeedHere(words("export blaze --format npz --output bands.npz --samples 2 " + BANDS + SURFACE));
         made.succeedHere(words("export blaze --format npz --output a.npz --samples 0 --illuminant A " + SURFACE));
-    }
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
     }
 
     private record Place(int slice, int row, int column) {}

@@ -2,28 +2,14 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A tensor file that Mitsuba reads. */
-class ExportMaterialTest {
+class ExportMaterialTest extends InWorkplace {
     private static final String SMALL = "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
-
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
 
     /** Power of Mitsuba's eval is that of {@code reflectance} under the file's coherence length, but for the file's angular grid. */
     @Test

@@ -20,7 +20,6 @@ import java.util.zip.ZipFile;
 import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,7 +29,7 @@ import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.Srgb;
 
 /** Tables for other programs, read by others' readers: what they hold is what {@code reflectance} says. */
-class ExportTest {
+class ExportTest extends InWorkplace {
     private static final String SURFACE = "--coherence-length 16um";
 
     /** One export of each format, which several tests read. */
@@ -39,22 +38,12 @@ class ExportTest {
 
     private static Workplace made;
 
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
     @BeforeAll
     static void export() throws IOException {
         made = Workplace.in(once);
         made.succeedHere(words("export blaze --format npz --output b.npz --samples 4 --tolerance 0.01 " + SURFACE));
         made.succeedHere(words("export blaze --format html --output b.html --samples 0 " + SURFACE));
         made.succeedHere(words("export blaze --format glsl --output b --samples 0 " + SURFACE));
-    }
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
     }
 
     @Test

@@ -2,25 +2,11 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Machines that cannot draw. (Neither a display nor Xvfb: {@link LauncherScreenTest}; shaders: {@link
  * BrokenShaderTest}.) */
-class NoGraphicsTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class NoGraphicsTest extends InWorkplace {
     @Test
     void aDisplayThatDoesNotAnswer() throws Exception {
         Complaint.assertThatIt(

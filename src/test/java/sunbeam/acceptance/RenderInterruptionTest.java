@@ -11,11 +11,10 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** An animation that its user interrupts and goes on with. */
 @Tag("thorough")
-class RenderInterruptionTest {
+class RenderInterruptionTest extends InWorkplace {
     private static final int FRAMES = 12;
     private static final String SCENE = """
             { "mesh": "sphere", "patch": "blaze", "texture": "dark",
@@ -25,12 +24,8 @@ class RenderInterruptionTest {
               "weights": { "diffraction": 1000, "texture": 1 } }
             """;
 
-    @TempDir
-    Path root;
-
     @Test
     void keepsTheFinishedFramesAndResumeDrawsTheOthers() throws Exception {
-        Workplace workplace = Workplace.in(root);
         Files.writeString(workplace.resolve("scene.json"), SCENE);
         Path folder = workplace.resolve("sweep");
         Path first = folder.resolve("frame-0001.png");

@@ -3,28 +3,15 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** What goes to the standard output of the real program. */
-class StandardOutputTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class StandardOutputTest extends InWorkplace {
     @Test
     void aFileOfTheNameMinusIsStandardOutputAndReportsGoElsewhere() throws Exception {
         SunbeamResult result = workplace.succeed("mesh", "plane", "--output", "-");

@@ -4,28 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** Directions that cannot be used: each is told in one line with file, place, value and remedy. */
-class BadDirectionsTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class BadDirectionsTest extends InWorkplace {
     @Test
     void aListThatIsNotThere() throws Exception {
         Complaint.assertThatIt(

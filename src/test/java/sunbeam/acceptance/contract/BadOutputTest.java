@@ -7,29 +7,17 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.BoundUser;
 import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.Sunbeam;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** Places that take no output: told in one line, and nothing is left there. */
-class BadOutputTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class BadOutputTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource({
         "brdf-map --size 8 --output, map.png",

@@ -3,40 +3,27 @@ package sunbeam.acceptance.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.special.BesselJ;
 import org.assertj.core.data.Percentage;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.CsvFile;
 import sunbeam.acceptance.Images;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.Reflectance;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** The interface by which anybody checks Sunbeam, on surfaces that every machine has. */
-class ListTest {
+class ListTest extends InWorkplace {
     private static final List<String> SPECTRAL = List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength");
     private static final double WAVELENGTH_NM = 550;
     private static final double WINDOW_SIGMA = 65e-6 / 4;
-
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
 
     /** Orders of a sinusoid of 100 nm amplitude and 2.5 um period, J_m(k w A)^2, to the left for positive m. */
     @ParameterizedTest

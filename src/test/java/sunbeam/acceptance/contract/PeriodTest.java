@@ -4,31 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.nio.file.Path;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Images;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SharedData;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** Periods of gratings: an answer's interval holds the truth, and is narrow where the grating is plain. */
-class PeriodTest {
+class PeriodTest extends InWorkplace {
     private static final int MANY_WAVELENGTHS_MISSING = 100;
-
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws Exception {
-        workplace = Workplace.in(root);
-    }
 
     private JsonNode inspect(String... patch) throws Exception {
         String[] all = new String[patch.length + 5];

@@ -10,13 +10,12 @@ import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.NpyImage;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** Pictures of scenes: the linear colors by two methods, what makes them brighter, and their certificate. */
-class PictureTest {
+class PictureTest extends InWorkplace {
     private static final int SIDE = 24;
     private static final String SCENE = """
             {
@@ -29,15 +28,10 @@ class PictureTest {
             }
             """;
 
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
     private Path scene;
 
     @BeforeEach
     void layOut() throws IOException {
-        workplace = Workplace.in(root);
         scene = Files.writeString(workplace.resolve("scene.json"), SCENE);
     }
 

@@ -9,28 +9,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.StreamSupport;
-import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SharedData;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** Real files of instruments: what {@code inspect} reads in them is what other programs read. */
-class ScanTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
-    @BeforeEach
-    void layOut() throws Exception {
-        workplace = Workplace.in(root);
-    }
-
+class ScanTest extends InWorkplace {
     private SunbeamResult inspect(String name, String... more) throws Exception {
         List<String> words = new ArrayList<>(List.of(
                 "inspect",
