@@ -2,19 +2,14 @@ package sunbeam.acceptance.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Complaint;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SunbeamResult;
-import sunbeam.acceptance.Workplace;
 
 /** Command lines that cannot be meant: refused before anything is computed. */
-class BadOptionsTest {
-    @TempDir
-    Path root;
-
+class BadOptionsTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -36,7 +31,7 @@ class BadOptionsTest {
                 "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
                 "brdf-map --output map.png --linear map.png|--linear map.png would be linear colors, which its name does not say; end it with .npy",
                 "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
-                "brdf-map blaze --periodic yes|'yes' is no built-in patch and no file that is there; values follow options, without blanks or in quotes",
+                "brdf-map blaze --periodic yes|'yes' is neither a built-in patch nor an existing file; values follow options, without blanks or in quotes",
                 "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",
                 "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
                 "brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)",
@@ -44,7 +39,6 @@ class BadOptionsTest {
                 "reflectance --directions in.csv|missing required option: '--output"
             })
     void areRefusedWithTheOptionItsValueAndWhatWouldDo(String commandLine, String words) throws Exception {
-        Workplace workplace = Workplace.in(root);
 
         SunbeamResult result = workplace.here(commandLine.split(" ", -1));
 

@@ -10,25 +10,18 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.BoundUser;
 import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.Images;
+import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.PngFile;
-import sunbeam.acceptance.Workplace;
 
 /** Surfaces that cannot be used: each is told in one line with file or option, value and remedy. */
-class BadPatchTest {
-    @TempDir
-    Path root;
-
-    private Workplace workplace;
-
+class BadPatchTest extends InWorkplace {
     @BeforeEach
     void layOut() throws IOException {
-        workplace = Workplace.in(root);
         Images.gray(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
     }
 
@@ -36,13 +29,14 @@ class BadPatchTest {
     void aFileThatIsNotThere() throws Exception {
         assertRefused(
                 "--patch nowhere.png --width 65um --max-height 375nm",
-                "--patch nowhere.png is no file that is there; give a");
+                "--patch nowhere.png is neither a built-in patch nor an existing file; give a");
     }
 
     @Test
     void aNameThatIsNeitherFileNorBuiltIn() throws Exception {
         assertRefused(
-                "--patch blase", "--patch blase is no file that is there; give a built-in patch (blaze, sinusoid,");
+                "--patch blase",
+                "--patch blase is neither a built-in patch nor an existing file; give a built-in patch (blaze, sinusoid,");
     }
 
     @Test

@@ -108,6 +108,6 @@ public final class ViewerStart {
     private static GraphicsException unreachable(Throwable failure) {
         String why = String.valueOf(failure.getMessage()).strip().replaceAll("\\.$", "");
         return new GraphicsException("the viewer cannot open the screen: " + why
-                + "; start it on a desktop, or set DISPLAY to a screen that is there");
+                + "; start it on a desktop, or set DISPLAY to an existing screen");
     }
 }

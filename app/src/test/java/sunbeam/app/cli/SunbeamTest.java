@@ -4,36 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.Writer;
-import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.Environment;
 
-final class SunbeamTest {
-    @TempDir
-    private Path home;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private int run(String... arguments) {
-        return run(Map.of(), arguments);
-    }
-
+final class SunbeamTest extends CommandLineFixture {
     private int run(Map<String, String> variables, String... arguments) {
-        Environment environment = new Environment(variables, home);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+        return new Sunbeam(new Environment(variables, folder), new PrintWriter(out), new PrintWriter(err))
+                .run(arguments);
     }
 
     @Test
     void helpReadsAsAManual() {
-        assertThat(run("--help")).isZero();
+        assertThat(sunbeam("--help")).isZero();
         assertThat(out.toString())
                 .containsSubsequence(
                         "Usage: sunbeam",
@@ -53,9 +40,9 @@ final class SunbeamTest {
 
     @Test
     void everyCommandHasHelpOfItsOwn() {
-        assertThat(run("doctor", "--help")).isZero();
-        assertThat(run("help", "doctor")).isZero();
-        assertThat(run("doctor", "--help-all")).isZero();
+        assertThat(sunbeam("doctor", "--help")).isZero();
+        assertThat(sunbeam("help", "doctor")).isZero();
+        assertThat(sunbeam("doctor", "--help-all")).isZero();
         assertThat(out.toString()).contains("Usage: sunbeam doctor").contains("Exit codes:");
     }
 
@@ -63,7 +50,7 @@ final class SunbeamTest {
     @ParameterizedTest
     @ValueSource(strings = {"render", "color", "brdf-map", "reflectance", "compare"})
     void helpIsShortAndShowsExamples(String command) {
-        assertThat(run(command, "--help")).isZero();
+        assertThat(sunbeam(command, "--help")).isZero();
         assertThat(out.toString().lines().count()).isLessThanOrEqualTo(90);
         assertThat(out.toString())
                 .containsSubsequence("Surface:", "--patch", "Method:", "--tolerance", "--help-all", "Examples:")
@@ -72,7 +59,7 @@ final class SunbeamTest {
 
     @Test
     void completeHelpHasExpertsOptionsLast() {
-        assertThat(run("color", "--help-all")).isZero();
+        assertThat(sunbeam("color", "--help-all")).isZero();
         assertThat(out.toString())
                 .containsSubsequence(
                         "--angles", "Surface:", "--crop", "--method", "--expansion", "--debug", "Exit codes:");
@@ -82,13 +69,13 @@ final class SunbeamTest {
 
     @Test
     void versionIsTheBuilds() {
-        assertThat(run("--version")).isZero();
+        assertThat(sunbeam("--version")).isZero();
         assertThat(out.toString()).matches("sunbeam \\d+\\.\\d+\\.\\d+\\R");
     }
 
     @Test
     void anUnknownOptionIsOneLineThatSaysWhereToReadOn() {
-        assertThat(run("doctor", "--sise=3")).isEqualTo(2);
+        assertThat(sunbeam("doctor", "--sise=3")).isEqualTo(2);
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines("sunbeam: unknown option '--sise=3'; see sunbeam doctor --help\n");
         assertThat(out.toString()).isEmpty();
@@ -96,7 +83,7 @@ final class SunbeamTest {
 
     @Test
     void anUnknownCommandIsOneLineWithWhatMayHaveBeenMeant() {
-        assertThat(run("docter")).isEqualTo(2);
+        assertThat(sunbeam("docter")).isEqualTo(2);
         assertThat(err.toString())
                 .startsWith("sunbeam: unknown command 'docter' (did you mean doctor")
                 .endsWith("; see sunbeam --help" + System.lineSeparator())
@@ -107,7 +94,7 @@ final class SunbeamTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "brdf-map blaze scan.gwy | unknown argument 'scan.gwy'; values follow options, without blanks or in quotes",
+                "brdf-map blaze scan.gwy | scan.gwy' is neither a built-in patch nor an existing file; values follow options, without blanks or in quotes",
                 "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
                 "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
                 "export blaze --format npz --output x --theta-max 0,5 | option '--theta-max': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
@@ -121,13 +108,13 @@ final class SunbeamTest {
                 "colour               | unknown command 'colour' (did you mean color?); see sunbeam --help",
             })
     void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
-        assertThat(run(commandLine.split(" ", -1))).isEqualTo(2);
+        assertThat(sunbeam(commandLine.split(" ", -1))).isEqualTo(2);
         assertThat(err.toString()).contains(message).hasLineCount(1);
     }
 
     @Test
     void anEmptyNameOfAPatchIsToldByItsOption() {
-        assertThat(run("inspect", "")).isEqualTo(4);
+        assertThat(sunbeam("inspect", "")).isEqualTo(4);
         assertThat(err.toString()).startsWith("sunbeam: --patch is empty; give a built-in patch");
     }
 
@@ -151,7 +138,7 @@ final class SunbeamTest {
             @Override
             public void close() {}
         };
-        Sunbeam sunbeam = new Sunbeam(new Environment(Map.of(), home), new PrintWriter(full), new PrintWriter(err));
+        Sunbeam sunbeam = new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(full), new PrintWriter(err));
         assertThat(sunbeam.run("--version")).isEqualTo(6);
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines(

@@ -249,7 +249,7 @@ public record GratingPeriod(
     /** Returns one line with the interval, the direction and the share of the variance, or with the reason. */
     public String describe() {
         if (!isSure()) {
-            return isSeen() ? estimate() + ", in direction " + degrees(wave) + " degrees" : "not told: " + reason;
+            return isSeen() ? estimate() + ", in direction " + degrees(wave) + " degrees" : "unknown: " + reason;
         }
         // The directions of a scanner's axes are known to tenths of a degree, so no direction is known better.
         double tenths = Math.floorMod(Math.round(10 * Math.toDegrees(azimuth())), 1800L) / 10.0;

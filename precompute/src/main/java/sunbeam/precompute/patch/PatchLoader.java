@@ -85,7 +85,7 @@ public final class PatchLoader {
         } catch (InvalidPathException e) {
             throw unusable("is no file name (" + e.getReason() + "); ");
         }
-        throw unusable("is no file that is there; ");
+        throw unusable("is neither a built-in patch nor an existing file; ");
     }
 
     private static SettingException unusable(String problem) {

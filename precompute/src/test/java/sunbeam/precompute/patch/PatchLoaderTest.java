@@ -121,9 +121,13 @@ class PatchLoaderTest {
     @Test
     void listsThePatchesWhenOneIsUnknown() {
         assertRefused(
-                PatchRequests.of("blase"), "--patch blase is no file that is there", "blaze", "descriptor", "image");
+                PatchRequests.of("blase"),
+                "--patch blase is neither a built-in patch nor an existing file",
+                "blaze",
+                "descriptor",
+                "image");
         assertRefused(PatchRequests.of(" "), "--patch", "is empty");
-        assertRefused(PatchRequests.of(folder.resolve("x.json")), "no file that is there");
+        assertRefused(PatchRequests.of(folder.resolve("x.json")), "nor an existing file");
         assertRefused(PatchRequests.of("a\0b"), "no file name");
         assertRefused(PatchRequests.of(folder), folder.toString(), "is a folder");
     }

@@ -259,7 +259,7 @@ public final class BrdfMapCommand extends ReportingCommand {
     private void check() {
         UsageException.requireWithin("--size", size, 1, LARGEST);
         if (resume.isAsked() && (json.isAsked() || certify.count().isPresent())) {
-            throw new UsageException("--resume leaves a map that exists as it is, "
+            throw new UsageException("--resume keeps an existing map, "
                     + (json.isAsked() ? "--json reports on it" : "--certify draws it") + "; leave out one of them");
         }
         Ending.PNG.require("--output", output);

@@ -25,24 +25,21 @@ final class Surfaces {
     private Surfaces() {}
 
     static boolean isFolder(String name) {
-        try {
-            return !BuiltInPatches.names().contains(name) && Files.isDirectory(Path.of(name));
-        } catch (InvalidPathException noPath) {
-            return false;
-        }
+        return !BuiltInPatches.names().contains(name) && new File(name).isDirectory();
     }
 
     /**
      * Returns the names of surfaces.
      *
-     * @throws UsageException if a name is no file that is there
+     * @throws UsageException if a name is neither a built-in patch nor an existing file
      * @throws InputException if a folder cannot be read or has no file
      */
     static List<String> of(List<String> names) {
         for (String name : names) {
             if (!BuiltInPatches.names().contains(name) && !new File(name).exists()) {
-                throw new UsageException("'" + name + "' is no built-in patch and no file that is there; values follow"
-                        + " options, without blanks or in quotes");
+                throw new UsageException(
+                        "'" + name + "' is neither a built-in patch nor an existing file; values follow"
+                                + " options, without blanks or in quotes");
             }
         }
         return names.stream()

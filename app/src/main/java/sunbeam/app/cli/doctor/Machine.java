@@ -71,7 +71,7 @@ final class Machine {
                     size(system.getFreeMemorySize() / MEBIBYTE) + " of "
                             + size(system.getTotalMemorySize() / MEBIBYTE));
         }
-        return Check.ok("Free memory", "not told by this Java");
+        return Check.ok("Free memory", "not reported by this Java");
     }
 
     private static Check display(Environment environment) {

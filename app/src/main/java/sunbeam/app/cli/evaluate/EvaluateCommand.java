@@ -201,7 +201,7 @@ public final class EvaluateCommand extends ReportingCommand {
     private FirstOrder order(Patch patch, GratingPeriod period) {
         if (!period.isSeen() && given().isEmpty()) {
             boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
-            throw new PatchException(patch.name() + ": no period is told; to look for a ridge all the same give "
+            throw new PatchException(patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
                     + (lost ? "--azimuth and --period" : "--period"));
         }
         return given().orElseGet(

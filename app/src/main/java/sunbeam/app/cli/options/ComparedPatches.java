@@ -53,6 +53,6 @@ public final class ComparedPatches {
         }
         return name.equals(patch.name())
                 ? patch
-                : patch.named(name, "called so because another surface is called " + patch.name());
+                : patch.named(name, "renamed, since another surface has the name " + patch.name());
     }
 }

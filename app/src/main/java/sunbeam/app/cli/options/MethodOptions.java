@@ -20,7 +20,7 @@ import sunbeam.precompute.text.Quoted;
 
 /** Options of the method and its settings; a picocli mixin. */
 public final class MethodOptions extends SettingOptions {
-    @Option(names = "--explain", description = "Say why each part of the plan is as it is.")
+    @Option(names = "--explain", description = "State the reason of each part of the plan.")
     private boolean explain;
 
     /** Makes the options of all methods. */

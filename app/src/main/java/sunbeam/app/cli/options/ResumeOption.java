@@ -169,7 +169,7 @@ public final class ResumeOption {
         if (code.isEmpty()) {
             return OptionalInt.empty();
         }
-        err.println(Messages.note(picture + " is there, made with the same options: left as it is"));
+        err.println(Messages.note(picture + " was made with the same options: kept"));
         err.flush();
         return OptionalInt.of(code.get());
     }

@@ -270,7 +270,7 @@ public final class RenderCommand extends ReportingCommand {
             err().println(Messages.error(miss.get()));
             return ExitCode.TOLERANCE_MISSED;
         } catch (GraphicsException failure) {
-            throw new GraphicsException("what was drawn is there, but cannot be compared: " + failure.getMessage()
+            throw new GraphicsException("the picture is written, but cannot be compared: " + failure.getMessage()
                     + "; or leave --certify out");
         }
     }

@@ -240,7 +240,7 @@ public final class FileActions {
                     return true;
                 }
             } catch (UnsupportedFlavorException | IOException failure) {
-                window.status().message("what was dropped cannot be read: " + failure.getMessage());
+                window.status().message("the dropped file cannot be read: " + failure.getMessage());
             }
             return false;
         }

@@ -5,34 +5,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
 @NeedsDisplay
-final class BenchmarkCommandTest {
+final class BenchmarkCommandTest extends CommandLineFixture {
     /** A short window and a coarse tolerance make small tables. */
     private static final String SMALL = " --size 16 --samples 4 --coherence-length 4um";
 
-    @TempDir
-    private Path home;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
     private int run(String words) {
-        return new Sunbeam(new Environment(Map.of(), home), new PrintWriter(out), new PrintWriter(err))
-                .run(("benchmark " + words).split(" "));
+        return sunbeam(("benchmark " + words).split(" "));
     }
 
     private JsonNode json(String words) throws IOException {
@@ -59,7 +47,7 @@ final class BenchmarkCommandTest {
 
     @Test
     void thePageHasEveryMethodAndItsNumbers() throws Exception {
-        Path page = home.resolve("speed.md");
+        Path page = folder.resolve("speed.md");
         String words = "--patch lamellar --tolerance 1e-1 --output " + page + SMALL;
 
         assertThat(run(words)).as("%s", err).isZero();
@@ -71,9 +59,9 @@ final class BenchmarkCommandTest {
             assertThat(text).contains("\n| " + method);
             assertThat(out.toString()).as("printed, too").contains("\n| " + method);
         }
-        assertThat(ImageIO.read(home.resolve("speed/lamellar-methods.png").toFile()))
+        assertThat(ImageIO.read(folder.resolve("speed/lamellar-methods.png").toFile()))
                 .isNotNull();
-        List<String> numbers = Files.readAllLines(home.resolve("speed/benchmark.csv"));
+        List<String> numbers = Files.readAllLines(folder.resolve("speed/benchmark.csv"));
         assertThat(numbers.get(0)).startsWith("patch,method,pixels,");
         assertThat(numbers).hasSize(1 + 6);
         assertThat(run(words)).as("an earlier run's page stays").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
@@ -92,11 +80,11 @@ final class BenchmarkCommandTest {
     void whatIsWrongIsToldBeforeAnythingIsMeasured() {
         assertThat(run("--samples -1")).isEqualTo(2);
         assertThat(run("--patch lamellar --patch no-such-patch")).isEqualTo(4);
-        assertThat(run("--patch lamellar --output " + home.resolve("speed"))).isEqualTo(2);
-        assertThat(run("--patch lamellar --output " + home.resolve(".md"))).isEqualTo(2);
+        assertThat(run("--patch lamellar --output " + folder.resolve("speed"))).isEqualTo(2);
+        assertThat(run("--patch lamellar --output " + folder.resolve(".md"))).isEqualTo(2);
         assertThat(out.toString()).isEmpty();
         assertThat(err.toString().lines()).hasSize(4);
         assertThat(err.toString()).contains("--samples -1", "no-such-patch", "--output", ".md");
-        assertThat(home).isEmptyDirectory();
+        assertThat(folder).isEmptyDirectory();
     }
 }

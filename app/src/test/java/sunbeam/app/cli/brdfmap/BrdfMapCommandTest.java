@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
@@ -14,17 +12,14 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.map.DiscDirections;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
@@ -33,12 +28,7 @@ import sunbeam.precompute.text.Text;
 
 /** Exposure and annotation of maps. */
 @NeedsDisplay
-class BrdfMapCommandTest {
-    @TempDir
-    private Path folder;
-
-    private final StringWriter err = new StringWriter();
-
+class BrdfMapCommandTest extends CommandLineFixture {
     /** Draws a map of 24 pixels. */
     private int draw(String file, String... more) {
         String[] first = {
@@ -47,8 +37,7 @@ class BrdfMapCommandTest {
         String[] all = new String[first.length + more.length];
         System.arraycopy(first, 0, all, 0, first.length);
         System.arraycopy(more, 0, all, first.length, more.length);
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all);
+        return sunbeam(all);
     }
 
     private double exposure(String file, String... more) {

@@ -3,46 +3,35 @@ package sunbeam.app.cli.cache;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
-import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.table.TableLabel;
 
-final class CacheCommandTest {
-    @TempDir
-    private Path home;
-
-    private Path folder;
-    private StringWriter out = new StringWriter();
-    private StringWriter err = new StringWriter();
+final class CacheCommandTest extends CommandLineFixture {
+    private Path cache;
 
     @BeforeEach
-    void folder() throws IOException {
-        folder = Files.createDirectories(home.resolve(".cache/sunbeam"));
+    void makeCache() throws IOException {
+        cache = Files.createDirectories(folder.resolve(".cache/sunbeam"));
     }
 
     private int run(String... arguments) {
-        out = new StringWriter();
-        err = new StringWriter();
-        return new Sunbeam(new Environment(Map.of(), home), new PrintWriter(out), new PrintWriter(err)).run(arguments);
+        forgetOutput();
+        return sunbeam(arguments);
     }
 
     /** A table of 4000 bytes and a header, last used so many seconds after some time. */
     private Path table(String name, int used) throws IOException {
-        Path file = folder.resolve(name + ".tables");
+        Path file = cache.resolve(name + ".tables");
         ShaderTables tables = new ShaderTables.Builder("full_grid")
                 .array(TableArray.of(ArrayLayout.flat("numbers", 1000, 1, 1), new float[1000]))
                 .build(1, 1);
@@ -54,10 +43,10 @@ final class CacheCommandTest {
     void listsWhatForWhichSurfaceHowLargeAndWhenUsedTheLastUsedFirst() throws IOException {
         table("first", 0);
         table("second", 90);
-        Files.write(folder.resolve("damaged.tables"), new byte[10]);
-        Files.write(folder.resolve("not-ours.txt"), new byte[10]);
+        Files.write(cache.resolve("damaged.tables"), new byte[10]);
+        Files.write(cache.resolve("not-ours.txt"), new byte[10]);
         assertThat(run("cache")).isZero();
-        assertThat(out.toString()).startsWith(folder + ": 3 files, 8.").doesNotContain("not-ours");
+        assertThat(out.toString()).startsWith(cache + ": 3 files, 8.").doesNotContain("not-ours");
         assertThat(out.toString().lines().skip(3))
                 .satisfiesExactly(
                         line -> assertThat(line).contains("10 B", "?", "not usable", "truncated"),
@@ -71,21 +60,21 @@ final class CacheCommandTest {
     void clearingLeavesWhatIsNoTableAndWhatOthersRead() throws IOException {
         Path file = table("open", 0);
         ShaderTables read = ShaderTablesFile.read(file, "open");
-        Path foreign = Files.write(folder.resolve("not-ours.txt"), new byte[10]);
-        Path halfWritten = Files.write(folder.resolve(".sunbeam-00000000-1-0.part"), new byte[10]);
+        Path foreign = Files.write(cache.resolve("not-ours.txt"), new byte[10]);
+        Path halfWritten = Files.write(cache.resolve(".sunbeam-00000000-1-0.part"), new byte[10]);
         assertThat(run("cache", "--clear")).isZero();
         assertThat(out.toString()).contains("removed 1 file, 4.");
-        assertThat(folder.toFile().listFiles()).containsExactlyInAnyOrder(foreign.toFile(), halfWritten.toFile());
+        assertThat(cache.toFile().listFiles()).containsExactlyInAnyOrder(foreign.toFile(), halfWritten.toFile());
         FloatBuffer layer = read.arrays().get(0).layer(0);
         assertThat(layer.get(999)).as("read from a file that is gone").isZero();
     }
 
     @Test
     void aMissingFolderIsAnEmptyCache() throws IOException {
-        Files.delete(folder);
+        Files.delete(cache);
         assertThat(run("cache")).isZero();
-        assertThat(out.toString()).isEqualTo(folder + ": 0 files, 0 B of at most 2.0 GB\n");
+        assertThat(out.toString()).isEqualTo(cache + ": 0 files, 0 B of at most 2.0 GB\n");
         assertThat(run("cache", "--clear")).isZero();
-        assertThat(folder).doesNotExist();
+        assertThat(cache).doesNotExist();
     }
 }

@@ -10,30 +10,20 @@ import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
-import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.CommandLineFixture;
 
-final class CollectionTest {
+final class CollectionTest extends CommandLineFixture {
     private static final double PERIOD = 2e-6;
 
-    @TempDir
-    private Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
     private Path scans;
     private Path report;
 
@@ -57,10 +47,8 @@ final class CollectionTest {
     }
 
     private int run(String... arguments) {
-        out.getBuffer().setLength(0);
-        err.getBuffer().setLength(0);
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+        forgetOutput();
+        return sunbeam(arguments);
     }
 
     private int inspect(String... more) {
@@ -270,7 +258,7 @@ final class CollectionTest {
         assertThat(run("color", scans.toString(), "--output", "a.png")).isEqualTo(2);
         assertThat(err.toString()).contains("--output", "folder").hasLineCount(1);
         assertThat(inspect("blaze", "no-such-file")).isEqualTo(2);
-        assertThat(err.toString()).contains("'no-such-file' is no").hasLineCount(1);
+        assertThat(err.toString()).contains("'no-such-file' is neither").hasLineCount(1);
         assertThat(run("evaluate", scans.toString())).isEqualTo(4);
         assertThat(err.toString()).contains("scans", "folder").hasLineCount(1);
         Files.writeString(report.resolve("table.csv"), "mine");

@@ -7,41 +7,29 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
 @NeedsDisplay
-class ColorCommandTest {
+class ColorCommandTest extends CommandLineFixture {
     private static final Path SHARED = Path.of("../../shared");
 
-    @TempDir
-    private Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
     private int run(String... more) {
-        out.getBuffer().setLength(0);
-        err.getBuffer().setLength(0);
+        forgetOutput();
         String output = folder.resolve("c.png").toString();
         String[] all = with(new String[] {"color", "--output", output, "--force"}, more);
         all = List.of(more).contains("--coherence-length") ? all : with(all, "--coherence-length", "10um");
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(all);
+        return sunbeam(all);
     }
 
     private JsonNode tell(String... more) throws IOException {

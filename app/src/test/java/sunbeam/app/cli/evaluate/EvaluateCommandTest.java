@@ -6,39 +6,28 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.optics.Gain;
 
 /** Few wavelengths where a test does not name others. */
-final class EvaluateCommandTest {
+final class EvaluateCommandTest extends CommandLineFixture {
     private static final int SAMPLES = 128;
-
-    @TempDir
-    private Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
 
     private int run(String... arguments) {
         List<String> all = new ArrayList<>(List.of("evaluate"));
@@ -47,12 +36,7 @@ final class EvaluateCommandTest {
             all.addAll(List.of("--wavelengths", "380:780:50"));
         }
         all.addAll(List.of("--output", folder.resolve("result").toString()));
-        return sunbeam(out, all);
-    }
-
-    private int sunbeam(StringWriter output, List<String> arguments) {
-        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(output), new PrintWriter(err))
-                .run(arguments.toArray(String[]::new));
+        return sunbeam(all.toArray(String[]::new));
     }
 
     /** A scan of so many micrometers whose heights are given in nanometers at a column and a row. */
@@ -232,21 +216,14 @@ final class EvaluateCommandTest {
         assertThat(out.toString())
                 .startsWith("No order found: a white gloss without color")
                 .hasLineCount(1);
-        assertThat(err.toString()).contains("scan: no period is told; to look for a ridge all the same give --period");
+        assertThat(err.toString()).contains("scan: no period is seen; to look for a ridge nevertheless, give --period");
         assertThat(files()).containsExactly("scan.txt");
-        StringWriter inspected = new StringWriter();
-        sunbeam(
-                inspected,
-                List.of(
-                        "inspect",
-                        folder.resolve("scan.txt").toString(),
-                        "--height-unit",
-                        "nm",
-                        "--width",
-                        "12.8um",
-                        "--output",
-                        folder.resolve("i.png").toString()));
-        assertThat(inspected.toString()).startsWith(out.toString());
+        String verdict = out.toString();
+        forgetOutput();
+        String scan = folder.resolve("scan.txt").toString();
+        String picture = folder.resolve("i.png").toString();
+        sunbeam("inspect", scan, "--height-unit", "nm", "--width", "12.8um", "--output", picture);
+        assertThat(out.toString()).startsWith(verdict);
     }
 
     @Test

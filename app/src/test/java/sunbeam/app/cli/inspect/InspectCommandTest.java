@@ -8,33 +8,17 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
-import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.CommandLineFixture;
 
-final class InspectCommandTest {
-    @TempDir
-    private Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private int run(String... arguments) {
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
-    }
-
+final class InspectCommandTest extends CommandLineFixture {
     private String picture() {
         return folder.resolve("sheet.png").toString();
     }
@@ -54,7 +38,7 @@ final class InspectCommandTest {
 
     @Test
     void aPatchIsTold() throws IOException {
-        assertThat(run("inspect", "disc", "--output", picture()))
+        assertThat(sunbeam("inspect", "disc", "--output", picture()))
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString())
@@ -73,7 +57,7 @@ final class InspectCommandTest {
     @Test
     void lightThatTheModelAddsIsTold() {
         // Order 4 of 2.5 um lies flat at 620 nm under light from above.
-        assertThat(run("inspect", "blaze", "--output", picture()))
+        assertThat(sunbeam("inspect", "blaze", "--output", picture()))
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString())
@@ -83,7 +67,7 @@ final class InspectCommandTest {
 
     @Test
     void programsReadTheReportAsJson() throws IOException {
-        assertThat(run("inspect", "sinusoid", "--json", "--output", picture()))
+        assertThat(sunbeam("inspect", "sinusoid", "--json", "--output", picture()))
                 .as(err.toString())
                 .isZero();
 
@@ -101,21 +85,22 @@ final class InspectCommandTest {
 
     @Test
     void jsonAndThePictureCannotShareStandardOutput() {
-        assertThat(run("inspect", "sinusoid", "--json", "--output", "-")).isEqualTo(2);
+        assertThat(sunbeam("inspect", "sinusoid", "--json", "--output", "-")).isEqualTo(2);
         assertThat(err.toString()).contains("--json", "--output -").hasLineCount(1);
         assertThat(out.toString()).isEmpty();
     }
 
     @Test
     void twoPatchesAreOneTooMany() {
-        assertThat(run("inspect", "disc", "--patch", "blaze")).isEqualTo(2);
+        assertThat(sunbeam("inspect", "disc", "--patch", "blaze")).isEqualTo(2);
         assertThat(err.toString()).contains("'disc'", "--patch", "one of them").hasLineCount(1);
     }
 
     @Test
     void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
         Path noise = image("noise.png", 300, 200, 256, 7);
-        assertThat(run("inspect", noise.toString(), "--width", "60um", "--max-height", "100nm", "--output", picture()))
+        assertThat(sunbeam(
+                        "inspect", noise.toString(), "--width", "60um", "--max-height", "100nm", "--output", picture()))
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString()).startsWith("No order found: a white gloss without color");
@@ -129,7 +114,7 @@ final class InspectCommandTest {
         int[][] sizes = {{300, 1}, {1, 300}, {40, 30}};
         for (int[] size : sizes) {
             Path flat = image("flat.png", size[0], size[1], 1, 1);
-            int code = run(
+            int code = sunbeam(
                     "inspect",
                     flat.toString(),
                     "--width",
@@ -160,8 +145,7 @@ final class InspectCommandTest {
     }
 
     private void inspectScan(int code, String... more) {
-        out.getBuffer().setLength(0);
-        err.getBuffer().setLength(0);
+        forgetOutput();
         List<String> arguments = new ArrayList<>(List.of(
                 "inspect",
                 folder.resolve("scan.txt").toString(),
@@ -174,7 +158,7 @@ final class InspectCommandTest {
         if (!arguments.contains("--width")) {
             arguments.addAll(List.of("--width", "10um"));
         }
-        assertThat(run(arguments.toArray(String[]::new))).as(err.toString()).isEqualTo(code);
+        assertThat(sunbeam(arguments.toArray(String[]::new))).as(err.toString()).isEqualTo(code);
     }
 
     @Test

@@ -3,39 +3,23 @@ package sunbeam.app.cli.mesh;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.ReadMesh;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
-class MeshCommandTest {
-    @TempDir
-    private Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private int run(String... arguments) {
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
-    }
-
+class MeshCommandTest extends CommandLineFixture {
     @Test
     void everyBuiltInMeshIsWritten() {
         for (String name : BuiltInMeshes.names()) {
             Path file = folder.resolve(name + ".obj");
 
-            assertThat(run("mesh", name, "--output", file.toString())).isZero();
+            assertThat(sunbeam("mesh", name, "--output", file.toString())).isZero();
 
             assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
                     .isEqualTo(BuiltInMeshes.create(name).triangles());
@@ -48,9 +32,10 @@ class MeshCommandTest {
     void aFileIsNotOverwrittenWithoutForce() throws IOException {
         Path file = Files.writeString(folder.resolve("x.obj"), "mine");
 
-        assertThat(run("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(sunbeam("mesh", "plane", "--output", file.toString())).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(file).hasContent("mine");
-        assertThat(run("mesh", "plane", "--output", file.toString(), "--force")).isZero();
+        assertThat(sunbeam("mesh", "plane", "--output", file.toString(), "--force"))
+                .isZero();
         assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
                 .isPositive();
     }
@@ -61,7 +46,7 @@ class MeshCommandTest {
                 Files.writeString(folder.resolve("in.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 1 2\n");
         Path file = folder.resolve("out.obj");
 
-        assertThat(run("mesh", in.toString(), "--output", file.toString())).isZero();
+        assertThat(sunbeam("mesh", in.toString(), "--output", file.toString())).isZero();
 
         assertThat(err.toString().lines())
                 .hasSize(3)
@@ -76,8 +61,8 @@ class MeshCommandTest {
         Path backwards = Files.writeString(folder.resolve("backwards.obj"), positions + "f -1 -2 -9\n");
         String output = folder.resolve("out.obj").toString();
 
-        assertThat(run("mesh", forwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(run("mesh", backwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(sunbeam("mesh", forwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(sunbeam("mesh", backwards.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(err.toString()).contains("line 4: the face names position 9 but 3", "position -9 but 3");
     }
 
@@ -85,7 +70,7 @@ class MeshCommandTest {
     void oneTriangleIsCountedInTheSingular() throws IOException {
         Path in = Files.writeString(folder.resolve("in.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 
-        run("mesh", in.toString(), "--output", folder.resolve("out.obj").toString());
+        sunbeam("mesh", in.toString(), "--output", folder.resolve("out.obj").toString());
 
         assertThat(out.toString()).contains("out.obj: 3 vertices, 1 triangle\n");
     }
@@ -95,17 +80,19 @@ class MeshCommandTest {
         for (String ending : List.of("obj", "ply", "glb")) {
             Path file = folder.resolve("plane." + ending);
 
-            assertThat(run("mesh", "plane", "--output", file.toString())).isZero();
+            assertThat(sunbeam("mesh", "plane", "--output", file.toString())).isZero();
 
             assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
                     .isEqualTo(BuiltInMeshes.create("plane").triangles());
         }
         String obj = folder.resolve("worn.obj").toString();
         String glb = folder.resolve("worn.glb").toString();
-        assertThat(run("mesh", "plane", "--output", "a.stl")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(run("mesh", "snake", "--texture", "dark", "--output", obj)).isEqualTo(ExitCode.USAGE.code());
-        assertThat(run("mesh", "plane", "--scales", "keeled", "--output", glb)).isEqualTo(ExitCode.USAGE.code());
-        assertThat(run("mesh", "plane", "--mesh-unit", "mm", "--output", glb))
+        assertThat(sunbeam("mesh", "plane", "--output", "a.stl")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(sunbeam("mesh", "snake", "--texture", "dark", "--output", obj))
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(sunbeam("mesh", "plane", "--scales", "keeled", "--output", glb))
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(sunbeam("mesh", "plane", "--mesh-unit", "mm", "--output", glb))
                 .isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(err.toString().lines().toList()).hasSize(4);
         assertThat(err.toString())
@@ -120,9 +107,9 @@ class MeshCommandTest {
         Path bad = Files.writeString(folder.resolve("bad.obj"), "v 0 nan 0\n");
         String output = folder.resolve("out.obj").toString();
 
-        assertThat(run("mesh", "torus", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(run("mesh", "none.obj", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(run("mesh", bad.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(sunbeam("mesh", "torus", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(sunbeam("mesh", "none.obj", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(sunbeam("mesh", bad.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(err.toString().lines().toList())
                 .hasSize(3)
                 .satisfies(lines -> assertThat(lines.get(0)).contains("\"torus\"", "snake"))

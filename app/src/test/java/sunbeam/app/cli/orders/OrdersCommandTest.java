@@ -6,36 +6,25 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.apache.commons.math3.special.BesselJ;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.cli.Sunbeam;
-import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.terminal.ExitCode;
 
-class OrdersCommandTest {
-    @TempDir
-    private Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
+class OrdersCommandTest extends CommandLineFixture {
     private int run(String... more) {
         String[] all = Stream.concat(
                         Stream.of("orders", "--output", file("o").toString(), "--force"), Arrays.stream(more))
                 .toArray(String[]::new);
-        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err)).run(all);
+        return sunbeam(all);
     }
 
     private Path file(String name) {

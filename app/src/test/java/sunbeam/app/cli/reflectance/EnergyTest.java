@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -15,22 +13,19 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -43,14 +38,10 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** {@code --energy conserve} on tracks of a DVD: 740 nm wide, 120 nm deep. */
 @NeedsDisplay
-class EnergyTest {
+class EnergyTest extends CommandLineFixture {
     private static final double TRACK = 740e-9;
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
 
-    @TempDir
-    private Path folder;
-
-    private final StringWriter err = new StringWriter();
     private String[] disc;
 
     @BeforeEach
@@ -72,14 +63,13 @@ class EnergyTest {
     }
 
     private int run(String... arguments) {
-        err.getBuffer().setLength(0);
+        forgetOutput();
         String[] all = Stream.of(arguments)
                 .flatMap(word -> word.equals("DISC") ? Arrays.stream(disc) : Stream.of(word))
                 .map(word ->
                         word.startsWith("@") ? folder.resolve(word.substring(1)).toString() : word)
                 .toArray(String[]::new);
-        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(new StringWriter()), new PrintWriter(err))
-                .run(all);
+        return sunbeam(all);
     }
 
     private void list(String header, List<String> rows) throws IOException {

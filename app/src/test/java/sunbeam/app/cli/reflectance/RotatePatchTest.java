@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
@@ -15,31 +13,21 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.text.Text;
 
 /** A turned patch sees light and viewer turned the other way; heights are never resampled. */
 @NeedsDisplay
-class RotatePatchTest {
+class RotatePatchTest extends CommandLineFixture {
     private static final int SIDE = 24;
 
-    @TempDir
-    private Path folder;
-
     private void run(String... arguments) {
-        StringWriter err = new StringWriter();
-        Environment environment = new Environment(Map.of(), folder);
         String[] all = Stream.concat(Arrays.stream(arguments), Stream.of("--coherence-length", "10um", "--force"))
                 .toArray(String[]::new);
-        assertThat(new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(all))
-                .as(err.toString())
-                .isZero();
+        assertThat(sunbeam(all)).as(err.toString()).isZero();
     }
 
     /** X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */

@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,18 +18,16 @@ import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.render.AnimationOptions.Sweep;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 
 @EnabledIfEnvironmentVariable(
         named = "DISPLAY",
         matches = ".+",
         disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
-class RenderCommandTest {
+class RenderCommandTest extends CommandLineFixture {
     private static final String SCENE = """
             {
               "mesh": "plane",
@@ -44,20 +40,11 @@ class RenderCommandTest {
             }
             """;
 
-    @TempDir
-    private Path folder;
-
     private Path scene;
-    private final StringWriter err = new StringWriter();
 
     @BeforeEach
     void writeScene() throws IOException {
         scene = Files.writeString(folder.resolve("scene.json"), SCENE);
-    }
-
-    private int run(String... arguments) {
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(new StringWriter()), new PrintWriter(err)).run(arguments);
     }
 
     private int render(Path output, String... more) {
@@ -65,7 +52,7 @@ class RenderCommandTest {
         String[] first = {"render", scene.toString(), "--size", "40x30", "--output", output.toString()};
         System.arraycopy(first, 0, all, 0, 6);
         System.arraycopy(more, 0, all, 6, more.length);
-        return run(all);
+        return sunbeam(all);
     }
 
     @Test
@@ -139,7 +126,7 @@ class RenderCommandTest {
     @Test
     void theThesissPresetChoosesItsMethod() {
         Path picture = folder.resolve("thesis.png");
-        assertThat(run(
+        assertThat(sunbeam(
                         "render",
                         "elaphe",
                         "--mesh",
@@ -219,14 +206,14 @@ class RenderCommandTest {
         assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString()).contains("for example 1um");
         assertThat(render(output, "--method", "table", "--preset", "thesis")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(run("render", "elaphe", "--coherence-length", "10mm", "--output", output.toString()))
+        assertThat(sunbeam("render", "elaphe", "--coherence-length", "10mm", "--output", output.toString()))
                 .isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString())
                 .contains(
                         "--preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full")
                 .contains("a shorter --coherence-length, or --method full");
-        assertThat(run("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(run("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertThat(sunbeam("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
+        assertThat(sunbeam("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(output).doesNotExist();
     }
 
@@ -241,7 +228,7 @@ class RenderCommandTest {
                         .replace("\"roughness\": \"2 deg\",", "")
                         .replace("\"texture\": 0.02", "\"texture\": 0"));
 
-        assertThat(run("render", grating.toString(), "--size", "64x48", "--output", folder + "/specks.png"))
+        assertThat(sunbeam("render", grating.toString(), "--size", "64x48", "--output", folder + "/specks.png"))
                 .as(err.toString())
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(err.toString())
@@ -254,7 +241,7 @@ class RenderCommandTest {
         Path example = Files.writeString(folder.resolve("example.json"), exampleOfTheDocs());
         Path picture = folder.resolve("example.png");
 
-        assertThat(run("render", example.toString(), "--size", "64x48", "--output", picture.toString()))
+        assertThat(sunbeam("render", example.toString(), "--size", "64x48", "--output", picture.toString()))
                 .as(err.toString())
                 .isZero();
         BufferedImage image = ImageIO.read(picture.toFile());

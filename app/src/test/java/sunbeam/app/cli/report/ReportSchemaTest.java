@@ -9,25 +9,20 @@ import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion;
 import com.networknt.schema.ValidationMessage;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.cli.Sunbeam;
-import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.CommandLineFixture;
 
 /** The JSON of every command is as docs/reference/report.schema.json says, which leaves no field out. */
-final class ReportSchemaTest {
+final class ReportSchemaTest extends CommandLineFixture {
     private static final Path SCHEMA = Path.of("../docs/reference/report.schema.json");
 
     private static final String SCENE = """
@@ -43,9 +38,6 @@ final class ReportSchemaTest {
             }
             """;
 
-    @TempDir
-    private Path folder;
-
     private final ObjectMapper json = new ObjectMapper();
 
     @BeforeEach
@@ -55,14 +47,12 @@ final class ReportSchemaTest {
     }
 
     private JsonNode report(int expected, String words) throws IOException {
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
+        forgetOutput();
         List<String> arguments = new ArrayList<>();
         for (String word : words.split(" ")) {
             arguments.add(word.replace("@", folder + "/"));
         }
-        int code = new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err))
-                .run(arguments.toArray(String[]::new));
+        int code = sunbeam(arguments.toArray(String[]::new));
         assertThat(code).as("%s", err).isEqualTo(expected);
         return json.readTree(out.toString());
     }

@@ -4,30 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.cli.Sunbeam;
-import sunbeam.app.terminal.Environment;
+import sunbeam.app.cli.CommandLineFixture;
 
-class SampleCommandTest {
+class SampleCommandTest extends CommandLineFixture {
     private static final int ROWS = 301;
     private static final int HEADER_BYTES = 128;
 
-    @TempDir
-    private Path folder;
-
-    private final StringWriter words = new StringWriter();
-
     private int sample(String output, String... more) {
-        PrintWriter writer = new PrintWriter(words, true);
         String[] arguments = Stream.concat(
                         Stream.of(
                                 "sample",
@@ -40,7 +29,7 @@ class SampleCommandTest {
                                 folder.resolve(output).toString()),
                         Arrays.stream(more))
                 .toArray(String[]::new);
-        return new Sunbeam(new Environment(Map.of(), folder), writer, writer).run(arguments);
+        return sunbeam(arguments);
     }
 
     private byte[] values(String file, String array) throws IOException {
@@ -52,9 +41,7 @@ class SampleCommandTest {
 
     @Test
     void thePartsAreTheWholeBitForBit() throws IOException {
-        assertThat(sample("whole.npz", "--count", "" + ROWS))
-                .as(words.toString())
-                .isZero();
+        assertThat(sample("whole.npz", "--count", "" + ROWS)).as(err.toString()).isZero();
         for (int part = 1; part <= 2; part++) {
             assertThat(sample(part + ".npz", "--count", "" + ROWS, "--task", part + "/2"))
                     .isZero();
@@ -76,7 +63,7 @@ class SampleCommandTest {
         assertThat(sample("a.csv", "--count", "1")).isEqualTo(2);
         assertThat(sample("a.npz", "--count", "1", "--channels", "spectral", "--illuminant", "A"))
                 .isEqualTo(2);
-        assertThat(words.toString().lines()).hasSize(6);
+        assertThat(err.toString().lines()).hasSize(6);
         try (Stream<Path> left = Files.list(folder)) {
             assertThat(left).isEmpty();
         }
