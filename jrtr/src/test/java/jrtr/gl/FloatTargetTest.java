@@ -9,30 +9,14 @@ import jrtr.FloatTargetSpec;
 import jrtr.GraphicsException;
 import jrtr.Tile;
 import org.assertj.core.data.Offset;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 
 @NeedsDisplay
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
-class FloatTargetTest {
+class FloatTargetTest extends InARendering {
     private static final String COORDINATES = "vec4(gl_FragCoord.xy, -1e30, 1.0 / 3.0)";
 
     // Drivers weigh neighbors by 8 bits of the distance between them, here 2.
     private static final Offset<Float> HALF_A_STEP = within(2f / 256);
-
-    private Rendering rendering;
-
-    @BeforeAll
-    void open() {
-        rendering = new Rendering();
-    }
-
-    @AfterAll
-    void close() {
-        rendering.close();
-    }
 
     @Test
     void whatIsReadHasItsTopRowFirstAndIsNotClamped() {

@@ -12,27 +12,11 @@ import jrtr.FloatFormat;
 import jrtr.FloatTextureSpec;
 import jrtr.GraphicsException;
 import jrtr.ShaderException;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 
 @NeedsDisplay
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
-class FloatTextureTest {
+class FloatTextureTest extends InARendering {
     private static final String FETCH_TOP_DOWN = "texelFetch(t, ivec2(gl_FragCoord.xy), 0)";
-
-    private Rendering rendering;
-
-    @BeforeAll
-    void open() {
-        rendering = new Rendering();
-    }
-
-    @AfterAll
-    void close() {
-        rendering.close();
-    }
 
     private FloatTexture texture(FloatTextureSpec spec, float... texels) {
         FloatTexture texture = rendering.context.createFloatTexture("table", spec);

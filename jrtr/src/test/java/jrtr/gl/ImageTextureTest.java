@@ -6,26 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import jrtr.ColorEncoding;
 import jrtr.ImageTextureSpec;
 import jrtr.Wrap;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 
 @NeedsDisplay
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
-class ImageTextureTest {
-    private Rendering rendering;
-
-    @BeforeAll
-    void open() {
-        rendering = new Rendering();
-    }
-
-    @AfterAll
-    void close() {
-        rendering.close();
-    }
-
+class ImageTextureTest extends InARendering {
     private ImageTexture image(int width, int height, ColorEncoding encoding, int... rgba) {
         byte[] bytes = new byte[rgba.length];
         for (int index = 0; index < rgba.length; index++) {

@@ -12,26 +12,10 @@ import org.joml.Matrix4f;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
 import org.joml.Vector4f;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 
 @NeedsDisplay
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
-class ShaderProgramTest {
-    private Rendering rendering;
-
-    @BeforeAll
-    void open() {
-        rendering = new Rendering();
-    }
-
-    @AfterAll
-    void close() {
-        rendering.close();
-    }
-
+class ShaderProgramTest extends InARendering {
     private float[] pixel(ShaderProgram program) {
         return rendering.drawn(program, 1, 1);
     }

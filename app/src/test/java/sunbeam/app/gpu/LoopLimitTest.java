@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.util.List;
 import java.util.Optional;
 import jrtr.GraphicsException;
-import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.gpu.directions.DirectionsRenderer;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
@@ -32,7 +31,7 @@ import sunbeam.precompute.table.TableBuilder;
 
 /** Mesa's software renderer ends loops after 65,535 steps, without a word: what it leaves must not pass for a result. */
 @NeedsDisplay
-class LoopLimitTest {
+class LoopLimitTest extends InAContext {
     private static final GaussianArea AREA =
             new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);
     private static final List<Query> ASKED =
@@ -40,23 +39,19 @@ class LoopLimitTest {
 
     @Test
     void whatAnEndedLoopLeavesIsRefused() {
-        try (RenderContext context = RenderContext.offscreen()) {
-            assumeTrue(context.info().renderer().contains("llvmpipe"), "only llvmpipe is known to end loops");
-            // 961 bins at some hundred wavelengths, more than 65,535 together.
-            assertThatThrownBy(() -> evaluate(context, 15))
-                    .isInstanceOf(GraphicsException.class)
-                    .hasMessageContaining("65,535");
-        }
+        assumeTrue(context.info().renderer().contains("llvmpipe"), "only llvmpipe is known to end loops");
+        // 961 bins at some hundred wavelengths, more than 65,535 together.
+        assertThatThrownBy(() -> evaluate(15))
+                .isInstanceOf(GraphicsException.class)
+                .hasMessageContaining("65,535");
     }
 
     @Test
     void whatIsWholePasses() {
-        try (RenderContext context = RenderContext.offscreen()) {
-            assertThat(evaluate(context, 1).get(0)[1]).isPositive();
-        }
+        assertThat(evaluate(1).get(0)[1]).isPositive();
     }
 
-    private static List<float[]> evaluate(RenderContext context, int radius) {
+    private static List<float[]> evaluate(int radius) {
         double[] heights = new double[64];
         heights[27] = 200e-9;
         Surface surface =

@@ -11,10 +11,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -25,7 +25,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Each scene that comes with Sunbeam, as it is: what a user draws first. */
 @NeedsDisplay
-class BuiltInScenesTest {
+class BuiltInScenesTest extends InAContext {
     @TempDir
     private Path folder;
 
@@ -57,9 +57,8 @@ class BuiltInScenesTest {
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), warning -> {});
         for (String name : names) {
             Scene scene = Scenes.load(name);
-            try (RenderContext context = RenderContext.offscreen();
-                    SceneSession session =
-                            new SceneSession(context, loader.parts(scene).get(0))) {
+            try (SceneSession session =
+                    new SceneSession(context, loader.parts(scene).get(0))) {
                 double exposure = SceneDisplay.exposure(
                                 scene, new PartSum(List.of(session)), 640, 480, TimedTiles.large(), () -> false)
                         .orElseThrow();
@@ -83,8 +82,7 @@ class BuiltInScenesTest {
                 .sorted(Comparator.comparing((Scene scene) -> scene.patch().toString()))
                 .toList();
         SceneData data = loader.parts(scenes.get(0)).get(0);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = new SceneSession(context, data)) {
+        try (SceneSession session = new SceneSession(context, data)) {
             for (Scene scene : scenes) {
                 data = loader.parts(scene, List.of(data), share -> {}).get(0);
                 session.update(data);

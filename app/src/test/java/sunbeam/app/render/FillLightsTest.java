@@ -11,13 +11,11 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import jrtr.gl.RenderContext;
 import org.joml.Vector3f;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -36,7 +34,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Light adds up: a scene under several lights is the sum of the scenes under each. */
 @NeedsDisplay
-class FillLightsTest {
+class FillLightsTest extends InAContext {
     private static final int SIZE = 64;
     private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1);
     private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4);
@@ -44,18 +42,6 @@ class FillLightsTest {
 
     @TempDir
     private Path folder;
-
-    private RenderContext context;
-
-    @BeforeEach
-    void open() {
-        context = RenderContext.offscreen();
-    }
-
-    @AfterEach
-    void close() {
-        context.close();
-    }
 
     private static Scene scene(MethodType method) {
         return PlaneScenes.blaze()

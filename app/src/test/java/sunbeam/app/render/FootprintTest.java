@@ -9,21 +9,19 @@ import java.util.Optional;
 import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
-import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.glsl.ShaderLibrary;
 import org.joml.Vector3f;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 
 /** shaders/include/footprint.glsl beside its twin in double precision, and by the variance of its taps and level. */
 @NeedsDisplay
-class FootprintTest {
+class FootprintTest extends InAContext {
     private static final double SIGMA = 1e-3;
     private static final int LEVELS = 9;
     private static final float[] CENTER = {0.3f, 0.2f, -1.1f};
@@ -40,8 +38,6 @@ class FootprintTest {
                 color = gl_FragCoord.x < 1.0 ? vec4(footprint.center, footprint.level) : vec4(footprint.axis, footprint.taps);
             }
             """;
-
-    private RenderContext context;
 
     /** Level, number of taps, and change of u, v, w along them. */
     private record Footprint(int level, int taps, double[] axis) {
@@ -85,16 +81,6 @@ class FootprintTest {
             // Taps in the middles of n equal parts.
             return 2 * blur + (1 - 1.0 / (taps * taps)) / 12 * (axis[0] * axis[0] + axis[1] * axis[1]);
         }
-    }
-
-    @BeforeEach
-    void open() {
-        context = RenderContext.offscreen();
-    }
-
-    @AfterEach
-    void close() {
-        context.close();
     }
 
     private Footprint find(float[] du, float[] dv, double slope, int pointLevels, int samplesAcross) {

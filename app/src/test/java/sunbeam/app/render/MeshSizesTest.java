@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Viewpoint;
@@ -19,7 +19,7 @@ import sunbeam.precompute.text.Text;
 
 /** Meshes and distances far from the snake's. */
 @NeedsDisplay
-class MeshSizesTest {
+class MeshSizesTest extends InAContext {
     private static final int SIDE = 16;
 
     @TempDir
@@ -45,8 +45,7 @@ class MeshSizesTest {
         Scene scene = PlaneScenes.blaze()
                 .withMesh(MeshSource.of(mesh.toString()))
                 .withView(new Viewpoint(camera, Math.toRadians(30)));
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
+        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
             ScenePicture picture = WholePicture.of(session, SIDE, SIDE);
 
             float alpha = picture.rgba()[4 * (SIDE / 2 * SIDE + SIDE / 2) + 3];

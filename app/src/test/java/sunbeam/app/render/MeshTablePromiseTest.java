@@ -11,10 +11,10 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
-import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
@@ -27,7 +27,7 @@ import sunbeam.precompute.text.Text;
  * shorter than sunlight's, and periods no longer beside them, so that tables are made in seconds.
  */
 @NeedsDisplay
-class MeshTablePromiseTest {
+class MeshTablePromiseTest extends InAContext {
     private static final double TOLERANCE = 1e-2;
     private static final int SIDE = 64;
     private static final int SAMPLES = 2;
@@ -128,8 +128,7 @@ class MeshTablePromiseTest {
         SceneData data = new SceneLoader(new Environment(Map.of(), folder), told::add)
                 .parts(scene)
                 .get(0);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = new SceneSession(context, data)) {
+        try (SceneSession session = new SceneSession(context, data)) {
             session.prepare(SceneSession.parts(session.scene(), SIDE, SIDE, SAMPLES));
             ErrorStatistics errors =
                     session.tableErrors(session.scene(), SIDE, SIDE, SAMPLES).orElseThrow();

@@ -13,7 +13,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
-import jrtr.gl.RenderContext;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
@@ -22,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
@@ -37,7 +37,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Fields of orientation on a mesh, beside the turn that is the same everywhere. */
 @NeedsDisplay
-class OrientationMapTest {
+class OrientationMapTest extends InAContext {
     private static final int WIDTH = 36;
     private static final int HEIGHT = 28;
     // Towards 30.2 degrees: (110, 64) of eight bits about 128.
@@ -62,12 +62,12 @@ class OrientationMapTest {
         return scene.with(Choices.none().with(ORIENTATION_MAP, map).with(ROTATE_PATCH, turn));
     }
 
-    private SceneSession session(RenderContext context, Scene scene) {
+    private SceneSession session(Scene scene) {
         return new SceneSession(context, PlaneScenes.load(scene, folder));
     }
 
-    private ScenePicture drawn(RenderContext context, Scene scene) {
-        try (SceneSession session = session(context, scene)) {
+    private ScenePicture drawn(Scene scene) {
+        try (SceneSession session = session(scene)) {
             return WholePicture.of(session, WIDTH, HEIGHT);
         }
     }
@@ -86,19 +86,16 @@ class OrientationMapTest {
     @Test
     void aConstantMapIsATurnOfThePatch() throws IOException {
         Scene plain = PlaneScenes.blaze();
-        try (RenderContext context = RenderContext.offscreen()) {
-            float[] turned = drawn(context, mapped(plain, "none", SLANT + 0.1)).rgba();
-            float[] mapped =
-                    drawn(context, mapped(plain, map(SLANTED, SLANTED), 0.1)).rgba();
+        float[] turned = drawn(mapped(plain, "none", SLANT + 0.1)).rgba();
+        float[] mapped = drawn(mapped(plain, map(SLANTED, SLANTED), 0.1)).rgba();
 
-            float brightest = 0;
-            for (int i = 1; i < turned.length; i += 4) {
-                brightest = Math.max(brightest, turned[i]);
-            }
-            assertThat(brightest).isGreaterThan(0);
-            // Directions in single precision on an order's flank, whose logarithm has a slope of 500.
-            assertThat(mapped).containsExactly(turned, within(1e-3f * brightest));
+        float brightest = 0;
+        for (int i = 1; i < turned.length; i += 4) {
+            brightest = Math.max(brightest, turned[i]);
         }
+        assertThat(brightest).isGreaterThan(0);
+        // Directions in single precision on an order's flank, whose logarithm has a slope of 500.
+        assertThat(mapped).containsExactly(turned, within(1e-3f * brightest));
     }
 
     @Test
@@ -109,8 +106,7 @@ class OrientationMapTest {
         SceneData turned = loader.parts(mapped(plain, "none", SLANT)).get(0);
         SceneData mapped = loader.parts(mapped(plain, map(SLANTED), 0), List.of(turned), share -> {})
                 .get(0);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = new SceneSession(context, turned)) {
+        try (SceneSession session = new SceneSession(context, turned)) {
             WholePicture.of(session, WIDTH, HEIGHT);
             BufferedImage before = session.moving(WIDTH, HEIGHT, 1, 1);
             session.update(mapped);
@@ -133,8 +129,7 @@ class OrientationMapTest {
     @Test
     void eachPlaceHasItsOwnDirection() throws IOException {
         String halves = map(0xffff8000, 0xffff8000, 0xff80ff00, 0xff80ff00);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = session(context, mapped(PlaneScenes.blaze(), halves, 0.2))) {
+        try (SceneSession session = session(mapped(PlaneScenes.blaze(), halves, 0.2))) {
             // Left: along u, turned; right: along v, turned. Either has two texels, between which it does not change.
             assertPointsTo(tangent(session, WIDTH / 2 - 5), 0.2);
             assertPointsTo(tangent(session, WIDTH / 2 + 4), Math.PI / 2 + 0.2);
@@ -160,13 +155,11 @@ class OrientationMapTest {
                 f 1/1 2/2 3/3 4/4
                 """);
         Scene mirrored = PlaneScenes.blaze().withMesh(MeshSource.of(mesh.toString()));
-        try (RenderContext context = RenderContext.offscreen()) {
-            try (SceneSession session = session(context, mapped(mirrored, map(0xff80ff00), 0.2))) {
-                assertPointsTo(tangent(session, WIDTH / 2), Math.PI / 2 + 0.2);
-            }
-            try (SceneSession session = session(context, mapped(mirrored, map(SLANTED), 0))) {
-                assertPointsTo(tangent(session, WIDTH / 2), Math.PI - SLANT);
-            }
+        try (SceneSession session = session(mapped(mirrored, map(0xff80ff00), 0.2))) {
+            assertPointsTo(tangent(session, WIDTH / 2), Math.PI / 2 + 0.2);
+        }
+        try (SceneSession session = session(mapped(mirrored, map(SLANTED), 0))) {
+            assertPointsTo(tangent(session, WIDTH / 2), Math.PI - SLANT);
         }
     }
 

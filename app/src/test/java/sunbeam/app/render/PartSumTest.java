@@ -12,11 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.gl.RenderContext;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -29,25 +28,18 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** A skin whose index is a file's is the sum of two parts of light, over one body. */
 @NeedsDisplay
-class PartSumTest {
+class PartSumTest extends InAContext {
     private static final int SIZE = 48;
     private static final Tile WHOLE = Tile.whole(SIZE, SIZE);
 
     @TempDir
     private Path folder;
 
-    private RenderContext context;
     private SceneLoader loader;
 
     @BeforeEach
-    void open() {
-        context = RenderContext.offscreen();
+    void prepare() {
         loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
-    }
-
-    @AfterEach
-    void close() {
-        context.close();
     }
 
     private ScenePicture draw(Scene scene) {

@@ -14,7 +14,6 @@ import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import jrtr.Tile;
-import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.PatchAtlas;
@@ -40,7 +40,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Several patches on one mesh, each where a map has its color. */
 @NeedsDisplay
-class PatchAtlasTest {
+class PatchAtlasTest extends InAContext {
     private static final int WIDTH = 36;
     private static final int HEIGHT = 28;
     private static final int RED = 0xff0000;
@@ -72,7 +72,7 @@ class PatchAtlasTest {
         return new SceneLoader(new Environment(Map.of(), folder), warning -> {});
     }
 
-    private float[] drawn(RenderContext context, Scene scene) {
+    private float[] drawn(Scene scene) {
         List<SceneSession> sessions = new ArrayList<>();
         try {
             loader().parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
@@ -102,36 +102,33 @@ class PatchAtlasTest {
                         region(RED, "lamellar"))
                 .withMethod(new SceneMethod(quick))
                 .withBlend(new Blend(3000, 1, 1, 0, Optional.empty()));
-        try (RenderContext context = RenderContext.offscreen()) {
-            float[] mixed = drawn(context, both);
-            float[][] alone = {
-                drawn(context, both.withPatch(PatchRequest.of("blaze"))),
-                drawn(context, both.withPatch(PatchRequest.of("lamellar")))
-            };
+        float[] mixed = drawn(both);
+        float[][] alone = {
+            drawn(both.withPatch(PatchRequest.of("blaze"))), drawn(both.withPatch(PatchRequest.of("lamellar")))
+        };
 
-            int[] places = new int[2];
-            int different = 0;
-            try (SceneSession session =
-                    new SceneSession(context, loader().parts(both).get(1))) {
-                for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
-                    if (mixed[4 * pixel + 3] == 0) {
-                        continue;
-                    }
-                    int region = regionAt(session, pixel % WIDTH, pixel / WIDTH);
-                    places[region]++;
-                    for (int c = 4 * pixel; c < 4 * pixel + 3; c++) {
-                        // Light is added to the body on the processor, not on the graphics card: single precision.
-                        assertThat(mixed[c]).isCloseTo(alone[region][c], withinPercentage(0.01));
-                        different += Math.abs(alone[0][c] - alone[1][c]) > 0.01 ? 1 : 0;
-                    }
+        int[] places = new int[2];
+        int different = 0;
+        try (SceneSession session =
+                new SceneSession(context, loader().parts(both).get(1))) {
+            for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+                if (mixed[4 * pixel + 3] == 0) {
+                    continue;
                 }
-                assertThat(regionAt(session, WIDTH / 2 - 4, HEIGHT / 2 - 4)).isOne();
-                assertThat(regionAt(session, WIDTH / 2 + 4, HEIGHT / 2 - 4)).isZero();
-                assertThat(regionAt(session, WIDTH / 2 - 4, HEIGHT / 2 + 4)).isZero();
+                int region = regionAt(session, pixel % WIDTH, pixel / WIDTH);
+                places[region]++;
+                for (int c = 4 * pixel; c < 4 * pixel + 3; c++) {
+                    // Light is added to the body on the processor, not on the graphics card: single precision.
+                    assertThat(mixed[c]).isCloseTo(alone[region][c], withinPercentage(0.01));
+                    different += Math.abs(alone[0][c] - alone[1][c]) > 0.01 ? 1 : 0;
+                }
             }
-            assertThat(places[1]).isBetween(places[0] / 4, places[0] / 2);
-            assertThat(different).as("the patches differ").isGreaterThan(20);
+            assertThat(regionAt(session, WIDTH / 2 - 4, HEIGHT / 2 - 4)).isOne();
+            assertThat(regionAt(session, WIDTH / 2 + 4, HEIGHT / 2 - 4)).isZero();
+            assertThat(regionAt(session, WIDTH / 2 - 4, HEIGHT / 2 + 4)).isZero();
         }
+        assertThat(places[1]).isBetween(places[0] / 4, places[0] / 2);
+        assertThat(different).as("the patches differ").isGreaterThan(20);
     }
 
     @Test

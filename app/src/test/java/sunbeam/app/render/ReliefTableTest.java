@@ -6,11 +6,10 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
-import jrtr.gl.RenderContext;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
@@ -22,28 +21,21 @@ import sunbeam.precompute.setting.Choices;
 
 /** Scenes of relief finer than a pixel, whose tables are of few tiles. */
 @NeedsDisplay
-class ReliefTableTest {
+class ReliefTableTest extends InAContext {
     private static final int WIDTH = 24;
     private static final int HEIGHT = 16;
 
     @TempDir
     private Path folder;
 
-    private RenderContext context;
     private Scene scene;
 
     @BeforeEach
-    void open() {
-        context = RenderContext.offscreen();
+    void prepare() {
         Scene blaze = PlaneScenes.blaze();
         Choices method = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
         scene = blaze.withMethod(new SceneMethod(method))
                 .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(9)));
-    }
-
-    @AfterEach
-    void close() {
-        context.close();
     }
 
     private SceneSession session() {

@@ -14,9 +14,9 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.BodyAlpha;
@@ -38,7 +38,7 @@ import sunbeam.precompute.setting.SettingException;
 
 /** The other methods on a mesh. */
 @NeedsDisplay
-class SceneMethodsTest {
+class SceneMethodsTest extends InAContext {
     private static final int WIDTH = 72;
     private static final int HEIGHT = 56;
 
@@ -53,7 +53,7 @@ class SceneMethodsTest {
         return PlaneScenes.blaze().withMethod(new SceneMethod(choices));
     }
 
-    private float[] draw(RenderContext context, Scene scene) {
+    private float[] draw(Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
             return WholePicture.of(session, WIDTH, HEIGHT).rgba();
         }
@@ -69,18 +69,16 @@ class SceneMethodsTest {
 
     @Test
     void nmmDrawsWhatFullDraws() {
-        try (RenderContext context = RenderContext.offscreen()) {
-            float[] full = draw(context, with(FullMethod.TYPE));
-            float[] nmm = draw(context, with(NmmMethod.TYPE));
-            int[] brightest = Arrays.copyOf(byLuminance(full), 200);
-            double[] errors = Arrays.stream(brightest)
-                    .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
-                    .sorted()
-                    .toArray();
-            // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/theory.md), up to
-            // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
-            assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
-        }
+        float[] full = draw(with(FullMethod.TYPE));
+        float[] nmm = draw(with(NmmMethod.TYPE));
+        int[] brightest = Arrays.copyOf(byLuminance(full), 200);
+        double[] errors = Arrays.stream(brightest)
+                .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
+                .sorted()
+                .toArray();
+        // nmm takes an order's power at its one wavelength: 3e-3 on this grating's maps (docs/theory.md), up to
+        // 6e-2 at the 95th percentile; beside the grating's plane, on orders' flanks, 1.5e-2 in the median.
+        assertThat(errors[errors.length / 2]).as("median error").isLessThan(2e-2);
     }
 
     /** 101 wavelengths of 17 x 17 bins are 33 thousand steps of loops, of which Mesa's software renderer makes 65 thousand. */
@@ -91,8 +89,7 @@ class SceneMethodsTest {
                 .with(PRESET, Preset.THESIS)
                 .with(MethodSettings.RADIUS, 8)
                 .with(MethodSettings.WAVELENGTH_STEP, 4e-9);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
+        try (SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
             // The session refuses what loops have left unfinished.
             assertThat(session.draw(DrawRequest.ofPixels(session.scene(), 8, 6, Tile.whole(8, 6), 1))
                             .rgba())
@@ -115,13 +112,11 @@ class SceneMethodsTest {
     void theThesisSAlphaHidesTheBodyWithoutDiffraction() {
         Scene body = with(FullMethod.TYPE).withBlend(new Blend(0, 1, 1, 0, Optional.empty()));
         Scene thesis = body.withBlend(new Blend(0, 1, 1, 0, Optional.of(BodyAlpha.FRESNEL)));
-        try (RenderContext context = RenderContext.offscreen()) {
-            float[] light = draw(context, body);
-            float[] fresnel = draw(context, thesis);
-            int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
-            // Half of the angle between light and view is 15 degrees: (1 - cos 15)^5 is 5e-8.
-            assertThat(fresnel[middle] / light[middle]).isCloseTo(0.96f, within(1e-4f));
-        }
+        float[] light = draw(body);
+        float[] fresnel = draw(thesis);
+        int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
+        // Half of the angle between light and view is 15 degrees: (1 - cos 15)^5 is 5e-8.
+        assertThat(fresnel[middle] / light[middle]).isCloseTo(0.96f, within(1e-4f));
     }
 
     /** (1 - w) D + (1 + w) texture, whatever the light's angle; the texture is white. */
@@ -129,14 +124,12 @@ class SceneMethodsTest {
     void theDraftsAlphaAddsTheTextureWithoutLight() {
         Scene scene = with(FullMethod.TYPE);
         int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
-        try (RenderContext context = RenderContext.offscreen()) {
-            float lit = draw(context, scene.withBlend(new Blend(0, 1, 1, 0, Optional.empty())))[middle];
-            float diffracted = draw(context, scene.withBlend(new Blend(1, 0, 0, 0, Optional.empty())))[middle];
-            float draft = draw(context, scene.withBlend(new Blend(1, 1, 1, 0.2, Optional.of(BodyAlpha.DRAFT))))[middle];
-            assertThat(lit).isLessThan(0.95f);
-            // All are float32.
-            assertThat(draft).isCloseTo(0.8f * diffracted + 1.2f, within(1e-5f));
-        }
+        float lit = draw(scene.withBlend(new Blend(0, 1, 1, 0, Optional.empty())))[middle];
+        float diffracted = draw(scene.withBlend(new Blend(1, 0, 0, 0, Optional.empty())))[middle];
+        float draft = draw(scene.withBlend(new Blend(1, 1, 1, 0.2, Optional.of(BodyAlpha.DRAFT))))[middle];
+        assertThat(lit).isLessThan(0.95f);
+        // All are float32.
+        assertThat(draft).isCloseTo(0.8f * diffracted + 1.2f, within(1e-5f));
     }
 
     @Test

@@ -9,13 +9,13 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -34,26 +34,23 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
 
 @NeedsDisplay
-class SceneSessionTest {
+class SceneSessionTest extends InAContext {
     private static final int WIDTH = 72;
     private static final int HEIGHT = 56;
 
     @TempDir
     private Path folder;
 
-    private RenderContext context;
     private SceneSession session;
 
     @BeforeEach
-    void open() {
-        context = RenderContext.offscreen();
+    void prepare() {
         session = new SceneSession(context, PlaneScenes.load(PlaneScenes.blaze(), folder));
     }
 
     @AfterEach
-    void close() {
+    void closeSession() {
         session.close();
-        context.close();
     }
 
     private ScenePicture draw(Scene scene) {

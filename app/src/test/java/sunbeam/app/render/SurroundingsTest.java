@@ -8,11 +8,11 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
@@ -30,7 +30,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Ground, sky and shadows about a white sphere of 10 cm that lies on the ground, in light from the left at 45 degrees. */
 @NeedsDisplay
-class SurroundingsTest {
+class SurroundingsTest extends InAContext {
     private static final int SIDE = 64;
 
     @TempDir
@@ -43,9 +43,8 @@ class SurroundingsTest {
                 .withView(above)
                 .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
                 .withBlend(new Blend(0, 1, 1, 0.2, Optional.empty()));
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session =
-                        new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
+        try (SceneSession session =
+                new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
             return WholePicture.of(session, SIDE, SIDE).rgba();
         }
     }

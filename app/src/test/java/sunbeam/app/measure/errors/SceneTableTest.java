@@ -11,13 +11,13 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.gl.RenderContext;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.render.DrawRequest;
@@ -46,7 +46,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Method table on meshes, beside full: a point where pixels see points, the mean where they see more. */
 @NeedsDisplay
-class SceneTableTest {
+class SceneTableTest extends InAContext {
     private static final double TOLERANCE = 1e-2;
     private static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0, Optional.empty());
     // Orders as bright as the body, as on a skin.
@@ -87,8 +87,7 @@ class SceneTableTest {
     void pixelsThatSeePointsHaveTheColorsOfFull() {
         int width = 24;
         int height = 18;
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession full =
+        try (SceneSession full =
                         new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, FullMethod.TYPE)));
                 SceneSession table =
                         new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, TableMethod.TYPE)))) {
@@ -153,8 +152,7 @@ class SceneTableTest {
         SceneCertifier certifier = new SceneCertifier(24, 18, 1);
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession full = new SceneSession(context, load(exact));
+        try (SceneSession full = new SceneSession(context, load(exact));
                 SceneSession table = new SceneSession(context, load(drawn))) {
             PartSum sum = new PartSum(List.of(full));
             Certificate certificate = certifier.certify(new PartSum(List.of(table)), drawn, sum, exact, 1, count);
@@ -170,8 +168,7 @@ class SceneTableTest {
     @Test
     void aMeshThatTurnsItsBackToTheLightIsDark() {
         Scene scene = plane(EYE, new Vector3f(0.2f, 0, -0.9f), 10, DIFFRACTION_ONLY, TableMethod.TYPE);
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession session = new SceneSession(context, load(scene))) {
+        try (SceneSession session = new SceneSession(context, load(scene))) {
             float[] drawn = WholePicture.of(session, 8, 6).rgba();
             assertThat(xyz(drawn, 27)).containsExactly(0, 0, 0);
             assertThat(drawn[4 * 27 + 3]).as("covered").isOne();
@@ -182,8 +179,7 @@ class SceneTableTest {
     void aPictureIsTheSameHoweverItIsPreparedAndDivided() {
         int width = 24;
         int height = 18;
-        try (RenderContext context = RenderContext.offscreen();
-                SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
+        try (SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
                 SceneSession other =
                         new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {
             one.prepare(SceneSession.parts(one.scene(), width, height, 1));
