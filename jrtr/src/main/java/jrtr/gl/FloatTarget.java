@@ -61,7 +61,7 @@ public final class FloatTarget extends Resource {
         gl.glGenFramebuffers(1, framebuffer, 0);
         int[] drawBuffers = new int[spec.colors()];
         for (int color = 0; color < spec.colors(); color++) {
-            colors.add(createImage(gl, color));
+            colors.add(createColor(gl, color));
             drawBuffers[color] = GL3.GL_COLOR_ATTACHMENT0 + color;
         }
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
@@ -82,21 +82,19 @@ public final class FloatTarget extends Resource {
         device().check(gl, "allocating '" + label() + "'");
     }
 
-    private Image createImage(GL3 gl, int color) {
-        return initialize(new Image(device(), label() + "[" + color + "]"), image -> {
+    private Image createColor(GL3 gl, int color) {
+        String name = label() + "[" + color + "]";
+        // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
+        return spec.format() == FloatTargetSpec.Format.RGBA8
+                ? createImage(gl, name, GL3.GL_RGBA8, GL3.GL_BGRA, SCREEN_COLORS, Integer.BYTES)
+                : createImage(gl, name, GL3.GL_RGBA32F, GL3.GL_RGBA, GL3.GL_FLOAT, CHANNELS * Float.BYTES);
+    }
+
+    private Image createImage(GL3 gl, String name, int internal, int format, int type, int pixelBytes) {
+        return initialize(new Image(device(), name), image -> {
             image.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
-            long pixels = (long) spec.width() * spec.height();
-            // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
-            boolean screen = spec.format() == FloatTargetSpec.Format.RGBA8;
-            image.allocate(
-                    gl,
-                    screen ? GL3.GL_RGBA8 : GL3.GL_RGBA32F,
-                    spec.width(),
-                    spec.height(),
-                    1,
-                    screen ? GL3.GL_BGRA : GL3.GL_RGBA,
-                    screen ? SCREEN_COLORS : GL3.GL_FLOAT,
-                    (screen ? Integer.BYTES : CHANNELS * Float.BYTES) * pixels);
+            long bytes = (long) pixelBytes * spec.width() * spec.height();
+            image.allocate(gl, internal, spec.width(), spec.height(), 1, format, type, bytes);
         });
     }
 
@@ -110,18 +108,8 @@ public final class FloatTarget extends Resource {
     }
 
     private void attachDepth(GL3 gl) {
-        Image image = initialize(new Image(device(), label() + "[depth]"), created -> {
-            created.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
-            created.allocate(
-                    gl,
-                    GL3.GL_DEPTH_COMPONENT32F,
-                    spec.width(),
-                    spec.height(),
-                    1,
-                    GL3.GL_DEPTH_COMPONENT,
-                    GL3.GL_FLOAT,
-                    (long) Float.BYTES * spec.width() * spec.height());
-        });
+        Image image = createImage(
+                gl, label() + "[depth]", GL3.GL_DEPTH_COMPONENT32F, GL3.GL_DEPTH_COMPONENT, GL3.GL_FLOAT, Float.BYTES);
         depth = Optional.of(image);
         gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }

@@ -10,7 +10,7 @@ public final class Opening {
     public static <T> T orClose(Supplier<T> opening, Runnable... others) {
         try {
             return opening.get();
-        } catch (RuntimeException | OutOfMemoryError failure) {
+        } catch (RuntimeException | Error failure) {
             for (Runnable other : others) {
                 other.run();
             }

@@ -49,12 +49,7 @@ public final class RenderContext implements AutoCloseable {
     public static RenderContext offscreen() {
         DisplayFaults.prepare();
         OffscreenSurface surface = OffscreenSurface.create();
-        try {
-            return new RenderContext(new GlDevice(surface));
-        } catch (RuntimeException failure) {
-            surface.destroy();
-            throw failure;
-        }
+        return Opening.orClose(() -> new RenderContext(new GlDevice(surface)), surface::destroy);
     }
 
     public ContextInfo info() {

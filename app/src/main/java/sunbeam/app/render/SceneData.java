@@ -78,9 +78,12 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return other.equals(scene)
-                ? this
-                : new SceneData(other, mesh, sky, region, patch, method, tables, bakers, body, reflectanceComponent);
+        return other.equals(scene) ? this : with(other, mesh, sky, body);
+    }
+
+    /** Returns the same patch, method and tables for another scene, mesh and body. */
+    SceneData with(Scene scene, Mesh mesh, Supplier<SkyVisibility> sky, Body body) {
+        return new SceneData(scene, mesh, sky, region, patch, method, tables, bakers, body, reflectanceComponent);
     }
 
     /** Returns one value for each patch of a scene, in order, from the data of all its parts. */

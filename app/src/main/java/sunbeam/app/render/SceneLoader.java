@@ -130,17 +130,7 @@ public final class SceneLoader {
                 && sameMethod
                 && before.get(SceneSettings.INDEX).sharesSpectrum(scene.get(SceneSettings.INDEX))) {
             return previous.stream()
-                    .map(part -> new SceneData(
-                            scene,
-                            mesh,
-                            sky,
-                            part.region(),
-                            part.patch(),
-                            part.method(),
-                            part.tables(),
-                            part.bakers(),
-                            bodies.get(part.region()),
-                            part.reflectanceComponent()))
+                    .map(part -> part.with(scene, mesh, sky, bodies.get(part.region())))
                     .toList();
         }
         List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import jrtr.Tile;
+import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
@@ -59,16 +60,7 @@ public final class SceneSession implements AutoCloseable {
         this.moving = new MovingPictures(context, renderer);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
-        this.uploaded = orClose(upload);
-    }
-
-    private UploadedScene orClose(Function<SceneRenderer, UploadedScene> upload) {
-        try {
-            return upload.apply(renderer);
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            close();
-            throw failure;
-        }
+        this.uploaded = Opening.orClose(() -> upload.apply(renderer), this::close);
     }
 
     public SceneData data() {

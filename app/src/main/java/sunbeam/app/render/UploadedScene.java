@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.SceneRenderer;
@@ -100,37 +101,31 @@ final class UploadedScene implements AutoCloseable {
             nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
             nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
         } catch (RuntimeException | OutOfMemoryError failure) {
-            closeUnlessSame(nextMesh, mesh);
-            closeUnlessSame(nextBody, body);
-            closeUnlessSame(nextSkin, skin);
+            closeUnlessSame(nextMesh, mesh, UploadedMesh::close);
+            closeUnlessSame(nextBody, body, SkinTextures::close);
+            closeUnlessSame(nextSkin, skin, SkinSurface::close);
             throw failure;
         }
-        closeUnlessSame(mesh, nextMesh);
-        closeUnlessSame(body, nextBody);
-        closeUnlessSame(skin, nextSkin);
+        closeUnlessSame(mesh, nextMesh, UploadedMesh::close);
+        closeUnlessSame(body, nextBody, SkinTextures::close);
+        closeUnlessSame(skin, nextSkin, SkinSurface::close);
         mesh = nextMesh;
         body = nextBody;
         skin = nextSkin;
         data = next;
     }
 
-    private static void closeUnlessSame(AutoCloseable part, AutoCloseable other) {
-        try {
-            if (part != null && part != other) {
-                part.close();
-            }
-        } catch (RuntimeException failure) {
-            throw failure;
-        } catch (Exception failure) {
-            throw new IllegalStateException("parts of a session close without checked exceptions", failure);
+    private static <T> void closeUnlessSame(T part, T other, Consumer<T> closing) {
+        if (part != null && part != other) {
+            closing.accept(part);
         }
     }
 
     @Override
     public void close() {
-        closeUnlessSame(skin, null);
-        closeUnlessSame(body, null);
-        closeUnlessSame(mesh, null);
+        closeUnlessSame(skin, null, SkinSurface::close);
+        closeUnlessSame(body, null, SkinTextures::close);
+        closeUnlessSame(mesh, null, UploadedMesh::close);
         shadows.close();
     }
 }

@@ -114,13 +114,10 @@ public final class SceneReader {
 
     private PatchAtlas patches() {
         JsonNode value = root.required("patch", "\"elaphe-like\"");
-        if (!value.isObject()) {
+        if (!value.isObject() || !value.has(PATCH_MAP.fileKey())) {
             return PatchAtlas.of(patch(root, "patch"));
         }
         JsonObject keys = root.object("patch", "");
-        if (!keys.has(PATCH_MAP.fileKey())) {
-            return PatchAtlas.of(patch(root, "patch"));
-        }
         String map = folder.resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of())
                 .get(PATCH_MAP);
         List<PatchAtlas.Region> regions = new ArrayList<>();

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.texture.OrientationMap;
@@ -197,10 +196,10 @@ public final class SceneSettings {
             BACKGROUND);
 
     static final List<Setting<?>> OF_SCENE =
-            Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).collect(Collectors.toUnmodifiableList());
+            Stream.concat(OF_ROOT.stream(), WEIGHTS.stream()).toList();
 
     static final List<Setting<?>> OF_RECORD =
-            Stream.concat(OF_SCENE.stream(), Stream.of(KEEPS_SURROUNDINGS)).collect(Collectors.toUnmodifiableList());
+            Stream.concat(OF_SCENE.stream(), Stream.of(KEEPS_SURROUNDINGS)).toList();
 
     /** Settings whose change requires loading. */
     static final List<Setting<?>> PARTS =
@@ -209,7 +208,7 @@ public final class SceneSettings {
     /** Settings that a command-line option can override. */
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
-            .collect(Collectors.toUnmodifiableList());
+            .toList();
 
     private SceneSettings() {}
 

@@ -17,7 +17,6 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -52,8 +51,8 @@ public final class SceneWriter {
      */
     public static void write(Path target, Overwrite overwrite, Scene scene) {
         Path folder = target.toAbsolutePath().normalize().getParent();
-        String text = text(scene, name -> relative(folder, name)) + "\n";
-        AtomicFile.write(target, overwrite, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8)));
+        AtomicFile.write(
+                target, overwrite, AtomicFile.StreamContent.of(text(scene, name -> relative(folder, name)) + "\n"));
     }
 
     /** Returns the scene as JSON with absolute file names; equal for equal scenes. */

@@ -130,18 +130,14 @@ public final class AtomicFile implements AutoCloseable {
     /** Writes the whole target like {@link #write}, for libraries that open the file themselves. */
     public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
-            file.reportingTarget(() -> content.writeTo(file.path()));
+            file.reportingTarget(content);
             return file.commit();
         }
     }
 
-    private interface FileWork {
-        void run() throws IOException;
-    }
-
-    private void reportingTarget(FileWork work) {
+    private void reportingTarget(FileContent content) {
         try {
-            work.run();
+            content.writeTo(path());
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
         } catch (UncheckedIOException failure) {
@@ -194,7 +190,7 @@ public final class AtomicFile implements AutoCloseable {
      * @throws OutputException if the file cannot be written, or the content throws an {@link IOException}
      */
     public void fill(StreamContent content) {
-        reportingTarget(() -> {
+        reportingTarget(path -> {
             try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
                 content.writeTo(stream);
             }

@@ -7,6 +7,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -67,7 +68,7 @@ final class CachedBaker implements TileBaker {
         for (int level = missing.levels() - 1; level >= 0; level--) {
             BitSet present = cached().present(level, missing.of(level));
             if (!present.isEmpty()) {
-                return new Job(level, setOf(present.stream().limit(RADIAL_BATCH).toArray()));
+                return new Job(level, setOf(present.stream().limit(RADIAL_BATCH)));
             }
         }
         int level = missing.levels() - 1;
@@ -76,15 +77,11 @@ final class CachedBaker implements TileBaker {
         }
         // A table of one level is that of a coherent average, which shaders evaluate.
         int batch = grids.size() > 1 ? RADIAL_BATCH : SHADER_BATCH;
-        return new Job(
-                level,
-                setOf(grids.get(level).byAngle(missing.of(level)).limit(batch).toArray()));
+        return new Job(level, setOf(grids.get(level).byAngle(missing.of(level)).limit(batch)));
     }
 
-    private static BitSet setOf(int[] tiles) {
-        BitSet set = new BitSet();
-        Arrays.stream(tiles).forEach(set::set);
-        return set;
+    private static BitSet setOf(IntStream tiles) {
+        return tiles.collect(BitSet::new, BitSet::set, BitSet::or);
     }
 
     @Override

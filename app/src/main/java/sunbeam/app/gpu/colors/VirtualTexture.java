@@ -97,7 +97,7 @@ public final class VirtualTexture implements AutoCloseable {
             return;
         }
         if (scheduler.isPresent()) {
-            throw new IllegalStateException("a picture looks into colors that were not requested for it");
+            throw new IllegalStateException("a picture reads tiles that were not requested for it");
         }
         expect(missing);
         baker.bakeAll(missing).forEach(this::add);
