@@ -9,19 +9,18 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A user whom permissions bind: this one, or in place of root, who may read and write every file, user 65534. */
+/** A user bound by file permissions: the current one or, in place of root, user 65534. */
 public final class BoundUser {
-    // 65534: "nobody" by custom; no file of a test belongs to it.
+    // User 65534, by custom "nobody", owns no file of a test.
     private static final List<String> PREFIX =
             List.of("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--");
 
     private BoundUser() {}
 
     /**
-     * A start by such a user; the test is skipped where root cannot become another, or where that one cannot reach the
-     * program.
+     * Returns a start by such a user. The test is skipped if root cannot become that user, or if that user cannot read the program.
      *
-     * @param root the test's own folder, which is opened to the user
+     * @param root folder of the test, which is opened to the user
      */
     public static Sunbeam start(Sunbeam start, Path root) throws IOException, InterruptedException {
         if (!System.getProperty("user.name").equals("root")) {

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A map that its user gives up. */
+/** Interrupts the drawing of a map. */
 class BrdfMapInterruptionTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource({"INT, 130"})
@@ -56,7 +56,7 @@ class BrdfMapInterruptionTest extends InWorkplace {
         assertThat(workplace.files()).isEmpty();
     }
 
-    /** Tables are in the cache before the drawing begins, which lasts for hours. */
+    /** Waits for the tables in the cache, which are written before the drawing starts. The drawing takes hours. */
     private static void awaitDrawing(Workplace workplace) throws Exception {
         long deadline = System.nanoTime() + Duration.ofSeconds(60).toNanos();
         while (workplace.tables().stream().noneMatch(table -> table.toString().endsWith(".tables"))) {

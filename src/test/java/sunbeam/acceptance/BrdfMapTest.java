@@ -6,14 +6,14 @@ import java.io.IOException;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
-/** What {@code brdf-map} writes, and where. */
+/** Output files of {@code brdf-map}. */
 class BrdfMapTest extends InWorkplace {
     @Test
     void withoutAnyChoiceItDrawsTheDefaultPatchAndSaysWhere() throws Exception {
         SunbeamResult result = workplace.succeed("brdf-map", "--size", "48", "--no-annotate");
 
         assertThat(result.stdout()).isEqualTo("brdf-elaphe-like.png\n");
-        // On a machine that others use it may take long enough for a line of progress.
+        // A busy machine may be slow enough for a line of progress.
         assertThat(result.stderr().lines().filter(line -> !line.contains(" %, ")))
                 .singleElement()
                 .asString()
@@ -22,7 +22,7 @@ class BrdfMapTest extends InWorkplace {
         var picture = ImageIO.read(workplace.resolve("brdf-elaphe-like.png").toFile());
         assertThat(picture.getWidth()).isEqualTo(48);
         assertThat(picture.getHeight()).isEqualTo(48);
-        // Beside them lies what is kept of the patch.
+        // The cache holds the patch's heights besides the table.
         assertThat(workplace.tables())
                 .filteredOn(file -> file.toString().endsWith(".tables"))
                 .hasSize(1);

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 /** {@code --certify} on pictures that the real shaders draw. */
 final class CertificateTest extends InWorkplace {
-    /** An odd size has a row of pixels in the plane v = 0, where the grating's orders lie; elsewhere it is dark. */
+    /** Draws a map of odd size, which has a row of pixels at v = 0, where the grating's orders lie. */
     private SunbeamResult map(String... options) throws Exception {
         String[] common = {"brdf-map", "--patch", "blaze", "--size", "33", "--output", "map.png", "--certify", "40"};
         String[] all = new String[common.length + options.length];
@@ -37,7 +37,7 @@ final class CertificateTest extends InWorkplace {
         assertThat(workplace.resolve("map.png")).exists();
     }
 
-    /** Rows in and beside the first orders of a grating of 2.5 um. */
+    /** Evaluates rows in and beside the first orders of a grating of 2.5 um. */
     private SunbeamResult reflectance(String... options) throws Exception {
         Files.writeString(
                 workplace.resolve("in.csv"),

@@ -8,7 +8,7 @@ import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
-/** A folder of scans whose inspection is interrupted and goes on. */
+/** Interrupts and resumes the inspection of a folder of scans. */
 class CollectionInterruptionTest extends InWorkplace {
     private static final int SCANS = 40;
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code compare} beside photographs that are a scene's light with known exposure and noise. */
+/** Runs {@code compare} on photographs made of a scene's light with known exposure and noise. */
 class CompareTest {
     private static final String SCENE = """
             {
@@ -68,12 +68,12 @@ class CompareTest {
         light = NpyImage.read(workplace.resolve("scene.npy"), WIDTH);
     }
 
-    /** What a photograph is made of, a sample for each pixel's channel. */
+    /** Returns a photograph's sample for a channel of a pixel. */
     private interface Sensor {
         double light(int row, int column, int channel);
     }
 
-    /** The scene's light; beside the mesh a gray wall. */
+    /** Returns the scene's light; a gray wall beside the mesh. */
     private static double scene(int row, int column, int channel) {
         if (Float.isNaN(light.at(row, column, 1))) {
             return 0.2;
@@ -85,7 +85,7 @@ class CompareTest {
         return EXPOSURE * sum;
     }
 
-    /** 16 bits with alpha; the left quarter is transparent, and another color. */
+    /** Writes a picture of 16 bits; its left quarter is transparent and has another color. */
     private static void photograph(String name, Sensor sensor) throws IOException {
         ComponentColorModel model = new ComponentColorModel(
                 ColorSpace.getInstance(ColorSpace.CS_sRGB),
@@ -128,7 +128,7 @@ class CompareTest {
         return new ObjectMapper().readTree(result.stdout());
     }
 
-    /** The only errors are those of 16 bits (1e-5 of light) and of the matrix's four digits (1e-4). */
+    /** The only errors are rounding to 16 bits (1e-5 of light) and the matrix's four digits (1e-4). */
     @Test
     void theScenesOwnLightIsFoundAgain() throws IOException {
         photograph("clean.png", CompareTest::scene);
@@ -158,11 +158,14 @@ class CompareTest {
         double deviation = NOISE * Math.hypot(Math.hypot(LUMINANCE[0], LUMINANCE[1]), LUMINANCE[2]);
         assertThat(report.get("exposure").asDouble())
                 .isCloseTo(EXPOSURE, within(4 * 1.03 * deviation / Math.sqrt(squares)));
-        // At 0.3 of white noise of 0.004 is a lightness of some 0.4, and chroma likewise.
+        // At 0.3 of white, noise of 0.004 changes lightness by about 0.4, and chroma likewise.
         assertThat(report.get("ciede2000_median").asDouble()).isBetween(0.3, 3.0);
     }
 
-    /** A tenth of the pixels much too bright. The others agree, so that the limit of Huber's weights, and with it the influence of these, goes to nothing. */
+    /**
+     * A tenth of the pixels are much too bright. The others agree exactly, so the limit of Huber's weights and the influence of the bright
+     * ones vanish.
+     */
     @Test
     void glintsThatTheSceneLacksDoNotDecideTheExposure() throws IOException {
         photograph("glints.png", (row, column, c) -> (7 * row + 3 * column) % 10 == 0 ? 0.95 : scene(row, column, c));
@@ -170,9 +173,8 @@ class CompareTest {
     }
 
     /**
-     * Mitsuba's path tracer drew the picture (resources/mitsuba_sphere.py says how) with colors exported in steps of a hundredth;
-     * 4096 paths a pixel leave less noise than that. White is where the scene has it, 17 mirrors in light of this coherence, so that the
-     * exposure is 1.
+     * Mitsuba's path tracer drew the picture (see resources/mitsuba_sphere.py) with colors exported at a tolerance of 0.01; the noise of
+     * 4096 paths per pixel is lower. Its exposure is the scene's, so the fitted factor is 1.
      */
     @Test
     void aSphereDrawnByAnotherProgramIsTheScenes() throws IOException {
@@ -193,15 +195,15 @@ class CompareTest {
                 "--output",
                 workplace.resolve("sphere.png").toString());
         JsonNode report = new ObjectMapper().readTree(result.stdout());
-        // Two tables of a hundredth each, and four samples of Sunbeam's pixels at this size.
+        // Both tables have a tolerance of 0.01; Sunbeam takes four samples per pixel.
         assertThat(report.get("exposure").asDouble()).isCloseTo(1, within(0.02));
-        // A hundredth of light is half a step of lightness at most; most of the sphere is dark.
+        // An error of 0.01 of light is at most 0.5 of lightness; most of the sphere is dark.
         assertThat(report.get("ciede2000_percentile_95").asDouble()).isBetween(0.001, 0.5);
         assertThat(report.get("luminance_correlation").asDouble()).isGreaterThan(0.999);
         assertThat(report.get("hue_correlation").asDouble()).isGreaterThan(0.99);
     }
 
-    /** A fine grating on a bare sphere lights a few pixels: black beside black agrees, and shows nothing. */
+    /** A fine grating on a smooth sphere lights few pixels; agreement of black pixels proves nothing. */
     @Test
     void blackPicturesThatAgreeAreNoResult() throws IOException {
         String grating = SCENE.replace("blaze", "sinusoid")

@@ -3,8 +3,8 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 /**
- * What a user's mistake must end in: an exit code of its kind and one line that says what and how to mend it. The plan
- * may stand before it, where the mistake shows later.
+ * Assertions on a failed run: an exit code and one line with the mistake and its remedy. The plan may precede the line if the mistake is
+ * found later.
  */
 public final class Complaint {
     public static final int USAGE = 2;

@@ -23,7 +23,7 @@ public record CsvFile(List<String> header, List<double[]> rows) {
                         .toList());
     }
 
-    /** The first rows only. */
+    /** Returns the first rows. */
     public CsvFile head(int count) {
         return new CsvFile(header, rows.subList(0, count));
     }

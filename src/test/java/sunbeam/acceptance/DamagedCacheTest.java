@@ -11,7 +11,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A table in the cache that is not what was written: noticed, told in a line, made again, and the map is right. */
+/** A damaged table in the cache is detected, reported in one line and made again, and the map is right. */
 class DamagedCacheTest {
     @TempDir
     static Path root;
@@ -50,7 +50,7 @@ class DamagedCacheTest {
     @Test
     void aTableOfAnotherVersion() throws Exception {
         byte[] other = goodTable.clone();
-        // Behind the eight bytes that say whose file it is.
+        // Damage a byte after the file's signature of eight bytes.
         ByteBuffer.wrap(other).putInt(8, 99);
         Files.write(table, other);
 

@@ -10,7 +10,7 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Eight programs that start together on an empty cache, in one folder. */
+/** Eight programs that start together in one folder with an empty cache. */
 @Tag("thorough")
 class EightAtOnceTest extends InWorkplace {
     private static final int PROGRAMS = 8;
@@ -32,7 +32,7 @@ class EightAtOnceTest extends InWorkplace {
             }
             assertThat(outputs).hasSize(PROGRAMS).contains("brdf-lamellar.png", "brdf-lamellar-8.png");
             assertThat(workplace.files()).containsExactlyElementsOf(outputs);
-            // However they meet, one table is in the cache, and nothing that is half of one.
+            // The cache has one table and no unfinished file.
             assertThat(workplace.tables().stream()
                             .filter(file -> file.toString().endsWith(".tables")))
                     .hasSize(1);

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Arrays of colors and of spectral bands, as NumPy has them: what they hold is what {@code reflectance} says. */
+/** Exported arrays of colors and spectral bands hold the values of {@code reflectance}. */
 class ExportArrayTest extends InWorkplace {
     private static final String SURFACE = "--coherence-length 10um --theta-max 60";
     private static final String BANDS = "--channels spectral --bands 5 --wavelengths 500nm..600nm --tolerance 0.01 ";
@@ -40,7 +40,7 @@ class ExportArrayTest extends InWorkplace {
         assertThat(file.metadata().get("wavelengths_m").toString()).isEqualTo("[5.0E-7,5.25E-7,5.5E-7,5.75E-7,6.0E-7]");
         assertThat(file.channels()).isEqualTo(5);
         Place place = brightest(file);
-        // The middle one's triangle in steps of 1 nm, which orders under 10 um are 20 times as wide as.
+        // The triangle of the middle band in steps of 1 nm; orders under a window of 10 um are 20 nm wide.
         double sum = 0;
         double weights = 0;
         double[] exact = powers(place, file, 525, 575);
@@ -59,7 +59,7 @@ class ExportArrayTest extends InWorkplace {
                 .isBetween(1e-9, 0.05);
     }
 
-    /** Seen at an angle where an order of blue, green and red lies, that any two directions see. */
+    /** Returns the brightest texel that two directions reach, in an order of blue, green and red. */
     private static Place brightest(NpzFile file) {
         float[] u = file.axis("u");
         Place best = new Place(0, 0, 0);
@@ -75,12 +75,12 @@ class ExportArrayTest extends InWorkplace {
         return best;
     }
 
-    /** By the list of directions, each nanometer. */
+    /** Returns the power at each nanometer, by a list of directions. */
     private double[] powers(Place place, NpzFile file, int first, int last) throws IOException {
         double u = file.axis("u")[place.column];
         double v = file.axis("v")[place.row];
         double w = file.axis("w")[place.slice];
-        // Light and view lie beside the half vector, as high as each other.
+        // Light and view are symmetric about the half vector.
         double half = Math.sqrt(u * u + v * v + w * w) / 2;
         double aside = Math.sqrt(Math.max(0, 1 - half * half)) / Math.hypot(u, v);
         String light = angles(-u / 2 + aside * v, -v / 2 - aside * u, -w / 2);
@@ -116,8 +116,7 @@ class ExportArrayTest extends InWorkplace {
                 }
             }
         }
-        // Blaze sends nothing but orders, whose sum over a lamp's light is much redder than daylight's 0.95 and
-        // 1.09.
+        // Under the lamp's light, X / Y and Z / Y are much redder than daylight's 0.95 and 1.09.
         assertThat(mirror[0] / mirror[1]).isGreaterThan(1);
         assertThat(mirror[2] / mirror[1]).isLessThan(0.7);
     }

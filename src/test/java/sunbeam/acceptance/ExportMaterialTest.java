@@ -7,11 +7,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A tensor file that Mitsuba reads. */
+/** Reads an exported tensor file in Mitsuba. */
 class ExportMaterialTest extends InWorkplace {
     private static final String SMALL = "--format bsdf --size 12MB --samples 0 --coherence-length 3um --theta-max 70";
 
-    /** Power of Mitsuba's eval is that of {@code reflectance} under the file's coherence length, but for the file's angular grid. */
+    /** Mitsuba's eval gives the power of {@code reflectance} under the file's coherence length, but for the file's angular grid. */
     @Test
     void mitsubaReflectsWhatReflectanceSays() throws Exception {
         OtherPrograms.requireMitsuba();
@@ -44,7 +44,7 @@ class ExportMaterialTest extends InWorkplace {
                 print(np.median((abs(read - exact) / exact)[exact > 1e-3 * exact.max()]))
                 """);
 
-        // What a file of 12 MB costs.
+        // Largest error of a file of 12 MB.
         assertThat(Double.parseDouble(said.strip())).isLessThan(0.25);
         assertThat(made.stdout()).contains("error of power as it is read");
     }

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Materials of renderers made of exported tables: Mitsuba's and Cycles'. */
+/** Materials for Mitsuba and Cycles made of exported tables. */
 class ExportRendererTest {
     private static final String SURFACE = "--samples 0 --coherence-length 16um";
 
@@ -29,10 +29,7 @@ class ExportRendererTest {
         workplace.succeedHere(words("export blaze --format osl --output osl --size 5MB " + SURFACE));
     }
 
-    /**
-     * The script fails when samples have not their density (level 0.01), light is lost, or NumPy reads other colors. Orders are
-     * so sharp that many samples beside them have no weight.
-     */
+    /** The script fails if samples do not have their density (level 0.01), light is lost, or NumPy reads other colors. */
     @Test
     void mitsubaDrawsDirectionsFromTheTable() throws Exception {
         OtherPrograms.requireMitsuba();
@@ -53,7 +50,7 @@ class ExportRendererTest {
         assertThat(workplace.resolve("osl/sunbeam.md")).content().doesNotContainPattern("@[A-Z_]+@");
     }
 
-    /** Cycles draws directions; what a sun shows is the function's value, apart from noise: 0.2 at 64 samples. */
+    /** The picture under a sun is the function's value but for the noise of Cycles' sampling: 0.2 at 64 samples. */
     @Test
     void cyclesReflectsWhatTheShaderSays() throws Exception {
         OtherPrograms.requirePython("bpy");

@@ -28,11 +28,11 @@ import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.Srgb;
 
-/** Tables for other programs, read by others' readers: what they hold is what {@code reflectance} says. */
+/** Exported tables, read by other programs, hold the values of {@code reflectance}. */
 class ExportTest extends InWorkplace {
     private static final String SURFACE = "--coherence-length 16um";
 
-    /** One export of each format, which several tests read. */
+    /** Folder with one export of each format, which several tests read. */
     @TempDir
     static Path once;
 
@@ -181,7 +181,7 @@ class ExportTest extends InWorkplace {
                 .doesNotContainPattern("@[A-Z_]+@");
     }
 
-    /** KTX 2.0, read by its description: what a coarser level shows is the mean of the finest. */
+    /** Reads KTX 2.0 by its specification: a coarser level is the mean of the finest. */
     @Test
     void aTextureHasLevelsOfWiderOrders() throws Exception {
         workplace = made;
@@ -261,7 +261,7 @@ class ExportTest extends InWorkplace {
                         + " print(np.abs(y - xyz[..., 1])[seen].max() / xyz[seen].max(), (rgba[..., 3] == seen).all())");
 
         String[] parts = said.strip().split(" ", -1);
-        // float32, and seven digits of the matrices.
+        // Rounding of float32 and of the matrices' seven digits.
         assertThat(Double.parseDouble(parts[0])).isLessThan(1e-6);
         assertThat(parts[1]).isEqualTo("True");
     }
@@ -313,7 +313,7 @@ class ExportTest extends InWorkplace {
         return text.substring(from, text.indexOf(after, from));
     }
 
-    /** CIEDE2000 in the square of the map, in ascending order, where that has light. */
+    /** Returns CIEDE2000 of the map's lit pixels, ascending. */
     private List<Double> differences(String map, String page) throws IOException {
         BufferedImage one = ImageIO.read(workplace.resolve(map).toFile());
         BufferedImage other = ImageIO.read(workplace.resolve(page).toFile());

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Figures of the thesis by the commands of the manifest, against what is exact. */
+/** Compares figures drawn by the manifest's commands with exact values. */
 class FiguresTest {
     private static final double LEAST_POWER = 1e-9;
     private static final int ANGLES = 501;
@@ -45,7 +45,7 @@ class FiguresTest {
                         "5.10 agrees: chroma of the light");
     }
 
-    /** A wave that is symmetric has no bright side, as a blaze has. */
+    /** A symmetric wave has no bright side, unlike a blaze. */
     @Test
     void aSurfaceThatIsNoBlazeFailsTheCheckOfBlaze() throws Exception {
         BufferedImage wave = new BufferedImage(100, 100, BufferedImage.TYPE_BYTE_GRAY);
@@ -124,13 +124,13 @@ class FiguresTest {
     /** Figure 5.5: far orders of blaze are 1 nm wide. */
     @Test
     void stepsOfTenNanometersMissOrdersOfBlazeAndOfOneDoNot() throws Exception {
-        // Measured: 0.045 of the brighter rows.
+        // 0.045 measured.
         assertThat(error(0.95, "xyz", "Y", "blaze", "--wavelength-step", "10nm"))
                 .isGreaterThan(0.02);
         assertThat(error(0.95, "xyz", "Y", "blaze", "--wavelength-step", "1nm")).isLessThan(1e-3);
     }
 
-    /** A quantile of the relative errors of rows with power to speak of. */
+    /** Returns a quantile of the relative errors of bright rows. */
     private static double error(double quantile, String kind, String column, String patch, String... options)
             throws Exception {
         CsvFile exact = SharedData.reference(kind, patch);

@@ -16,11 +16,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * What {@code --tolerance} promises of method {@code full}, on surfaces and directions chosen to break it: skirts of
- * orders, weak orders, steps, dust, reliefs of a few nanometers and of micrometers, windows of 1 um and 1 mm, grazing light.
+ * Tolerance of method {@code full} on difficult surfaces and directions: tails of orders, weak orders, steps, dust, reliefs of a few
+ * nanometers and of micrometers, windows of 1 um and 1 mm, grazing light.
  */
 class HardCasesTest {
-    // The promise is made where there is light, or where the program sees some.
+    // The tolerance is promised for power above this.
     private static final double LEAST_POWER = 1e-9;
 
     @TempDir
@@ -28,7 +28,7 @@ class HardCasesTest {
 
     private static Workplace workplace;
 
-    /** A surface with the options by which it is lit, and what is exact there. */
+    /** Surface with the options of its light. */
     record HardCase(String name, String patch, List<String> options) {
         @Override
         public String toString() {
@@ -64,7 +64,7 @@ class HardCasesTest {
         assertToleranceKept(1e-3, hard);
     }
 
-    /** Coarse plans that a finer one hides: a basis of few functions, few wavelengths across fringes. */
+    /** A coarse tolerance makes coarse plans, with a basis of few functions and few wavelengths. */
     @ParameterizedTest
     @MethodSource("coarselyPlanned")
     void aCoarseToleranceIsKept(HardCase hard) throws Exception {

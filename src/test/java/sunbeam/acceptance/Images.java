@@ -17,11 +17,11 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.FileImageOutputStream;
 
-/** Height maps as image files. */
+/** Writes height maps as image files. */
 public final class Images {
     private Images() {}
 
-    /** An 8-bit gray PNG whose value at a column and row is given. */
+    /** Writes an 8-bit gray PNG with a value for each column and row. */
     public static Path gray(Path file, int columns, int rows, IntBinaryOperator value) throws IOException {
         BufferedImage image = new BufferedImage(columns, rows, BufferedImage.TYPE_BYTE_GRAY);
         for (int row = 0; row < rows; row++) {
@@ -33,7 +33,7 @@ public final class Images {
         return file;
     }
 
-    /** A square TIFF of 32-bit floats, all the same. */
+    /** Writes a square TIFF of equal 32-bit floats. */
     public static Path floats(Path file, int side, float value) throws IOException {
         float[] samples = new float[side * side];
         Arrays.fill(samples, value);
@@ -52,7 +52,7 @@ public final class Images {
         return file;
     }
 
-    /** Java's own writer: that of the program's library writes no floats. */
+    /** Returns Java's own writer; that of the program's library writes no floats. */
     private static ImageWriter writerOfJava(String format) {
         Iterator<ImageWriter> all = ImageIO.getImageWritersByFormatName(format);
         ImageWriter writer = all.next();

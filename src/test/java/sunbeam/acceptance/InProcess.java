@@ -16,11 +16,11 @@ import java.util.stream.Stream;
 import sunbeam.app.terminal.Environment;
 
 /**
- * Command lines run by the tests' own Java, which has no working folder to change: names of files are made absolute
- * before, and short again in what the program prints.
+ * Runs command lines in this process, whose working folder cannot change: file names are made absolute before, and relative again in the
+ * output.
  *
- * @param folder the one that relative names refer to
- * @param caches the user's folder of caches
+ * @param folder folder of relative file names
+ * @param caches folder of the user's caches
  */
 record InProcess(Path folder, Path caches) {
     private static final String PATCH = "--patch";
@@ -46,7 +46,7 @@ record InProcess(Path folder, Path caches) {
         return new SunbeamResult("(in process) " + String.join(" ", arguments), code, shorten(out), shorten(err));
     }
 
-    /** Where a file would be written whose name was not made absolute. */
+    /** Returns the files in the working folder, where a relative output file would be written. */
     private static List<String> ownFiles() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("").toAbsolutePath())) {
             return files.filter(Files::isRegularFile)
@@ -72,7 +72,7 @@ record InProcess(Path folder, Path caches) {
         return result.toArray(String[]::new);
     }
 
-    /** Patches may be built in, and are then no files. */
+    /** Returns an absolute file name; the name of a built-in patch stays. */
     private String place(String option, String name) {
         Path file = folder.resolve(name);
         return option.equals(PATCH) && !Files.exists(file) ? name : file.toString();

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** When the launcher builds, and what it says if that fails. */
+/** The launcher's build and its failures. */
 class LauncherBuildTest {
     private static final int SET_UP_FAILED = 7;
 
@@ -78,7 +78,7 @@ class LauncherBuildTest {
             assertThat(result.stdout())
                     .contains("\n" + ofEarly.toRealPath() + "/*:" + ofEarly.toRealPath() + "/lib/*\n");
         }
-        // Nobody runs from the first copy any more, nor from the second once there is a third.
+        // No program runs from the first copy any more, nor from the second once there is a third.
         rebuild();
         assertThat(copies()).hasSize(1);
     }
@@ -95,7 +95,7 @@ class LauncherBuildTest {
         return copies().get(0);
     }
 
-    /** What programs run from. */
+    /** Returns the copies of the build that programs run from. */
     private List<Path> copies() throws IOException {
         try (Stream<Path> files = Files.list(sandbox.repository().resolve("app/target/run"))) {
             return files.filter(Files::isDirectory).toList();
@@ -129,7 +129,7 @@ class LauncherBuildTest {
         assertThat(log).content().contains("[INFO] so far");
     }
 
-    /** -Werror's own words name no place; the warning that it is about does. */
+    /** Javac's message about -Werror names no place, but the warning does. */
     @Test
     void aBuildThatFailsOnAWarningTellsTheWarning() throws Exception {
         sandbox.installProgram(

@@ -7,9 +7,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A machine in a folder, for tests of the launcher alone: a copy of the launcher in a repository of empty sources, a
- * Java that reports how it was started instead of running, a Maven that makes empty jars and notes each call. Folder
- * names have blanks.
+ * Simulated machine in a folder, for tests of the launcher: a copy of the launcher in a repository of empty sources, a Java that reports
+ * how it was started instead of running, a Maven that makes empty jars and notes each call. Folder names have blanks.
  */
 final class LauncherSandbox {
     private static final List<String> ESSENTIAL_PROGRAMS = List.of(
@@ -72,12 +71,12 @@ final class LauncherSandbox {
         return repository().resolve("sunbeam");
     }
 
-    /** A start of the sandbox's launcher, free to build, with the sandbox's Java and Maven and without a screen. */
+    /** Returns a start of the sandbox's launcher with the sandbox's Java and Maven and without a screen; it may build. */
     Sunbeam command(String... arguments) {
         return equip(Sunbeam.launcher(launcher(), arguments));
     }
 
-    /** Gives any start the sandbox's Java and Maven and takes its screen away. */
+    /** Equips a start with the sandbox's Java and Maven and removes its screen. */
     Sunbeam equip(Sunbeam start) {
         return start.with("JAVA_HOME", root.resolve("jdk").toString())
                 .with("PATH", programs() + ":" + System.getenv("PATH"))
@@ -87,8 +86,8 @@ final class LauncherSandbox {
     }
 
     /**
-     * A Java whose {@code java} prints a line with the screen, then the working folder, then its arguments, one a
-     * line, and then runs the given shell commands.
+     * Installs a Java whose {@code java} prints a line with the screen, then the working folder, then its arguments, one a line, and then
+     * runs the given shell commands.
      */
     void installJava(String name, String version, String... thenRun) throws IOException {
         Path home = root.resolve(name);
@@ -103,7 +102,7 @@ final class LauncherSandbox {
                         .toArray(String[]::new));
     }
 
-    /** A Maven that notes its call, runs the given shell commands and makes the program's jar. */
+    /** Installs a Maven that records its call, runs the given shell commands and makes the program's jar. */
     void installMaven(String... thenRun) throws IOException {
         installProgram(
                 "mvn",
@@ -112,14 +111,14 @@ final class LauncherSandbox {
                 "mkdir -p app/target/lib && touch app/target/app-0.1.0.jar");
     }
 
-    /** A program of the sandbox's own, found before any of the machine's. */
+    /** Installs a program that is found before the machine's. */
     void installProgram(String name, String... shellLines) throws IOException {
         script(programs().resolve(name), shellLines);
     }
 
     /**
-     * A search path of the sandbox's own programs and of those that every Debian has, the only ones that the launcher
-     * may take for granted: no Xvfb, no Maven, no package manager.
+     * Returns a search path with the sandbox's programs and those of every Debian, which the launcher may expect: no Xvfb, Maven or package
+     * manager.
      */
     String pathOfABareMachine() throws IOException {
         Path bare = root.resolve("bare machine");
@@ -137,7 +136,7 @@ final class LauncherSandbox {
                 .orElseThrow(() -> new IllegalStateException("the tests need the program " + name + " on PATH"));
     }
 
-    /** How often the sandbox's Maven has run. */
+    /** Returns the number of runs of the sandbox's Maven. */
     int builds() throws IOException {
         return Files.exists(mavenCalls()) ? Files.readAllLines(mavenCalls()).size() : 0;
     }

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The screen that the launcher gives the program, and that nothing of it stays behind. */
+/** The private screen that the launcher gives the program and removes afterwards. */
 class LauncherScreenTest {
     private static final int NO_SCREEN = 5;
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -33,7 +33,7 @@ class LauncherScreenTest {
     @ParameterizedTest
     @CsvSource({"INT, 130", "TERM, 143", "KILL, 137"})
     void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
-        // Who is killed hands no signal on, and a Java that does not know of it draws to its end.
+        // A killed launcher passes no signal on, so Java draws to its end.
         sandbox.installJava("jdk", "17.0.1", "exec sleep 5");
 
         try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
@@ -55,7 +55,7 @@ class LauncherScreenTest {
         assertThat(result.stderr()).contains("warning: there is no screen :9876.0 any more: drawing on a private one");
     }
 
-    /** Its key is a file without a name, open in a process of its owner's; without it the server refuses all on any socket. */
+    /** The key is an unnamed file that only processes of its owner have open; without it the server refuses all clients. */
     @Test
     void nobodyElseUsesThePrivateScreen() throws Exception {
         sandbox.installJava("jdk", "17.0.1", "echo \"$XAUTHORITY\" >'" + folder + "/key'; exec sleep 60");
@@ -71,7 +71,7 @@ class LauncherScreenTest {
             assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(key.getParent())))
                     .isEqualTo("r-x------");
             assertThat(screen.server().info().commandLine().orElse("")).contains("-auth " + key);
-            // The abstract socket is what the kernel keeps another server from taking the same number by.
+            // The abstract socket keeps another server from taking the same number.
             assertThat(Files.readString(Path.of("/proc/net/unix")))
                     .contains(" " + screen.socket(), "@" + screen.socket());
             running.signal("TERM");
@@ -111,7 +111,7 @@ class LauncherScreenTest {
         assertThat(result.stdout()).as("%s", result).startsWith("screen none");
     }
 
-    /** Xlib and Java have words of their own then, and Java ends by a signal or by code 1. */
+    /** Xlib and Java print messages of their own then, and Java ends by a signal or with code 1. */
     @ParameterizedTest
     @ValueSource(ints = {1, 134})
     void aScreenThatEndsUnderTheViewerIsOneLine(int codeOfJava) throws Exception {
@@ -167,7 +167,7 @@ class LauncherScreenTest {
 
     /** A private X display and its server's process. */
     private record Screen(int display, ProcessHandle server) {
-        /** The screen that the sandbox's Java, once it runs, says it has, and the X server among its descendants. */
+        /** Returns the screen that the sandbox's Java reports, and the X server among its descendants. */
         static Screen of(RunningSunbeam running) throws IOException, InterruptedException {
             String line = running.firstLine(PATIENCE);
             assertThat(line).startsWith("screen :");

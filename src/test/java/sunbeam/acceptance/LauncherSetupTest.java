@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the launcher does about a machine that lacks what Sunbeam needs; here Maven and Xvfb. */
+/** The launcher on a machine without Maven and Xvfb. */
 class LauncherSetupTest {
     private static final int SET_UP_FAILED = 7;
 

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** How the launcher hands the command line to the program. */
+/** The launcher passes the command line to the program. */
 class LauncherStartTest {
     @TempDir
     Path folder;
@@ -76,7 +76,7 @@ class LauncherStartTest {
                         "-XX:ErrorFile=/dev/null", "-XX:-CreateCoredumpOnCrash", "-XX:-UsePerfData", "Mesa true true");
     }
 
-    /** A shell that was told not to expand patterns hands that on in SHELLOPTS. */
+    /** A shell with {@code set -f} passes that on in SHELLOPTS. */
     @Test
     void aShellWithoutPatternsStartsTheProgram() throws Exception {
         SunbeamResult result =
@@ -98,7 +98,7 @@ class LauncherStartTest {
                 .endsWith("sunbeam: only 32 files may be open at once; allow 256 (ulimit -n 256)\n7");
     }
 
-    /** What a shell prints that is given bash and the launcher, and its exit code. */
+    /** Returns the output and the exit code of a script, given bash and the launcher. */
     private String run(String script, String variable, String value) throws Exception {
         ProcessBuilder start = new ProcessBuilder(
                 "/bin/bash",

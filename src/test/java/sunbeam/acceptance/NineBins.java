@@ -7,15 +7,15 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 
 /**
- * What the thesis's neighborhood makes of a measured patch, by the definition: nine DFT bins of exp(i k w h), the one at
- * or below the frequency in their middle, times the window's spectrum or a sinc, added, squared. No expansion, double precision.
+ * The thesis's neighborhood by its definition: nine DFT bins of exp(i k w h) around the bin at or below the frequency, times the window's
+ * spectrum or a sinc, added, squared. No expansion, double precision.
  */
 final class NineBins {
     private static final double SIGMA_FREQUENCY = 1 / (2 * Math.PI * 65e-6 / 4);
 
     private final int columns;
     private final int rows;
-    /** Row by row, the first at the top. */
+    /** Samples row by row, from the top. */
     private final int[] samples;
 
     private final double metersPerStep;
@@ -31,12 +31,12 @@ final class NineBins {
         this.metersPerStep = fullScale / 255;
     }
 
-    /** What a bin counts at a distance in bins along x and y. */
+    /** Weight of a bin at a distance in bins along x and y. */
     private interface Weight {
         double at(double x, double y);
     }
 
-    /** Coherent power with the window on the patch's center. */
+    /** Returns the coherent power with the window on the patch's center. */
     double power(double u, double v, double w, double wavelength) {
         double sigma = SIGMA_FREQUENCY * width;
         double high = (double) rows / columns;
@@ -44,7 +44,7 @@ final class NineBins {
                 u, v, w, wavelength, 0.5, (x, y) -> Math.exp(-(x * x + y * y / (high * high)) / (2 * sigma * sigma)));
     }
 
-    /** Power of the patch alone by the thesis's sinc: of the bins' distance, with phases from the patch's corner. */
+    /** Returns the power of the patch alone by the thesis's sinc of the bins' distance, with phases from the patch's corner. */
     double ring(double u, double v, double w, double wavelength) {
         return power(u, v, w, wavelength, 0, (x, y) -> {
             double angle = Math.PI * Math.max(1e-9, Math.hypot(x, y));
@@ -69,7 +69,7 @@ final class NineBins {
         return sum[0] * sum[0] + sum[1] * sum[1];
     }
 
-    /** (1/N) sum exp(i kw h) exp(2 pi i (jx x - jy row)), x and row counted from a share of the sides. */
+    /** Returns (1/N) sum exp(i kw h) exp(2 pi i (jx x - jy row)); x and row count from a share of the sides. */
     private double[] bin(int jx, int jy, double kw, double origin) {
         double[] levels = new double[512];
         for (int level = 0; level < 256; level++) {
@@ -103,7 +103,7 @@ final class NineBins {
         return sum;
     }
 
-    /** exp(2 pi i bin (sample - origin) / count), real and imaginary parts interleaved. */
+    /** Returns exp(2 pi i bin (sample - origin) / count), real and imaginary parts interleaved. */
     private static double[] turns(int bin, int count, int origin) {
         double[] result = new double[2 * count];
         for (int i = 0; i < count; i++) {

@@ -4,8 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** Machines that cannot draw. (Neither a display nor Xvfb: {@link LauncherScreenTest}; shaders: {@link
- * BrokenShaderTest}.) */
+/** Machines without OpenGL. (Neither a display nor Xvfb: {@link LauncherScreenTest}; shaders: {@link BrokenShaderTest}.) */
 class NoGraphicsTest extends InWorkplace {
     @Test
     void aDisplayThatDoesNotAnswer() throws Exception {

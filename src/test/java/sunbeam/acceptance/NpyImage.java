@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.DoublePredicate;
 
-/** A linear BRDF map as NumPy would read it; float32, rows x columns x XYZ. */
+/** Linear BRDF map as a NumPy array: float32, rows x columns x XYZ. */
 public record NpyImage(String header, int side, float[] values) {
     private static final int PREFIX_BYTES = 10;
 
@@ -23,22 +23,22 @@ public record NpyImage(String header, int side, float[] values) {
         return new NpyImage(header, side, values);
     }
 
-    /** X, Y or Z of a pixel, row 0 on top. */
+    /** Returns X, Y or Z of a pixel, row 0 on top. */
     public float at(int row, int column, int channel) {
         return values[3 * (row * side + column) + channel];
     }
 
-    /** x of a column's center, and minus y of a row's, in the unit disc. */
+    /** Returns x of a column's center, or minus y of a row's, in the unit disc. */
     public double place(int index) {
         return (2.0 * index + 1) / side - 1;
     }
 
-    /** Whether a pixel's center lies in the unit disc. */
+    /** True if a pixel's center lies in the unit disc. */
     public boolean inDisc(int row, int column) {
         return Math.hypot(place(row), place(column)) < 1;
     }
 
-    /** Sum of Y over the disc, less the specular peak, where the azimuth in degrees, -180..180, is accepted. */
+    /** Returns the sum of Y without the mirror order over accepted azimuths, -180 to 180 degrees. */
     public double luminance(DoublePredicate azimuthAccepted) {
         double specularRadius = 0.15;
         double sum = 0;

@@ -16,7 +16,7 @@ import java.util.zip.ZipFile;
 /**
  * NumPy's archive of an exported table.
  *
- * @param metadata of metadata.json
+ * @param metadata content of metadata.json
  * @param arrays float32, by name
  */
 record NpzFile(JsonNode metadata, Map<String, float[]> arrays) {

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 
-/** Programs of others that read what Sunbeam wrote. Where one is not installed, its tests are skipped with a word. */
+/** Other programs that read Sunbeam's files. The tests of a program are skipped if it is not installed. */
 final class OtherPrograms {
     /** Ten times what the slowest program takes (Mitsuba: 12 s beside eight busy processes). */
     private static final long LIMIT_SECONDS = 120;
@@ -40,12 +40,12 @@ final class OtherPrograms {
         assumeTrue(run(ANYWHERE, List.of("chromium", "--version")) != null, "skipped: no chromium");
     }
 
-    /** What Python says. */
+    /** Runs Python and returns its output. */
     static String python(Path folder, String... arguments) throws InterruptedException {
         return said(folder, List.of("python3"), arguments);
     }
 
-    /** What a browser says, whose screenshots go into the folder. Time stands still in the page until it has drawn. */
+    /** Runs a browser and returns its output; screenshots go into the folder. The page's time is virtual, so that it draws completely. */
     static String chromium(Path folder, String... arguments) throws InterruptedException {
         return said(
                 folder,
@@ -83,7 +83,7 @@ final class OtherPrograms {
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
                     .redirectOutput(output.toFile());
-            // None of these programs needs a screen, and a browser that finds one draws with it.
+            // These programs need no screen, and a browser would use one.
             builder.environment().remove("DISPLAY");
             Process process = builder.start();
             try {

@@ -12,13 +12,13 @@ import java.util.Map;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 
-/** PNG at the level of its chunks: what a file says of itself, and files that lie. */
+/** Reads text chunks of PNG files and writes files with wrong headers. */
 public final class PngFile {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
     private PngFile() {}
 
-    /** The tEXt chunks, keyword to value. */
+    /** Returns the tEXt chunks, keyword to value. */
     public static Map<String, String> text(Path file) throws IOException {
         Map<String, String> text = new LinkedHashMap<>();
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).position(SIGNATURE.length);
@@ -34,7 +34,7 @@ public final class PngFile {
         return text;
     }
 
-    /** An 8-bit gray image whose header promises more than its few bytes hold. */
+    /** Writes an 8-bit gray image whose header states more pixels than the file has. */
     public static void writeWithHeaderOf(Path file, int width, int height) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         bytes.writeBytes(SIGNATURE);

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Runs {@code sunbeam reflectance} for a list of directions and reads what it wrote. */
+/** Runs {@code sunbeam reflectance} for a list of directions and reads its output. */
 public final class Reflectance {
     private Reflectance() {}
 

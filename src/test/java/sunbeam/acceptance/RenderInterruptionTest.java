@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** An animation that its user interrupts and goes on with. */
+/** Interrupts and resumes an animation. */
 @Tag("thorough")
 class RenderInterruptionTest extends InWorkplace {
     private static final int FRAMES = 12;
@@ -52,7 +52,7 @@ class RenderInterruptionTest extends InWorkplace {
     }
 
     private static Sunbeam sweep(Workplace workplace, int frames, String... more) {
-        // Supersampled, a frame takes long enough to be interrupted among the others.
+        // With supersampling a frame takes long enough to be interrupted.
         Stream<String> arguments = Stream.of(
                 "render",
                 "scene.json",

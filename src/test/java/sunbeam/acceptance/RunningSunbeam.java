@@ -32,12 +32,12 @@ public final class RunningSunbeam implements AutoCloseable {
         return new RunningSunbeam(String.join(" ", builder.command()), builder.start(), stdout, stderr);
     }
 
-    /** The launcher's process; it becomes the program's, since the launcher hands itself over. */
+    /** Returns the launcher's process, which becomes the program's by exec. */
     public ProcessHandle process() {
         return process.toHandle();
     }
 
-    /** Sends a signal (by the shell's own kill: a bare machine has no program of that name), for instance {@code INT}. */
+    /** Sends a signal such as {@code INT}, by the shell's kill, since a bare machine has no program of that name. */
     public void signal(String name) throws IOException, InterruptedException {
         int status = new ProcessBuilder("sh", "-c", "kill -" + name + " " + process.pid())
                 .start()
@@ -86,7 +86,7 @@ public final class RunningSunbeam implements AutoCloseable {
         return result;
     }
 
-    // Unlike Files.readString, content with the odd byte wrong: a test's failure must show it all.
+    // Unlike Files.readString this accepts invalid bytes: a failure must show all output.
     private static String text(Path file) throws IOException {
         return new String(Files.readAllBytes(file), UTF_8);
     }

@@ -16,22 +16,22 @@ public final class SharedData {
 
     private SharedData() {}
 
-    /** The descriptor of a patch: {@code blaze} is synthetic, {@code elaphe} and {@code xenopeltis} are measured. */
+    /** Returns the descriptor of a patch: {@code blaze} is synthetic, {@code elaphe} and {@code xenopeltis} are measured. */
     public static Path patch(String name) {
         return present("patches/" + name + ".json");
     }
 
-    /** The exact values {@code power} or {@code xyz} for a patch. */
+    /** Returns the exact values {@code power} or {@code xyz} of a patch. */
     public static CsvFile reference(String kind, String patch) throws IOException {
         return CsvFile.read(present("reference/" + kind + "_" + patch + ".csv"));
     }
 
-    /** A file or folder of the hard cases; see their README. */
+    /** Returns a file or folder of the hard cases; see their README. */
     public static Path hardCase(String name) {
         return SYNTHETIC.resolve("hard-cases").resolve(name);
     }
 
-    /** A synthetic file, or else a measured one; without it the test is skipped. */
+    /** Returns a synthetic or measured file; the test is skipped if it is missing. */
     public static Path present(String name) {
         Path synthetic = SYNTHETIC.resolve(name);
         if (Files.exists(synthetic)) {

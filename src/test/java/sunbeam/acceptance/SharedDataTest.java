@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 class SharedDataTest {
-    /** A clone alone runs the strongest proofs: their surfaces and exact values lie in it. */
+    /** The repository itself has the surfaces and exact values of the strongest tests. */
     @Test
     void syntheticSurfacesAndTheirExactValuesAreInTheRepository() throws Exception {
         assertThat(HardCasesTest.cases()).hasSizeGreaterThanOrEqualTo(20).allSatisfy(hard -> {

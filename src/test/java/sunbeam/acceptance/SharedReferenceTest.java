@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code reflectance --method reference} against an independent program's direct sums, on measured and synthetic patches. */
+/** Compares {@code reflectance --method reference} with an independent program's direct sums, on measured and synthetic patches. */
 class SharedReferenceTest {
     @TempDir
     static Path root;
@@ -34,7 +34,7 @@ class SharedReferenceTest {
         for (int row = 0; row < exact.size(); row++) {
             for (String column : List.of("power", "power_ensemble", "rho", "brdf")) {
                 double value = exact.at(row, column);
-                // Files hold 12 digits; both programs' rounding is 2e-15 / sqrt(power), which counts below 1e-12.
+                // Files have 12 digits; the programs' rounding, 2e-15 / sqrt(power), matters below a power of 1e-12.
                 assertThat(ours.at(row, column))
                         .as("row %d, %s", row, column)
                         .isCloseTo(value, within(Math.max(1e-9 * value, 1e-20)));
@@ -42,7 +42,7 @@ class SharedReferenceTest {
         }
     }
 
-    /** Against Gauss-Legendre quadratures of the linear 1 nm tables: both are exact, to a share of the largest of the three. */
+    /** Compares with Gauss-Legendre quadratures of the linear 1 nm tables, relative to the largest of X, Y, Z. */
     @ParameterizedTest
     @ValueSource(strings = {"xyz_nonsq", "xyz_8x1um"})
     void colorsOfSharpOrdersAreExact(String name) throws Exception {

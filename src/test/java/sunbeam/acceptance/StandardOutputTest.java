@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
-/** What goes to the standard output of the real program. */
+/** Standard output of the real program. */
 class StandardOutputTest extends InWorkplace {
     @Test
     void aFileOfTheNameMinusIsStandardOutputAndReportsGoElsewhere() throws Exception {
@@ -23,7 +23,7 @@ class StandardOutputTest extends InWorkplace {
         assertThat(workplace.files()).isEmpty();
     }
 
-    /** Java tells on standard output of an archive of classes that it cannot use, as that of the place before. */
+    /** Java warns on standard output about a class archive that was made for another folder. */
     @Test
     void aPictureFromACopiedCheckoutIsAPicture() throws Exception {
         workplace.succeed("--version");

@@ -34,12 +34,12 @@ public final class Sunbeam {
         with("SUNBEAM_NO_INSTALL", "1").with("SUNBEAM_NO_BUILD", "1");
     }
 
-    /** This repository's launcher with the given arguments. */
+    /** Returns a start of this repository's launcher with the given arguments. */
     public static Sunbeam command(String... arguments) {
         return launcher(repository().resolve("sunbeam"), arguments);
     }
 
-    /** Another copy of the launcher with the given arguments. */
+    /** Returns a start of another copy of the launcher. */
     public static Sunbeam launcher(Path launcher, String... arguments) {
         return new Sunbeam(launcher, arguments);
     }
@@ -65,7 +65,7 @@ public final class Sunbeam {
         return this;
     }
 
-    /** Lets another program start it, one that takes a command line as its last arguments. */
+    /** Lets another program, whose last arguments are a command line, start it. */
     Sunbeam startedBy(List<String> program) {
         commandLine.addAll(0, program);
         return this;
@@ -104,12 +104,12 @@ public final class Sunbeam {
     }
 
     /**
-     * Starts it and returns at once. The caller closes what it gets.
+     * Starts it and returns at once. The caller closes the result.
      *
      * @throws IOException if it cannot be started
      */
     public RunningSunbeam start() throws IOException {
-        // Signals end it as from a terminal, also where these tests run in the background or under nohup.
+        // Restore the signals' defaults, which nohup and background shells replace.
         List<String> command = new ArrayList<>(List.of("env", "--default-signal=INT,HUP,QUIT,TERM"));
         command.addAll(commandLine);
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());

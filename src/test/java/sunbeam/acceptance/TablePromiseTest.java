@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What {@code --tolerance} promises of method {@code table}, on a surface that the laws for its steps were not measured on: a
- * sawtooth at an angle to the samples has sharp orders all over (u, v), between whose tails there are lines without light.
+ * Tolerance of method {@code table} on a surface that was not used to find its steps: a sawtooth at an angle to the samples has sharp
+ * orders all over (u, v), with dark lines between their tails.
  */
 @Tag("thorough")
 final class TablePromiseTest {
@@ -48,11 +48,11 @@ final class TablePromiseTest {
 
         SunbeamResult result = map(workplace, "--certify", "80", "--output", "map.png");
 
-        // In steps of the law the 95th percentile is 0.15.
+        // With the default steps the 95th percentile would be 0.15.
         assertThat(result.exitCode()).as(result::toString).isZero();
         assertThat(result.stderr()).contains("baked again in steps of");
 
-        // What was found out is kept.
+        // The second run reads the validated table from the cache.
         SunbeamResult again = map(workplace, "--output", "again.png");
         assertThat(again.exitCode()).as(again::toString).isZero();
         assertThat(again.stderr()).doesNotContain("baked again");

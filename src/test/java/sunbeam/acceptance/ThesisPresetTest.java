@@ -20,9 +20,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How far the thesis's choices lie from exact values on measured patches, and that it is its choices, not the shader. */
+/** Errors of the thesis's preset on measured patches, which come from its choices, not from the shader. */
 class ThesisPresetTest {
-    // Below, float32 in the expansion's terms and bins is not small against the power any more.
+    // For less power, rounding to float32 in the expansion is not small.
     private static final double LEAST_POWER = 1e-9;
 
     @TempDir
@@ -57,7 +57,7 @@ class ThesisPresetTest {
         assertThat(median(errors)).isBetween(0.04, 0.16);
     }
 
-    /** The same nine bins, added by other code in double precision without an expansion. */
+    /** Compares with the nine bins, added in double precision without an expansion. */
     @Test
     void itIsTheSumOfNineBinsByDefinition() throws Exception {
         NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
@@ -104,7 +104,7 @@ class ThesisPresetTest {
         assertThat(squared.at(0, "rho") / once.at(0, "rho")).isCloseTo(1.75, within(1e-5));
     }
 
-    /** With the nearest bin in the middle of seven by seven and enough terms nothing but float32 is left. */
+    /** With seven by seven bins around the nearest one and enough terms only rounding to float32 remains. */
     @ParameterizedTest
     @CsvSource({"blaze, coherent", "elaphe, ensemble"})
     void withAWiderNeighborhoodTheErrorIsGone(String patch, String average) throws Exception {
@@ -131,7 +131,7 @@ class ThesisPresetTest {
         }
     }
 
-    /** Relative errors of a column where there is power to speak of, ascending; exact coherent ones are called power. */
+    /** Returns the relative errors of a column in bright rows, ascending; in the exact file the coherent column is named power. */
     private static double[] errors(CsvFile exact, CsvFile ours, String column) {
         String given = column.equals("power_coherent") ? "power" : column;
         return IntStream.range(0, exact.size())
@@ -160,7 +160,7 @@ class ThesisPresetTest {
         return uvw;
     }
 
-    /** All rows of the exact powers, drawn once for all tests. */
+    /** Returns the preset's powers in all rows of the exact file, computed once for all tests. */
     private static CsvFile thesisPowers(String patch) throws Exception {
         CsvFile drawn = THESIS_POWERS.get(patch);
         if (drawn == null) {

@@ -8,20 +8,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** A folder in which a user calls the program, and a cache folder of its own beside it. */
+/** Folder in which a user runs the program, with its own cache folder. */
 public record Workplace(Path folder, Path caches) {
-    /** Two new folders, with blanks in their names, under an empty one. */
+    /** Creates both folders, with blanks in their names, in an empty one. */
     public static Workplace in(Path root) throws IOException {
         return new Workplace(
                 Files.createDirectories(root.resolve("a folder")), Files.createDirectories(root.resolve("the caches")));
     }
 
-    /** A start of the program in the folder. */
+    /** Returns a start of the program in the folder. */
     public Sunbeam command(String... arguments) {
         return equip(Sunbeam.command(arguments));
     }
 
-    /** Moves any start here. What is left to start is short: compiling it for speed costs more than it saves. */
+    /** Moves a start here. Runs are short, so optimizing compilation would cost more than it saves. */
     public Sunbeam equip(Sunbeam start) {
         return start.in(folder)
                 .with("XDG_CACHE_HOME", caches.toString())
@@ -29,22 +29,19 @@ public record Workplace(Path folder, Path caches) {
                 .without("SUNBEAM_DEBUG");
     }
 
-    /** A start of the program that must succeed. */
+    /** Starts the program, which must succeed. */
     public SunbeamResult succeed(String... arguments) throws IOException, InterruptedException {
         SunbeamResult result = command(arguments).run();
         assertThat(result.exitCode()).as("%s", result).isZero();
         return result;
     }
 
-    /**
-     * A command line run in this process, by the program's own front door: for what does not depend on how the program is
-     * started, at a tenth of the cost of a start. Names of files mean those of the folder, in the result too.
-     */
+    /** Runs a command line in this process, at a tenth of the cost of a start. File names refer to the folder, also in the result. */
     public SunbeamResult here(String... arguments) throws IOException {
         return new InProcess(folder, caches).run(arguments);
     }
 
-    /** A command line run in this process that must succeed. */
+    /** Runs a command line in this process, which must succeed. */
     public SunbeamResult succeedHere(String... arguments) throws IOException {
         SunbeamResult result = here(arguments);
         assertThat(result.exitCode()).as("%s", result).isZero();
@@ -55,12 +52,12 @@ public record Workplace(Path folder, Path caches) {
         return folder.resolve(name);
     }
 
-    /** The folder's files, hidden ones too, sorted. */
+    /** Returns the folder's files including hidden ones, sorted. */
     public List<String> files() throws IOException {
         return names(folder);
     }
 
-    /** The tables in the cache, sorted. */
+    /** Returns the files in the cache, sorted. */
     public List<Path> tables() throws IOException {
         Path cache = caches.resolve("sunbeam");
         return names(cache).stream().map(cache::resolve).toList();

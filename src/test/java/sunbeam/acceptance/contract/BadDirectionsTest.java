@@ -11,7 +11,7 @@ import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SunbeamResult;
 
-/** Directions that cannot be used: each is told in one line with file, place, value and remedy. */
+/** Unusable directions are reported in one line with file, place, value and remedy. */
 class BadDirectionsTest extends InWorkplace {
     @Test
     void aListThatIsNotThere() throws Exception {

@@ -8,7 +8,7 @@ import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SunbeamResult;
 
-/** Command lines that cannot be meant: refused before anything is computed. */
+/** Wrong command lines are refused before anything is computed. */
 class BadOptionsTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource(

@@ -16,7 +16,7 @@ import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.Sunbeam;
 import sunbeam.acceptance.SunbeamResult;
 
-/** Places that take no output: told in one line, and nothing is left there. */
+/** Unwritable outputs are reported in one line, and no file is left. */
 class BadOutputTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource({
@@ -79,7 +79,7 @@ class BadOutputTest extends InWorkplace {
         assertThat(workplace.files()).containsExactly("in.csv");
     }
 
-    /** A patch that is not there would be told (exit code 4) if it were looked for first. */
+    /** The output is checked first: the missing patch would have exit code 4. */
     @ParameterizedTest
     @CsvSource({
         "inspect none.gwy --output taken.png, taken.png",

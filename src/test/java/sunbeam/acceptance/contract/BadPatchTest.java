@@ -18,7 +18,7 @@ import sunbeam.acceptance.Images;
 import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.PngFile;
 
-/** Surfaces that cannot be used: each is told in one line with file or option, value and remedy. */
+/** Unusable surfaces are reported in one line with file or option, value and remedy. */
 class BadPatchTest extends InWorkplace {
     @BeforeEach
     void layOut() throws IOException {

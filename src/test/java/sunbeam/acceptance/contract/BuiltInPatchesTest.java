@@ -20,13 +20,13 @@ import sunbeam.acceptance.Reflectance;
 import sunbeam.acceptance.Workplace;
 
 /**
- * Colors of built-in patches beside method {@code reference}, whose values are in the test resources: pixels of maps under one light, and
+ * Compares colors of built-in patches with those of method {@code reference} in the test resources: pixels of maps under one light, and
  * lists of directions under many.
  */
 class BuiltInPatchesTest {
     private static final int SIDE = 48;
     private static final double TOLERANCE = 1e-2;
-    // The tolerance is promised where there is light (docs/accuracy-and-speed.md).
+    // The tolerance is promised for power above this (docs/accuracy-and-speed.md).
     private static final double DARKEST = 1e-9;
 
     @TempDir
@@ -92,7 +92,7 @@ class BuiltInPatchesTest {
         errors.sort(null);
         assertThat(errors).as("directions with light").hasSizeGreaterThan(4);
         assertThat(errors.get(errors.size() / 2)).as("median").isLessThan(TOLERANCE);
-        // Promised of 95 in 100: all but the largest of these few.
+        // Promised for 95 %: here all but the largest.
         assertThat(errors.get(errors.size() - 2)).as("all but one").isLessThan(3 * TOLERANCE);
     }
 

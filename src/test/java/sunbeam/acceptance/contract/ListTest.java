@@ -19,13 +19,13 @@ import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.Reflectance;
 import sunbeam.acceptance.SunbeamResult;
 
-/** The interface by which anybody checks Sunbeam, on surfaces that every machine has. */
+/** Command {@code reflectance} on built-in surfaces. */
 class ListTest extends InWorkplace {
     private static final List<String> SPECTRAL = List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength");
     private static final double WAVELENGTH_NM = 550;
     private static final double WINDOW_SIGMA = 65e-6 / 4;
 
-    /** Orders of a sinusoid of 100 nm amplitude and 2.5 um period, J_m(k w A)^2, to the left for positive m. */
+    /** A sinusoid of 100 nm amplitude and 2.5 um period has orders of power J_m(k w A)^2, towards -x for positive m. */
     @ParameterizedTest
     @CsvSource({
         "reference, 1e-9", // direct sums in double precision; 12 digits in the file
@@ -57,7 +57,7 @@ class ListTest extends InWorkplace {
         }
     }
 
-    /** Two programs in one: sums over the surface in double precision, and tables with a shader in single. */
+    /** Compares sums over the surface in double precision with a shader's tables in float32. */
     @ParameterizedTest
     @CsvSource({"elaphe-like, ensemble", "blaze, coherent"})
     void shaderAndReferenceAgree(String patch, String average) throws Exception {
@@ -70,7 +70,7 @@ class ListTest extends InWorkplace {
                         new double[] {5, 90, 25, 265, 400}));
 
         CsvFile exact = reflectance(patch, directions, "--method", "reference", "--average", average);
-        // Seven bins each way hold all of the window's spectrum but 1e-7, 40 terms all of a relief of 300 nm.
+        // Seven bins each way hold the window's spectrum but for 1e-7; 40 terms suffice for a relief of 300 nm.
         CsvFile drawn = reflectance(
                 patch,
                 directions,
@@ -95,7 +95,7 @@ class ListTest extends InWorkplace {
         for (int row = 0; row < directions.size(); row++) {
             for (String column : List.of(chosen, "rho", "brdf")) {
                 double value = exact.at(row, column);
-                // Float32 rounds amplitudes of 1e-7; below a power of 1e-9 nothing else is left.
+                // Rounding of float32 amplitudes is 1e-7, which dominates below a power of 1e-9.
                 assertThat(drawn.at(row, column) - value)
                         .as("row %d, %s", row, column)
                         .isCloseTo(0, within(1e-4 * value + 1e-12 * value / exact.at(row, chosen) + 1e-13));
@@ -108,7 +108,7 @@ class ListTest extends InWorkplace {
         }
     }
 
-    /** A flat mirror, seen where it reflects: relative radiance 1, the color of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
+    /** A flat mirror in its mirror direction: relative radiance 1, the color of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
     @ParameterizedTest
     @CsvSource({"reference, 1e-6", "full, 1e-4"})
     void aFlatMirrorIsWhite(String method, double tolerance) throws Exception {
@@ -174,7 +174,7 @@ class ListTest extends InWorkplace {
         assertThat(CsvFile.read(file).size()).isEqualTo(1);
     }
 
-    /** The chosen average's power, whatever other column stands beside it. */
+    /** Returns the column of the chosen average's power. */
     private static String ofAverage(CsvFile results, String average) {
         String own = "power_" + average;
         return results.header().contains(own) ? own : "power";

@@ -12,9 +12,9 @@ import sunbeam.acceptance.NpyImage;
 import sunbeam.acceptance.SharedData;
 import sunbeam.acceptance.Workplace;
 
-/** Where the light goes, lit along the normal: the signs of all conventions at once, on built-in and measured patches. */
+/** Directions of the reflected light under light along the normal, which depend on the signs of all conventions. */
 class MapPatternTest {
-    // Odd, so that one row of pixels lies on y = 0 and one column on x = 0, where gratings send their light.
+    // An odd size has a row of pixels at y = 0 and a column at x = 0, where gratings send their light.
     private static final int SIDE = 49;
 
     @TempDir
@@ -43,7 +43,7 @@ class MapPatternTest {
                 .isGreaterThan(0.99 * (left + right));
     }
 
-    /** The fingers of Elaphe stand in rows along x (design and thesis: colors along the horizontal). */
+    /** The fingers of Elaphe lie in rows along x, so its colors lie along the horizontal. */
     @ParameterizedTest
     @ValueSource(strings = {"elaphe-like"})
     void elapheHasItsColorsAlongTheHorizontal(String patch) throws Exception {
@@ -51,7 +51,7 @@ class MapPatternTest {
         assertThat(share(map(patch), 0, 15)).isGreaterThan(0.6);
     }
 
-    /** The rows of Xenopeltis lie densely above each other (design and thesis: colors above and below). */
+    /** The rows of Xenopeltis are dense along y, so its colors lie above and below. */
     @ParameterizedTest
     @ValueSource(strings = {"shared xenopeltis"})
     void xenopeltisHasMostOfItsColorsNearTheVertical(String patch) throws Exception {
@@ -61,7 +61,7 @@ class MapPatternTest {
         assertThat(share(map, 75, 90)).isGreaterThan(0.3).isGreaterThan(share(map, 0, 15));
     }
 
-    /** Power's share whose direction lies within some angles of the x axis, folded into the first quadrant. */
+    /** Returns the share of light in a range of angles to the x axis, 0 to 90 degrees. */
     private static double share(NpyImage map, double from, double to) {
         double part = map.luminance(azimuth -> {
             double folded = Math.min(Math.abs(azimuth), 180 - Math.abs(azimuth));
@@ -70,7 +70,7 @@ class MapPatternTest {
         return part / map.luminance(azimuth -> true);
     }
 
-    /** Fewer wavelengths than usual, each to a hundredth: where light goes shows after a few. */
+    /** Draws a map with few wavelengths at a tolerance of 0.01, which suffice for directions. */
     private static NpyImage map(String patch) throws Exception {
         String source = patch.startsWith("shared ")
                 ? SharedData.patch(patch.substring("shared ".length())).toString()

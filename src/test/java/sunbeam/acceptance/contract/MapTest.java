@@ -19,9 +19,9 @@ import sunbeam.acceptance.NpyImage;
 import sunbeam.acceptance.Reflectance;
 import sunbeam.acceptance.Workplace;
 
-/** Linear maps: their shape, and their values against direct sums over the surface. */
+/** Shape of linear maps, and their values compared with direct sums over the surface. */
 class MapTest {
-    // The promise is made where there is light.
+    // The tolerance is promised for power above this.
     private static final double LEAST = 1e-9;
     private static final double THETA_I = 20;
 
@@ -30,7 +30,7 @@ class MapTest {
 
     private static Workplace workplace;
 
-    /** A rough surface, which scatters everywhere. */
+    /** Makes a rough surface, which scatters in all directions. */
     @BeforeAll
     static void layOut() throws Exception {
         workplace = Workplace.in(root);
@@ -46,7 +46,7 @@ class MapTest {
         return NpyImage.read(workplace.resolve(name + ".npy"), side);
     }
 
-    /** The directions of a map's pixels in the disc, row by row, and their colors as {@code reflectance} has them. */
+    /** Returns the directions of a map's pixels, row by row, with their colors by {@code reflectance}. */
     private static CsvFile exact(NpyImage map, String patch, String... more) throws Exception {
         List<double[]> directions = new ArrayList<>();
         for (int row = 0; row < map.side(); row++) {

@@ -13,7 +13,7 @@ import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SharedData;
 import sunbeam.acceptance.SunbeamResult;
 
-/** Periods of gratings: an answer's interval holds the truth, and is narrow where the grating is plain. */
+/** Periods of gratings: the interval includes the true period, and is narrow for a simple grating. */
 class PeriodTest extends InWorkplace {
     private static final int MANY_WAVELENGTHS_MISSING = 100;
 
@@ -25,13 +25,13 @@ class PeriodTest extends InWorkplace {
         return new ObjectMapper().readTree(result.stdout());
     }
 
-    /** Of height maps that tile there is no doubt: a whole number of periods fits. */
+    /** A periodic height map has a whole number of periods. */
     @ParameterizedTest
     @CsvSource({"sinusoid, 2500", "blaze, 2500", "disc, 1600"})
     void aBuiltInGratingHasItsPeriod(String patch, double nanometers) throws Exception {
         JsonNode period = inspect(patch);
 
-        // Half a tenth of a per cent: an answer in whole numbers of nanometers would do.
+        // 0.05 %: whole nanometers would be enough.
         assertThat(1e9 * period.get("period_m").doubleValue()).isBetween(0.9995 * nanometers, 1.0005 * nanometers);
         assertThat(Math.abs(period.get("direction_deg").doubleValue())).isLessThan(0.1);
     }
@@ -58,7 +58,7 @@ class PeriodTest extends InWorkplace {
         assertThat(found.get("direction_deg").doubleValue()).isBetween(19.0, 21.0);
     }
 
-    /** The thesis has 1144 nm by light along the fingers' rows and 1032 nm as the ensemble's mean: between them lies the truth. */
+    /** The thesis measures 1144 nm along the fingers' rows and 1032 nm as the ensemble's mean; the period lies between them. */
     @Test
     void elapheIsToldAlikeByInspectAndEvaluate() throws Exception {
         String patch = SharedData.patch("elaphe").toString();
@@ -103,13 +103,13 @@ class PeriodTest extends InWorkplace {
         JsonNode report =
                 new ObjectMapper().readTree(workplace.resolve("result.json").toFile());
 
-        // A peak of the response is found to a hundredth of the window's spectrum.
+        // A peak is located within a hundredth of an order's width.
         assertThat(1e9 * report.at("/peaks_interpolated/mean_m").doubleValue()).isBetween(2498.0, 2502.0);
         assertThat(1e9 * report.at("/period_low_m").doubleValue()).isLessThanOrEqualTo(2501);
         assertThat(1e9 * report.at("/period_high_m").doubleValue()).isGreaterThanOrEqualTo(2499);
     }
 
-    /** Fingers across the strongest wave; the thesis has 1552 nm by light, ours 1559.8 over all wavelengths. */
+    /** Period across the strongest wave: 1552 nm in the thesis, 1559.8 nm over all wavelengths here. */
     @Test
     void wavesAlongAGivenAzimuthAreTold() throws Exception {
         String patch = SharedData.patch("xenopeltis").toString();

@@ -14,7 +14,7 @@ import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.NpyImage;
 import sunbeam.acceptance.SunbeamResult;
 
-/** Pictures of scenes: the linear colors by two methods, what makes them brighter, and their certificate. */
+/** Linear colors of scenes by two methods, their brightness, and certificates. */
 class PictureTest extends InWorkplace {
     private static final int SIDE = 24;
     private static final String SCENE = """
@@ -42,7 +42,7 @@ class PictureTest extends InWorkplace {
         workplace.succeedHere(words.toArray(String[]::new));
         NpyImage image = NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
         for (float value : image.values()) {
-            // Where nothing is in sight there is no radiance.
+            // Pixels without the mesh have no radiance.
             assertThat(Float.isNaN(value) || (value >= 0 && value < 1e6))
                     .as("radiance %s", value)
                     .isTrue();
@@ -71,14 +71,14 @@ class PictureTest extends InWorkplace {
         }
         for (int i = 0; i < full.values().length; i++) {
             double value = full.values()[i];
-            // At the mesh's edge one method samples the pixel's center and the other its area.
+            // At the mesh's edge one method samples the pixel's center, the other its area.
             if (value > 1e-3 * brightest && !Float.isNaN(table.values()[i])) {
                 errors.add(Math.abs(table.values()[i] - value) / value);
             }
         }
         assertThat(errors).hasSizeGreaterThan(SIDE * SIDE / 2);
         Collections.sort(errors);
-        // Each keeps a hundredth in the median and three in 95 of 100; a channel may be a tenth of the largest.
+        // Each method keeps 0.01 in the median and 0.03 in 95 %; a channel may be a tenth of the largest.
         assertThat(errors.get(errors.size() / 2)).as("median").isLessThan(2e-2);
         assertThat(errors.get((int) (0.95 * (errors.size() - 1)))).as("95 %%").isLessThan(0.1);
     }
@@ -94,7 +94,7 @@ class PictureTest extends InWorkplace {
             if (Float.isNaN(once.values()[i])) {
                 continue;
             }
-            // float32, summed in another order at most.
+            // Rounding of float32 sums.
             assertThat((double) twice.values()[i]).isBetween(1.9999 * once.values()[i], 2.0001 * once.values()[i]);
         }
     }

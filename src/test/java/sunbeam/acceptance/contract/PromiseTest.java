@@ -17,11 +17,11 @@ import sunbeam.acceptance.SharedData;
 import sunbeam.acceptance.Workplace;
 
 /**
- * What {@code --tolerance} promises of method {@code full}: on random directions of measured patches, against an
- * independent program, a median relative error of at most the tolerance and a 95th percentile of at most three times it.
+ * Tolerance of method {@code full} on random directions of measured patches, compared with an independent program: a median relative error
+ * of at most the tolerance and a 95th percentile of at most three times it.
  */
 class PromiseTest {
-    // The promise is made where there is light.
+    // The tolerance is promised for power above this.
     private static final double LEAST_POWER = 1e-9;
 
     @TempDir
@@ -50,7 +50,7 @@ class PromiseTest {
                 tolerance);
     }
 
-    /** At the default tolerance: where orders are sharp the independent colors are good to 1e-4 only. */
+    /** Uses the default tolerance, since the independent colors of sharp orders have errors of 1e-4. */
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "elaphe"})
     void colorKeepsTheTolerance(String patch) throws Exception {
@@ -68,7 +68,7 @@ class PromiseTest {
                 tolerance);
     }
 
-    /** Largest difference of X, Y or Z over the largest of the three. */
+    /** Returns the largest difference of X, Y or Z relative to the largest of the three. */
     private static double error(CsvFile exact, CsvFile ours, int row) {
         List<String> columns = List.of("X", "Y", "Z");
         double difference = columns.stream()

@@ -17,7 +17,7 @@ import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SharedData;
 import sunbeam.acceptance.SunbeamResult;
 
-/** Real files of instruments: what {@code inspect} reads in them is what other programs read. */
+/** Files of instruments: {@code inspect} reads the same sizes and heights as other programs. */
 class ScanTest extends InWorkplace {
     private SunbeamResult inspect(String name, String... more) throws Exception {
         List<String> words = new ArrayList<>(List.of(
@@ -68,7 +68,7 @@ class ScanTest extends InWorkplace {
         double unit = expected.get("unit_z").asText().equals("mm") ? 1e-3 : 1;
         double relief =
                 unit * (expected.get("max").asDouble() - expected.get("min").asDouble());
-        // Files hold seven digits.
+        // Files have seven digits.
         return read.get("columns").equals(expected.get("columns"))
                 && read.get("rows").equals(expected.get("rows"))
                 && isNear(read.get("width_m"), side * expected.get("width").asDouble(), 1e-6)
@@ -80,7 +80,7 @@ class ScanTest extends InWorkplace {
         return Math.abs(value.doubleValue() - expected) <= relative * expected;
     }
 
-    /** Files without units are refused with what to add, and read with it. */
+    /** Files without units are refused; the message names the missing option, with which they are read. */
     @ParameterizedTest
     @CsvSource({"test.gwy, 128", "matrix-5.txt, 10", "xyz-1.txt, 4", "xyz-2.txt, 4"})
     void whatHasNoUnitsIsReadOnceTheyAreGiven(String name, int columns) throws Exception {
@@ -98,7 +98,7 @@ class ScanTest extends InWorkplace {
     @ValueSource(
             strings = {
                 "di_corrupted.di",
-                // Heights of meters on micrometers: units that cannot be.
+                // Heights of meters on a side of micrometers: impossible units.
                 "gwyddion-export-english.txt",
                 "gwyddion-export-german.txt",
                 "matrix-6.txt"

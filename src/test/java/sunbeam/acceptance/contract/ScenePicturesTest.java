@@ -20,11 +20,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Workplace;
 
 /**
- * Pictures of built-in scenes beside those in the test resources, which an earlier version of the program drew: whatever becomes of the
- * code, users get the same picture. Differences are CIE 1976's, by pixels of the PNG.
+ * Compares pictures of built-in scenes with those of an earlier version in the test resources. Differences are CIE 1976's, by pixels of the
+ * PNG.
  */
 class ScenePicturesTest {
-    // Half of what eyes tell apart (1.0), in the mean of all pixels.
+    // Mean over all pixels: half of a just visible difference (1.0).
     private static final double MEAN = 0.5;
     // What side by side is just noticed (Mahy, Van Eycken and Oosterlinck 1994: 2.3), in 98 of 100 pixels: glints of a
     // pixel's width are sampled, and may move.
@@ -59,7 +59,7 @@ class ScenePicturesTest {
         return ImageIO.read(workplace.resolve("picture.png").toFile());
     }
 
-    /** CIE 1976's differences of all pixels, the smallest first. */
+    /** Returns CIE 1976's differences of all pixels, ascending. */
     private static double[] differences(BufferedImage picture, String reference) throws IOException {
         BufferedImage expected;
         try (InputStream file = resource(reference + ".png")) {
@@ -79,7 +79,7 @@ class ScenePicturesTest {
         return all;
     }
 
-    /** CIE L*a*b* of sRGB. */
+    /** Returns CIE L*a*b* of sRGB. */
     private static double[] lab(int rgb) {
         double r = linear(rgb >> 16 & 0xff);
         double g = linear(rgb >> 8 & 0xff);

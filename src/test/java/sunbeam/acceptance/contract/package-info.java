@@ -1,5 +1,5 @@
 /**
- * What users and scripts rely on, whatever the program is like inside: values of maps, lists, pictures and periods against
- * truths or a second path, scans against other programs, exit codes and lines about bad input. Few and fast.
+ * Contract with users and scripts, independent of the implementation: values of maps, lists, pictures and periods, scans, exit codes and
+ * messages about bad input. Few and fast tests.
  */
 package sunbeam.acceptance.contract;

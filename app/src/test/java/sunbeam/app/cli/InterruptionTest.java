@@ -18,14 +18,14 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.CancelledException;
 
-/** Ctrl-C, as a real process gets it. */
+/** Interrupts real processes by the signal that Ctrl-C sends. */
 final class InterruptionTest {
     private static final int LENGTH = 100_000;
 
     @TempDir
     private Path folder;
 
-    /** Run as a process: rewrites one file over and over, until it is interrupted. */
+    /** Process that rewrites one file until it is interrupted. */
     static final class Rewriting {
         private Rewriting() {}
 
@@ -45,7 +45,7 @@ final class InterruptionTest {
         }
     }
 
-    /** Run as a process: is in the middle of a file when it is interrupted. */
+    /** Process that is interrupted while it writes a file. */
     static final class Waiting {
         private Waiting() {}
 
@@ -63,7 +63,7 @@ final class InterruptionTest {
         }
     }
 
-    /** Run as a process: the interruption comes between the making of a file and its opening. */
+    /** Process that is interrupted between creating a file and opening it. */
     static final class OpeningLate {
         private OpeningLate() {}
 
@@ -105,7 +105,7 @@ final class InterruptionTest {
         }
     }
 
-    /** A file is whole at any moment, also where nothing of ours can tidy up. */
+    /** A killed process cannot clean up, so the file must be complete at any moment. */
     @Test
     void whatIsKilledLeavesTheOldFileOrTheNewOne() throws Exception {
         for (int attempt = 0; attempt < 3; attempt++) {
@@ -120,7 +120,7 @@ final class InterruptionTest {
     }
 
     private void end(Class<?> program, String signal, int exitCode) throws Exception {
-        // The signal's default, which a shell in the background and nohup replace.
+        // Restore the signal's default, which nohup and background shells replace.
         Process process = new ProcessBuilder(
                         "env",
                         "--default-signal=INT",

@@ -46,7 +46,7 @@ final class SunbeamTest extends CommandLineFixture {
         assertThat(out.toString()).contains("Usage: sunbeam doctor").contains("Exit codes:");
     }
 
-    /** Two screens of 45 lines, without what experts need. */
+    /** The help fits on two screens of 45 lines and leaves out experts' options. */
     @ParameterizedTest
     @ValueSource(strings = {"render", "color", "brdf-map", "reflectance", "compare"})
     void helpIsShortAndShowsExamples(String command) {

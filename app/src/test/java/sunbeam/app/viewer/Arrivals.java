@@ -6,7 +6,7 @@ import java.awt.event.AWTEventListener;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** Counts the events of mouse and keys that reach the program, so that one can wait for what a robot's hand has done. */
+/** Counts mouse and key events that reach the program, so that a test can wait for a robot's gestures. */
 final class Arrivals implements AutoCloseable {
     private static final long MASK =
             AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK | AWTEvent.MOUSE_WHEEL_EVENT_MASK;
@@ -19,15 +19,15 @@ final class Arrivals implements AutoCloseable {
     }
 
     /**
-     * Does something and waits until its events have arrived and been dealt with.
+     * Makes a gesture and waits until the program has handled its events.
      *
-     * @param id of the events to wait for, such as MouseEvent.MOUSE_RELEASED
-     * @param number of them
+     * @param id kind of the events, such as MouseEvent.MOUSE_RELEASED
+     * @param number of these events
      */
     void await(int id, int number, Runnable gesture) throws Exception {
         int before = count(id);
         gesture.run();
-        // Asked on the event thread, that is after the event at hand.
+        // Count on the event thread, after the current event.
         ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(() -> count(id) >= before + number));
     }
 

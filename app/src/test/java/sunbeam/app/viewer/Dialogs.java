@@ -13,21 +13,21 @@ import javax.swing.JFileChooser;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 
-/** The dialogs that the viewer opens, answered as a user would. */
+/** Answers the viewer's dialogs. */
 final class Dialogs {
     private Dialogs() {}
 
-    /** Waits for a dialog whose title begins with the words given. */
+    /** Waits for a dialog whose title begins with {@code title}. */
     static JDialog await(String title) throws Exception {
         ViewerInAWindow.await(
                 () -> ViewerInAWindow.onEvents(() -> showing(title).isPresent()));
         return ViewerInAWindow.onEvents(() -> showing(title).orElseThrow());
     }
 
-    /** Chooses a file in the dialog of that title. */
+    /** Chooses a file in a dialog. */
     static void choose(String title, Path file) throws Exception {
         JDialog dialog = await(title);
-        // Not waited for: approving closes the dialog, and what the viewer asks next has a dialog of its own.
+        // Do not wait: approving may open the viewer's next dialog.
         SwingUtilities.invokeLater(() -> {
             JFileChooser chooser = all(dialog, JFileChooser.class).get(0);
             chooser.setSelectedFile(file.toFile());
@@ -35,7 +35,7 @@ final class Dialogs {
         });
     }
 
-    /** Presses the button of that name in the dialog of that title. */
+    /** Presses a button of a dialog. */
     static void answer(String title, String button) throws Exception {
         JDialog dialog = await(title);
         SwingUtilities.invokeLater(() -> all(dialog, AbstractButton.class).stream()
@@ -46,7 +46,7 @@ final class Dialogs {
         ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(() -> !dialog.isShowing()));
     }
 
-    /** Fills the text fields of the dialog of that title. */
+    /** Fills the text fields of a dialog. */
     static void type(String title, String... texts) throws Exception {
         JDialog dialog = await(title);
         ViewerInAWindow.onEvents(() -> {
@@ -69,7 +69,7 @@ final class Dialogs {
         return Optional.empty();
     }
 
-    /** All components of a type, at any depth. */
+    /** Returns all components of a type, at any depth. */
     static <T> List<T> all(Container root, Class<T> type) {
         List<T> found = new ArrayList<>();
         for (Component child : root.getComponents()) {

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
-/** Small patches as files. */
+/** Writes small patches as files. */
 final class PatchFiles {
     private static final int SIDE = 32;
 
@@ -21,7 +21,7 @@ final class PatchFiles {
         return file;
     }
 
-    /** The heights alone. */
+    /** Writes an image without a descriptor. */
     static Path image(Path folder, String name) throws IOException {
         BufferedImage heights = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_BYTE_GRAY);
         for (int y = 0; y < SIDE; y++) {

@@ -6,11 +6,11 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import sunbeam.app.scene.SceneSettings;
 
-/** Pictures of the harness's scene, compared and counted. */
+/** Compares pictures of the test scene. */
 final class Pictures {
     private Pictures() {}
 
-    /** Pixels that differ, in color or in whether they show the background. */
+    /** Returns the number of pixels that differ in color or, with {@code silhouette}, in whether they show the background. */
     static int different(BufferedImage one, BufferedImage other, boolean silhouette) {
         assertThat(other.getWidth()).isEqualTo(one.getWidth());
         assertThat(other.getHeight()).isEqualTo(one.getHeight());
@@ -28,7 +28,7 @@ final class Pictures {
         return count;
     }
 
-    /** Pixels of a color that no gray light has. */
+    /** Returns the number of colored pixels. */
     static int spectralPixels(BufferedImage image) {
         int count = 0;
         for (int y = 0; y < image.getHeight(); y++) {

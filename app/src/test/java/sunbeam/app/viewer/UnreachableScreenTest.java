@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.ExitCode;
 
-/** A screen that DISPLAY names and that nobody answers for; in a process of its own, since Java remembers it. */
+/** DISPLAY names a screen without a server. Runs in a process of its own, since Java opens the display only once. */
 class UnreachableScreenTest {
 
     @ParameterizedTest

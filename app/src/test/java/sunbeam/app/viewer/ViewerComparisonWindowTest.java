@@ -29,13 +29,13 @@ import sunbeam.precompute.setting.Choices;
 @Tag("window")
 final class ViewerComparisonWindowTest extends ViewerInAWindow {
     private static final int TOP_LABELS = 40;
-    // Of the line and its handle, to either side.
+    // Columns on either side that the line and its handle cover.
     private static final int LINE = 8;
 
     @Test
     void theThesisStandsToTheRightOfALineThatIsDragged() throws Exception {
         onEvents(() -> {
-            // The other is drawn in the exposure of the first.
+            // The comparison uses the exposure of the scene's own picture.
             viewer.model()
                     .change(scene -> scene.with(Choices.none().with(SceneSettings.EXPOSURE, OptionalDouble.of(0.7))));
             return null;
@@ -121,13 +121,13 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
         });
     }
 
-    /** Waits for the other final picture; what the window shows then. */
+    /** Waits for the comparison method's final picture and returns it. */
     private BufferedImage awaitOther() throws Exception {
         await(() -> onEvents(() -> divider().isFinal()));
         return onEvents(() -> painted(viewer.window().picture()));
     }
 
-    /** What the command render draws by the thesis's choices. */
+    /** Returns the picture that the command render draws with the thesis's preset. */
     private BufferedImage thesis(String name) throws Exception {
         Scene scene = onEvents(() -> viewer.model().scene());
         return rendered(
@@ -138,7 +138,7 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6))));
     }
 
-    /** Whether both show the same in some columns, below the words. */
+    /** Asserts that both are equal in these columns, below the labels. */
     private static void assertSame(BufferedImage one, BufferedImage other, int from, int to) {
         int height = one.getHeight() - TOP_LABELS;
         assertThat(different(

@@ -23,7 +23,7 @@ import sunbeam.app.viewer.window.ViewerWindow;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Windows that are closed while there is still something to do. */
+/** Closes windows while work is running. */
 @Tag("window")
 final class ViewerEndWindowTest extends ViewerInAWindow {
     @Test
@@ -95,7 +95,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         assertThat(process.exitValue()).isZero();
     }
 
-    /** The render thread ends only once OpenGL is given back; if that fails, it says so. */
+    /** Asserts that the render thread ends; it ends only after OpenGL is closed. */
     private void assertEnd() throws Exception {
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
         assertThat(viewer.hasEnded()).isTrue();
@@ -115,7 +115,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         });
     }
 
-    /** The program, with a thread that closes its window before the first picture or during its refinement. */
+    /** The program with a thread that closes the window before the first picture or during its refinement. */
     static final class ClosedSoon {
         static final String CLOSING = "closing";
 

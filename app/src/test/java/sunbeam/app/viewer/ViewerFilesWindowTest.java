@@ -15,7 +15,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Scenes and pictures that are saved and loaded through the window's keys and dialogs. */
+/** Saves and loads scenes and pictures through the window's keys and dialogs. */
 @Tag("window")
 final class ViewerFilesWindowTest extends ViewerInAWindow {
     @Test

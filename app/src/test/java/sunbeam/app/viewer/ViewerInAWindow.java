@@ -55,7 +55,7 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** A viewer in a real window, and a robot's hands. A failure on any thread, such as the event thread, fails the test. */
+/** Test of a viewer in a real window, driven by a robot. A failure on any thread, such as the event thread, fails the test. */
 @Timeout(300)
 public abstract class ViewerInAWindow {
     static final long PATIENCE_MILLISECONDS = 60_000;
@@ -64,7 +64,7 @@ public abstract class ViewerInAWindow {
 
     private static final Set<String> BACKGROUND = Set.of("loading", "files", "spectrum");
 
-    // Far enough to see all of the cylinder with background around it.
+    // The whole cylinder is visible, with background around it.
     private static final float EYE = 0.8f;
 
     @TempDir
@@ -125,9 +125,9 @@ public abstract class ViewerInAWindow {
             });
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
             arrivals.close();
-            // What the render thread said last is heard, too.
+            // Handle the last notifications of the render thread.
             onEvents(() -> null);
-            // They write into the folder that is about to be removed.
+            // Threads that write would use the folder after its removal.
             await(() -> Thread.getAllStackTraces().keySet().stream()
                     .noneMatch(thread -> BACKGROUND.contains(thread.getName())));
             Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
@@ -200,7 +200,7 @@ public abstract class ViewerInAWindow {
         });
     }
 
-    /** Presses keys together, such as Ctrl and S, once the picture has the focus; without a manager of windows it asks. */
+    /** Presses keys together, such as Ctrl and S, once the picture has the focus, which it requests if there is no window manager. */
     void press(int... keys) throws Exception {
         PictureView view = viewer.window().picture();
         await(() -> onEvents(() -> {
@@ -219,13 +219,13 @@ public abstract class ViewerInAWindow {
         });
     }
 
-    /** What the screen shows where a component stands. */
+    /** Returns the screen's pixels in a component's place. */
     BufferedImage screen(Component component) throws Exception {
         return robot.createScreenCapture(
                 onEvents(() -> new Rectangle(component.getLocationOnScreen(), component.getSize())));
     }
 
-    /** A component as it paints itself, also where the window is too small to show it. On the event thread. */
+    /** Returns a component's own painting, even if the window is too small to show it. Called on the event thread. */
     static BufferedImage painted(JComponent component) {
         BufferedImage image =
                 new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
@@ -235,12 +235,12 @@ public abstract class ViewerInAWindow {
         return image;
     }
 
-    /** What the command render writes for the viewer's scene, saved as a file, in the picture's size. */
+    /** Returns the picture that the command render writes for the viewer's scene, saved as a file. */
     BufferedImage rendered(String name) throws Exception {
         return rendered(name, onEvents(() -> viewer.model().scene()));
     }
 
-    /** What the command render writes for a scene in the picture's size. */
+    /** Returns the picture that the command render writes for a scene, in the viewer's size. */
     BufferedImage rendered(String name, Scene scene) throws Exception {
         BufferedImage shown = picture();
         Path sceneFile = folder.resolve(name + ".json");
@@ -260,7 +260,7 @@ public abstract class ViewerInAWindow {
     }
 
     void awaitFinal() throws Exception {
-        // A change that has just been made needs a moment to be taken up: the loop waits 150 ms for more of them.
+        // Wait until the render loop has received the last change.
         robot.delay(100);
         await(() -> onEvents(() -> {
             PictureView view = viewer.window().picture();
@@ -289,7 +289,7 @@ public abstract class ViewerInAWindow {
             assertThat(waited).as("milliseconds waited").isLessThan(PATIENCE_MILLISECONDS);
             Thread.sleep(20);
             long now = System.currentTimeMillis();
-            // A machine that stood still meanwhile has not made anybody wait.
+            // Do not count time during which the machine was suspended.
             waited += Math.min(1000, now - last);
             last = now;
         }

@@ -25,10 +25,10 @@ import sunbeam.app.scene.Scenes;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.setting.Choices;
 
-/** What the keys do, pressed by a robot in a real window. */
+/** Key actions, by a robot in a real window. */
 @Tag("window")
 final class ViewerKeysWindowTest extends ViewerInAWindow {
-    // Of directions in float32, after some rotations.
+    // Rounding of float32 directions after some rotations.
     private static final double ROUNDING = 1e-5;
 
     @Test
@@ -72,12 +72,12 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         await(() -> !seenLight().equals(light));
     }
 
-    /** Around the picture's vertical axis. */
+    /** Returns the angle around the picture's vertical axis. */
     private static double azimuth(Vector3f seen) {
         return Math.atan2(seen.x, seen.z);
     }
 
-    /** Around the picture's horizontal axis. */
+    /** Returns the angle around the picture's horizontal axis. */
     private static double elevation(Vector3f seen) {
         return Math.atan2(seen.y, seen.z);
     }
@@ -98,7 +98,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         awaitScene(scene -> scene.equals(scene()));
         awaitFinal();
         assertThat(different(before, picture(), false)).isZero();
-        // A step of its own, as is the rotation before.
+        // The light's move and the rotation are separate steps.
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         awaitScene(scene -> scene.get(SceneSettings.ROTATE_PATCH) == 1);
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
@@ -196,7 +196,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         assertThat(marked("Scenes")).containsExactly(Scenes.load("light-left").get(SceneSettings.TITLE));
     }
 
-    /** The marked items of a menu that is opened. */
+    /** Opens a menu and returns its checked items. */
     private List<String> marked(String title) throws Exception {
         return onEvents(() -> {
             JMenuBar bar = viewer.window().getJMenuBar();

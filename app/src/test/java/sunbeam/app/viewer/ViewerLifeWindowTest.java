@@ -19,7 +19,7 @@ import sunbeam.app.viewer.window.RecentFiles;
 import sunbeam.app.viewer.window.StartJournal;
 import sunbeam.app.viewer.window.Viewer;
 
-/** The viewer's panel and its trouble, in a real window. */
+/** The viewer's panel and failures, in a real window. */
 @Tag("window")
 final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test

@@ -14,7 +14,7 @@ import javax.swing.JLabel;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Patches that are dropped on the window or chosen, good ones and bad ones. */
+/** Valid and invalid patches, dropped on the window or chosen in a dialog. */
 @Tag("window")
 final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
@@ -47,7 +47,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     void remarksAboutAPatchStandBesideItsNameAndNotInTheMessage() throws Exception {
         assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch");
         PatchFiles.image(folder, "coarse.png");
-        // Of 8 bits, so that one grey level is 4 nm.
+        // The image has 8 bits, so one gray level is 4 nm.
         Path file = Files.writeString(folder.resolve("coarse.json"), descriptor("coarse.png", "2 um"));
         load(file);
         awaitPatch(file.toString());
@@ -108,7 +108,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         Path file = PatchFiles.descriptor(folder, "next");
         onEvents(() -> {
             viewer.files().loadPatch(file);
-            // Nothing can have been loaded yet: what was comes back on this thread.
+            // Nothing is loaded yet, since results come back on this thread.
             assertThat(label("status").getText()).startsWith("Loading next.json");
             assertThat(viewer.window().picture().isFinal()).isFalse();
             assertThat(brightness(painted(viewer.window().picture()))).isLessThan(before);
@@ -119,7 +119,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> label("status").getText()).startsWith("Final"));
     }
 
-    /** Sum over pixels and channels. */
+    /** Returns the sum over pixels and channels. */
     private static int brightness(BufferedImage image) {
         return Arrays.stream(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
                 .map(rgb -> (rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255))

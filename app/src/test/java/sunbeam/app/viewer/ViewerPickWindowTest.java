@@ -23,7 +23,7 @@ import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
-/** A point that is picked by a double click: what the panel and the BRDF map show of it, in a real window. */
+/** The panel and the BRDF map of a point picked by a double click, in a real window. */
 @Tag("window")
 final class ViewerPickWindowTest extends ViewerInAWindow {
     private static final int CURVE = 0x5aa9e6;
@@ -36,12 +36,12 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         double focal = 0.5
                 * picture().getHeight()
                 / scene().view().halfHeight(picture().getWidth(), picture().getHeight());
-        // The mouse points at a pixel's corner, or anywhere in it.
+        // The mouse is somewhere in its pixel.
         assertThat(seen.x / -seen.z * focal).as("columns from the middle").isCloseTo(0, within(1.0));
         assertThat(seen.y / -seen.z * focal).as("rows from the middle").isCloseTo(0, within(1.0));
         assertThat(pick.normal().z()).as("the axis is z").isCloseTo(0, within(1e-3f));
         Vector3f outwards = new Vector3f(pick.position().x(), pick.position().y(), 0).normalize();
-        // The mesh has flat facets, whose normals are interpolated.
+        // Normals are interpolated over the mesh's flat facets.
         assertThat(pick.normal().dot(outwards)).isCloseTo(1, within(1e-3f));
         assertThat(pick.tangent().dot(pick.normal())).isCloseTo(0, within(1e-4f));
         assertThat(pick.tangent().cross(pick.bitangent(), new Vector3f()).dot(pick.normal()))
@@ -167,7 +167,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         return Dialogs.all(viewer.window().pick(), SpectrumPlot.class).get(0);
     }
 
-    /** Pixels of the spectrum's curve. */
+    /** Returns the number of pixels of the spectrum's curve. */
     private int curvePixels(int color) throws Exception {
         BufferedImage plot = onEvents(() -> painted(plot()));
         int count = 0;

@@ -35,7 +35,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Hands that never rest, for {@code -Dsunbeam.robot.minutes} (10): nothing waits for ever, and each window that is left alone is final. */
+/** A robot uses the viewer for {@code -Dsunbeam.robot.minutes} (10) without pause: no thread blocks, and each picture becomes final. */
 @Tag("thorough")
 @Timeout(value = 2, unit = TimeUnit.HOURS)
 final class ViewerRobotTest {
@@ -74,7 +74,7 @@ final class ViewerRobotTest {
             on(viewer::quit);
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
             assertThat(viewer.hasEnded()).as("ended, seed " + seed).isTrue();
-            // What a source of colors needs at first is made as a whole.
+            // The first use of a color source is not interruptible.
             ViewerInAWindow.await(() -> Thread.getAllStackTraces().keySet().stream()
                     .noneMatch(thread -> List.of("render", "colors").contains(thread.getName())));
         }
@@ -160,7 +160,7 @@ final class ViewerRobotTest {
     private void awaitFinal() throws Exception {
         on(() -> {
             viewer.window().setSize(700, 500);
-            // What takes minutes is another test's.
+            // Other tests cover loads of minutes.
             viewer.model().change(scene -> ViewerInAWindow.scene());
         });
         long end = System.currentTimeMillis() + PATIENCE_MILLISECONDS;
@@ -171,7 +171,7 @@ final class ViewerRobotTest {
         }
     }
 
-    /** Whoever waits for a lock has it soon: it is held for as long as it takes to look at some numbers. */
+    /** Asserts that no thread waits long for a lock. */
     private void assertNobodyBlocked() throws InterruptedException {
         for (int look = 0; !blocked().isEmpty(); look++) {
             assertThat(look).as("seed " + seed + dump()).isLessThan(50);

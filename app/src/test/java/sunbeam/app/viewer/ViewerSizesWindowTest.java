@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.viewer.window.Viewer;
 
-/** A window that is made small, hidden, minimised, and large again. */
+/** A window that is made small, hidden, minimized and large again. */
 @Tag("window")
 final class ViewerSizesWindowTest extends ViewerInAWindow {
     private static final SceneLight OTHER = new SceneLight(new Vector3f(-0.3f, -0.6f, -0.42f), 1);

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.TimedTiles;
 
-/** The viewer in a real window, under a robot's hands. */
+/** The viewer in a real window, driven by a robot. */
 @Tag("window")
 final class ViewerWindowTest extends ViewerInAWindow {
     @Test

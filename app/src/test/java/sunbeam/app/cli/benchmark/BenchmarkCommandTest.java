@@ -37,9 +37,9 @@ final class BenchmarkCommandTest extends CommandLineFixture {
                 .containsExactly("full, thesis", "table, tolerance 1e-2", "full, thesis", "table, tolerance 1e-2");
         for (int i = 1; i < 4; i += 2) {
             JsonNode table = rows.get(i);
-            // Of a grating's views most are too dark to measure an error of.
+            // Most views of a grating are too dark to measure an error.
             assertThat(table.get("views").intValue()).isBetween(1, 4);
-            // The promise; of so few views the 95th percentile is nearly the largest, of which nothing is promised.
+            // The median is promised; the 95th percentile of so few views is nearly the largest error, which is not.
             assertThat(table.get("median_error_of_xyz").doubleValue()).isLessThanOrEqualTo(1e-2);
             assertThat(table.get("bytes").longValue()).isPositive();
         }

@@ -49,14 +49,14 @@ class BrdfMapCommandTest extends CommandLineFixture {
         return ImageIO.read(folder.resolve(file).toFile());
     }
 
-    /** The blazed grating's few orders on black, and a skin's spread of light: neither may change from gray to black. */
+    /** A longer window must not turn the blazed grating's few orders, or a skin's spread light, from gray to black. */
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "elaphe-like"})
     void automaticExposureFollowsTheWindowGradually(String patch) {
         double first = exposure("a.png", "--patch", patch, "--coherence-length", "6um");
         double second = exposure("b.png", "--patch", patch, "--coherence-length", "6.3um");
 
-        // An order's area changes by a tenth with its window's, and its rho as much the other way.
+        // A window 5 % longer makes an order's area a tenth smaller and its rho a tenth larger.
         assertThat(second / first).isBetween(0.8, 1.25);
     }
 
@@ -67,7 +67,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
         double lamellar = exposure("lamellar.png", "--patch", "lamellar", "--no-annotate");
         double first = exposure("first.png", "--patch", "blaze", "--with", "lamellar", "--exposure", "first");
 
-        // The brighter half of both together may be brighter than each one's own half, but it holds no other pixels.
+        // The brighter half of all pixels consists of pixels of both maps, so its exposure lies near theirs.
         assertThat(both).isBetween(0.5 * Math.min(blaze, lamellar), Math.max(blaze, lamellar));
         assertThat(first).isEqualTo(blaze);
         assertThat(PngText.read(folder.resolve("all.png"))).containsEntry("Title", "BRDF map of blaze, lamellar");
@@ -153,7 +153,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
         assertThat(folder.resolve("a.png")).doesNotExist();
     }
 
-    /** The linear colors of a map, three a pixel. */
+    /** Returns the linear colors of a map, three per pixel. */
     private float[] linear(String... more) throws IOException {
         Path numbers = folder.resolve("map.npy");
         List<String> all = new ArrayList<>(
@@ -172,7 +172,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
         return xyz;
     }
 
-    /** Schlick's reflectance over that along the normal, for either index, at every pixel; by wavelength, too. */
+    /** At every pixel the map changes by the ratio of Schlick's reflectances, also for an index by wavelength. */
     @Test
     void anotherIndexReflectsMoreOrLessAsSchlickSays() throws IOException {
         Path constant = Files.writeString(folder.resolve("two.csv"), "wl,n\n0.3,2\n0.5,2\n0.9,2\n");
@@ -189,9 +189,9 @@ class BrdfMapCommandTest extends CommandLineFixture {
                         / index.reflectance(5e-7)
                         / (Gain.reflectance(cosine) / Gain.R0);
                 double found = two[3 * pixel + 1] / standard[3 * pixel + 1];
-                // Floats in, floats out.
+                // Both maps are rounded to float32.
                 assertThat(found).as("pixel %s", pixel).isCloseTo(expected, within(1e-6));
-                // Two maps of one integral each, both planned to a thousandth.
+                // Both integrals have a tolerance of 1e-3.
                 assertThat(tabulated[3 * pixel + 1] / two[3 * pixel + 1]).isCloseTo(1f, within(3e-3f));
                 compared++;
             }

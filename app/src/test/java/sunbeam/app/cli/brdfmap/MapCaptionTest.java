@@ -21,7 +21,7 @@ class MapCaptionTest {
             new CommandLine(new MethodOptions()).<MethodOptions>getCommand().choices();
     private static final Direction LIGHT = Direction.ofDegrees(30, 0);
 
-    /** Of 20 x 10 um. */
+    /** Returns a scan of 20 x 10 um. */
     private static Patch scan(Patch.Repetition repetition) {
         double[] heights = new double[32 * 16];
         for (int i = 0; i < heights.length; i++) {

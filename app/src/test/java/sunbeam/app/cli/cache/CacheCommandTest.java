@@ -29,7 +29,7 @@ final class CacheCommandTest extends CommandLineFixture {
         return sunbeam(arguments);
     }
 
-    /** A table of 4000 bytes and a header, last used so many seconds after some time. */
+    /** Writes a table of 4000 bytes and a header. */
     private Path table(String name, int used) throws IOException {
         Path file = cache.resolve(name + ".tables");
         ShaderTables tables = new ShaderTables.Builder("full_grid")

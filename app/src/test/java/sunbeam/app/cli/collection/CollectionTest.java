@@ -34,7 +34,7 @@ final class CollectionTest extends CommandLineFixture {
         scan(scans.resolve("grating.txt"), x -> 50 * Math.sin(2 * Math.PI * x / PERIOD));
     }
 
-    /** 64 columns 0.25 um apart in rows alike: 8 periods of 2 um, in the text format that states its scale. */
+    /** Writes a scan of 64 equal rows of 64 samples, 0.25 um apart, in a text format that states its scale. */
     private static void scan(Path file, DoubleUnaryOperator heights) throws IOException {
         StringBuilder text =
                 new StringBuilder("# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n");
@@ -88,7 +88,7 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(row.getField("first_orders_deg"))
                 .matches("1[01]\\.\\d+ to 2[01]\\.\\d+; -1[01]\\.\\d+ to -2[01]\\.\\d+");
         BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
-        // Two thumbnails of the heights, black and white stripes, beside each other; nothing right of them.
+        // Two thumbnails with black and white stripes lie side by side; the sheet is empty to the right of them.
         assertThat(darkest(sheet, 16, 300)).isLessThan(80);
         assertThat(darkest(sheet, 316, 600)).isLessThan(80);
         assertThat(darkest(sheet, 620, 900)).isGreaterThan(250);
@@ -165,7 +165,7 @@ final class CollectionTest extends CommandLineFixture {
     void aStoppedRunGoesOnWhereItWas() throws IOException {
         Files.copy(scans.resolve("grating.txt"), scans.resolve("later.txt"));
         assertThat(inspect(scans.toString())).isZero();
-        // The second line is cut off, as by the end of the process.
+        // Cut the second line, as if the process had been killed.
         Path reports = report.resolve("reports.jsonl");
         String whole = Files.readString(reports);
         Files.writeString(reports, whole.substring(0, whole.indexOf('\n') + 100));
@@ -178,7 +178,7 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(Files.readString(reports)).isEqualTo(whole);
         assertThat(time("grating.png")).isEqualTo(first);
         assertThat(time("later.png")).isGreaterThan(second);
-        // A file that has changed is looked at again.
+        // A changed file is inspected again.
         scan(scans.resolve("grating.txt"), x -> 0.01);
         assertThat(inspect(scans.toString(), "--resume")).isEqualTo(3);
         assertThat(table("table.csv").get(0).getField("verdict_code")).isEqualTo("mirror");
@@ -193,7 +193,8 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("theta_i_deg"))
                 .containsExactly("0.0", "20.0", "40.0");
-        // Of 2.5 um under light at 40 degrees the first orders begin at asin(0.4 / 2.5 - sin 40) = -28.9 degrees.
+        // A period of 2.5 um under light at 40 degrees has its first orders from asin(0.4 / 2.5 - sin 40) = -28.9
+        // degrees.
         String[] angles = table("table.csv").get(2).getField("first_orders_deg").split(" to ", -1);
         assertThat(Double.parseDouble(angles[0])).isCloseTo(-28.9, within(0.1));
         JsonNode summary = new ObjectMapper().readTree(out.toString());

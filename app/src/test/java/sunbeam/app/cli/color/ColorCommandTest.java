@@ -63,7 +63,7 @@ class ColorCommandTest extends CommandLineFixture {
         double expected = 2500 * Math.sin(Math.toRadians(Math.abs(theta)));
         double width = 1e9 * spectrum.get("width_m").asDouble();
         JsonNode green = at(surface, "along", 12);
-        // The order's band, in which the eye sees more of its longer half: a width beside it at most.
+        // The eye weighs the longer half of the order's band more, which shifts the hue by a width at most.
         assertThat(1e9 * green.get("dominant_m").asDouble())
                 .isCloseTo(2500 * Math.sin(Math.toRadians(12)), within(width));
         int brightest = 0;
@@ -86,7 +86,7 @@ class ColorCommandTest extends CommandLineFixture {
                     .get(0);
             luminances[i] = at(surface, "along", 0).get("Y").asDouble();
         }
-        // Along the normal Schlick's reflectance is the mirror's own, to which all relates.
+        // Colors are relative to a mirror of the same index, whose reflectance along the normal is Schlick's.
         assertThat(luminances[1]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
         assertThat(luminances[2]).isCloseTo(luminances[0], within(1e-6 * luminances[0]));
     }
@@ -113,7 +113,7 @@ class ColorCommandTest extends CommandLineFixture {
         assertThat(same.get("purity")).isEqualTo(purest.get("purity"));
     }
 
-    /** Waves 4 um long and, at right angles and steeper, 1.3 um. */
+    /** The surface has waves 4 um long and, at right angles, steeper ones 1.3 um long. */
     @Test
     void ofCrossedGratingsEitherHasItsColorsInAStrip() throws IOException {
         StringBuilder heights = new StringBuilder();
@@ -135,14 +135,13 @@ class ColorCommandTest extends CommandLineFixture {
             JsonNode green = at(surface, strip == 0 ? "along" : "across", theta);
             assertThat(green.get("phi_deg").asDouble()).isCloseTo(90 * strip, within(0.5));
             assertThat(green.get("phi_i_deg")).isEqualTo(green.get("phi_deg"));
-            // A window of 10 um makes an order at least 70 nm wide, which the eye's and the angle's steps shift by part
-            // of it.
+            // A window of 10 um makes an order at least 70 nm wide; the hue lies within the order.
             assertThat(1e9 * green.get("dominant_m").asDouble()).isCloseTo(550, within(50.0));
             assertThat(green.get("lightness").asDouble())
                     .as("as bright as a color")
                     .isGreaterThan(20);
         }
-        // The finer waves' orders are apart; of the coarser the window blurs one into the next.
+        // The orders of the finer waves are separate; those of the coarser waves overlap.
         assertThat(surface.get("purest").get("strip").asText()).isEqualTo("across");
         assertThat(out.toString()).contains("degrees (across): ").doesNotContain("beside both planes");
         tell(with(crossed, "--phi-i", "45"));
@@ -188,7 +187,7 @@ class ColorCommandTest extends CommandLineFixture {
             for (int part = -2; part <= 2; part++) {
                 mean += at(fine, "along", degrees + 0.2 * part).get("Y").asDouble() / 5;
             }
-            // Directions 1.5 deviations apart at most, beside some that are closer: 3e-3 of the brightest.
+            // Means over steps of 1.5 deviations and over finer steps differ by at most 3e-3 of the brightest.
             assertThat(at(coarse, "along", degrees).get("Y").asDouble()).isCloseTo(mean, within(3e-3 * brightest));
         }
         assertThat(run(with(lines, "--angles", "0:89.9:1"))).isEqualTo(ExitCode.USAGE.code());
@@ -261,7 +260,7 @@ class ColorCommandTest extends CommandLineFixture {
         assertThat(written().get("surfaces").get(0).get("model").asText()).contains("docs/theory.md");
     }
 
-    /** Of the instruments' files and the thesis's scans, which are no part of the project. */
+    /** Uses files of instruments that are not part of the project. */
     @ParameterizedTest
     @CsvSource({"scans/nid-1.nid, 3, No order found", "scans/di-1.di, 3, Too little to judge"})
     void measuredSurfacesHaveTheirVerdict(String file, int code, String verdict) throws IOException {
@@ -291,7 +290,7 @@ class ColorCommandTest extends CommandLineFixture {
         for (double theta : new double[] {-40, -20, -8, 10, 60}) {
             for (String channel : new String[] {"X", "Y", "Z"}) {
                 double expected = at(constant, "along", theta).get(channel).asDouble();
-                // Seven digits are written, float32 computes.
+                // Results are float32, written with seven digits.
                 assertThat(at(table, "along", theta).get(channel).asDouble())
                         .isCloseTo(expected, within(1e-5 * Math.abs(expected)));
             }

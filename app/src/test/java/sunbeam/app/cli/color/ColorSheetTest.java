@@ -71,7 +71,7 @@ class ColorSheetTest {
         return new ColorSheet(reports, settings, CIE).draw();
     }
 
-    /** The longest upright line of ink between two columns: a plot's frame. */
+    /** Returns the longest vertical line between two columns: a plot's frame. */
     private static int frame(BufferedImage image, int from, int to) {
         int longest = 0;
         for (int x = from; x < to; x++) {
@@ -90,7 +90,7 @@ class ColorSheetTest {
         BufferedImage named = sheet(LONG, LONG.replace("03", "04"));
         for (int half = 0; half < 2; half++) {
             int height = frame(named, 640 * half, 640 * (half + 1));
-            // Longer names may take one more line of the legend, of 25 pixels, each.
+            // Each longer name may need one more line of the legend, 25 pixels high.
             assertThat(height).isGreaterThan(frame(brief, 640 * half, 640 * (half + 1)) - 55);
             assertThat(height).isGreaterThan(300);
         }
@@ -104,7 +104,7 @@ class ColorSheetTest {
         assertThat(ColorSheet.title(report)).contains("purest (square) " + told + " at -30\u00b0");
         assertThat(report.lines())
                 .anyMatch(line -> line.contains("purest color at -30 degrees") && line.contains(told));
-        // In the strip below the title, the cell around -30 degrees, beside its mark.
+        // A pixel of the cell at -30 degrees, beside its mark, in the strip below the title.
         int x = 130 + (50 * (1280 - 160)) / 160;
         assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 80) & 0xffffff))
                 .isEqualTo(told);
@@ -119,7 +119,7 @@ class ColorSheetTest {
         SeenColor.View view = seen(true, 0).view();
         // The quartiles of a normal distribution.
         assertThat(SeenSpectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
-        // The grain holds a fifth of the light and draws the quartiles nearer by as much.
+        // The grain has a fifth of the light, so the quartiles move closer by about a fifth.
         assertThat(SeenSpectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
     }
 }

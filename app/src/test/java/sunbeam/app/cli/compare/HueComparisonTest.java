@@ -17,7 +17,7 @@ class HueComparisonTest {
         return new CieLab(50, chroma * Math.cos(hue), chroma * Math.sin(hue));
     }
 
-    /** Hues of a half circle, and others turned by 25 degrees with an error of 3. */
+    /** The second hues are the first, turned by 25 degrees with errors of 3 degrees. */
     @Test
     void hueThatIsTurnedIsCorrelatedAndToldByHowMuch() {
         Random random = new Random(1);
@@ -28,7 +28,7 @@ class HueComparisonTest {
                 .mapToObj(i -> color(hues[i] + 25 + 3 * random.nextGaussian(), 20))
                 .toList();
         HueComparison hue = HueComparison.of(first, second);
-        // The mean of 2000 errors of 3 degrees is known to 0.07.
+        // The mean of 2000 errors of 3 degrees has a standard error of 0.07.
         assertThat(hue.turnDegrees()).isCloseTo(25, within(0.3));
         assertThat(hue.correlation()).isGreaterThan(0.99);
         assertThat(IntStream.range(0, 18).mapToDouble(i -> hue.first()[i]).sum())
@@ -42,7 +42,7 @@ class HueComparisonTest {
                 random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 40)).toList();
         List<CieLab> second =
                 random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 40)).toList();
-        // Four deviations of chance, each of one over the root of the count.
+        // Four standard deviations, each 1 / sqrt(count).
         assertThat(HueComparison.of(first, second).correlation()).isCloseTo(0, within(4 / Math.sqrt(COUNT)));
         List<CieLab> grays =
                 random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 5)).toList();

@@ -31,7 +31,7 @@ class PhotographTest {
     private static final int GRAY = 0;
     private static final int RGB = 2;
     private static final int RGBA = 6;
-    // Light of 16 bits in float32.
+    // Samples have 16 bits.
     private static final Offset<Float> EXACT = within(1e-5f);
 
     @TempDir
@@ -66,7 +66,7 @@ class PhotographTest {
         return bytes.toByteArray();
     }
 
-    /** A PNG of 16 bits with a chunk of the test's. */
+    /** Returns a PNG of 16 bits with an additional chunk. */
     private byte[] png(int columns, int kind, byte[] chunk, int... samples) throws IOException {
         int channels = kind == GRAY ? 1 : kind == RGB ? 3 : 4;
         int rows = samples.length / channels / columns;
@@ -132,7 +132,7 @@ class PhotographTest {
         "0, top left, top right"
     })
     void isUprightWhateverItsOrientation(int orientation, String begin, String end) throws IOException {
-        // White begins the first of 2 rows of 3, half of its light ends it.
+        // The first of two rows of three begins with white and ends with half of its light.
         int half = 48_194;
         png(3, GRAY, chunk("eXIf", exif(orientation)), 65_535, 0, half, 0, 0, 0);
         Photograph photo = Photograph.read(file);
@@ -170,7 +170,7 @@ class PhotographTest {
         assertThat(Photograph.read(file).height()).isEqualTo(32);
     }
 
-    /** IEC 61966-2-1: 0.5 is 0.21404 of white. Four pixels of light and dark have the mean of light, not of samples. */
+    /** By IEC 61966-2-1 a sample of 0.5 is 0.21404 of white. A reduced pixel is the mean of light, not of samples. */
     @Test
     void lightIsLinearBeforePixelsBecomeFewer() throws IOException {
         png(
@@ -205,7 +205,7 @@ class PhotographTest {
         assertThat(mean.clipped()[0]).isTrue();
     }
 
-    /** Thirds of pixels: 3 columns of 0, 1, 0 become 2 of a third each. */
+    /** Three columns of 0, 1, 0 become two columns of a third each. */
     @Test
     void pixelsAreSharedByTheirArea() throws IOException {
         png(3, GRAY, new byte[0], 0, 65_535, 0);
@@ -219,7 +219,7 @@ class PhotographTest {
     void aProfileSaysWhatSamplesMean() throws IOException {
         png(1, RGB, profile(ColorSpace.CS_LINEAR_RGB), 32_768, 32_768, 32_768, 32_768, 0, 0);
         Photograph.Linear photo = whole();
-        // Profiles store numbers of 16 bits, and D50 of theirs is rounded.
+        // Profiles store 16-bit numbers, among them a rounded D50.
         Offset<Float> profiled = within(5e-4f);
         assertThat(photo.picture().rgba()[0]).isEqualTo(0.5f * 0.95047f, profiled);
         assertThat(luminance(photo, 0)).isEqualTo(0.5f, profiled);
@@ -227,13 +227,13 @@ class PhotographTest {
         assertThat(luminance(photo, 1)).isEqualTo(0.5f * 0.2126729f, profiled);
     }
 
-    /** Photo YCC has three mixed channels: red that is 0.6 of sRGB's samples, which is 0.3185 of its light, comes back. */
+    /** Photo YCC mixes its three channels. A red sample of 0.6 in sRGB has 0.3185 of the light. */
     @Test
     void aProfileMayMixChannels() throws IOException {
         byte[] profile = profile(ColorSpace.CS_PYCC);
         float[] mixed = ColorSpace.getInstance(ColorSpace.CS_PYCC).fromRGB(new float[] {0.6f, 0, 0});
         png(1, RGB, profile, round(mixed[0]), round(mixed[1]), round(mixed[2]));
-        // Tables of 8 bits, there and back: three steps at 0.6 are 3 % of light.
+        // Both conversions have 8-bit tables: three steps at 0.6 are 3 % of light.
         assertThat(luminance(whole(), 0)).isEqualTo(0.3185f * 0.2126729f, within(0.03f * 0.2126729f));
     }
 
@@ -248,7 +248,7 @@ class PhotographTest {
         assertThat(luminance(whole(), 0)).isEqualTo(0.5f, within(5e-4f));
     }
 
-    /** Each is truncated or has a damaged header, table of tags, or tag: one line, never another exception. */
+    /** Truncated profiles and damaged headers, tag tables and tags end in one line, never in another exception. */
     @Test
     void damagedProfilesAreRefusedInOneLine() throws IOException {
         byte[] good = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).getData();
@@ -268,7 +268,7 @@ class PhotographTest {
         assertRefused("profile");
     }
 
-    /** Decoders of TIFF leave out a damaged profile and say nothing. */
+    /** Java's TIFF decoder silently drops a damaged profile. */
     @Test
     void aTiffsDamagedProfileIsRefused() throws IOException {
         int[][] entries = {
@@ -304,7 +304,7 @@ class PhotographTest {
         }
     }
 
-    /** 2 MB of one bit a pixel would take minutes. */
+    /** 2 MB with one bit per pixel would take minutes. */
     @Test
     void tooManyPixelsAreRefusedBeforeTheyAreDecoded() throws IOException {
         byte[] header = ByteBuffer.allocate(13)
@@ -342,7 +342,7 @@ class PhotographTest {
         assertRefused("no PNG, JPEG");
     }
 
-    /** Java's decoder makes up what is missing of a JPEG, gray, and says so in a warning alone. */
+    /** Java's decoder fills the missing part of a JPEG with gray and only warns. */
     @Test
     void aJpegThatEndsTooEarlyIsRefused() throws IOException {
         ByteArrayOutputStream whole = new ByteArrayOutputStream();
@@ -351,7 +351,7 @@ class PhotographTest {
         assertRefused("is damaged (Truncated");
     }
 
-    /** Damaged files are read or refused in a line: nothing else comes out of decoders, Exif data and profiles. */
+    /** Damaged files are read or refused in one line; decoders, Exif data and profiles cause no other exception. */
     @Test
     void damagedPhotographsAreReadOrRefused() throws IOException {
         int refused = refusals(png(2, RGB, chunk("eXIf", exif(8)), 1, 2, 3, 4, 5, 6), 100);
@@ -365,7 +365,7 @@ class PhotographTest {
         int refused = 0;
         for (int mutation = 0; mutation < mutations; mutation++) {
             byte[] bad = good.clone();
-            // Behind the signature and the size.
+            // Do not damage the signature and the size.
             bad[24 + random.nextInt(bad.length - 24)] ^= (byte) (1 << random.nextInt(8));
             Files.write(file, bad);
             try {

@@ -25,7 +25,6 @@ import sunbeam.app.files.input.PngText;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.optics.Gain;
 
-/** Few wavelengths where a test does not name others. */
 final class EvaluateCommandTest extends CommandLineFixture {
     private static final int SAMPLES = 128;
 
@@ -39,7 +38,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         return sunbeam(all.toArray(String[]::new));
     }
 
-    /** A scan of so many micrometers whose heights are given in nanometers at a column and a row. */
+    /** Evaluates a scan of this side; the function returns the height, nm, at a column and a row. */
     private int runScan(DoubleBinaryOperator height, double micrometers, String... more) throws IOException {
         StringBuilder text = new StringBuilder();
         for (int row = 0; row < SAMPLES; row++) {
@@ -54,7 +53,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         return run(all.toArray(String[]::new));
     }
 
-    /** A wave of a period in samples. */
+    /** Returns a wave whose period is given in samples. */
     private static double wave(double column, double row, double samples, double degrees) {
         double angle = Math.toRadians(degrees);
         return Math.cos(2 * Math.PI / samples * (column * Math.cos(angle) - row * Math.sin(angle)));
@@ -76,7 +75,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
                 .as(err.toString())
                 .isZero();
         JsonNode report = report();
-        // Of the relative radiance, whose slope draws the peaks aside by 1.4e-4.
+        // The slope of the relative radiance shifts the peaks by 1.4e-4.
         assertThat(1e9 * report.at("/peaks_interpolated/mean_m").doubleValue()).isCloseTo(2500.3, within(0.3));
         assertThat(1e18 * report.at("/peaks_interpolated/variance_m2").doubleValue())
                 .isLessThan(0.05);
@@ -109,11 +108,11 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(1e18 * report().at("/peaks_at_maxima/variance_m2").doubleValue())
                 .isCloseTo(0.16, within(0.1));
         assertThat(report().has("peaks_interpolated")).isFalse();
-        // The published source has the maxima of power, 2499.997 nm.
+        // The thesis's published source takes the maxima of power: 2499.997 nm.
         assertThat(meanPeriodOfPower()).isCloseTo(2499.997, within(0.3));
     }
 
-    /** Mean of the periods (nm) at which the response without its gain is largest, over the wavelengths. */
+    /** Returns the mean over wavelengths of the period, nm, at which the response without its gain is largest. */
     private double meanPeriodOfPower() throws IOException {
         GratingPlane plane = new GratingPlane(Math.toRadians(75), 0, 0);
         List<double[]> rows = new ArrayList<>();
@@ -180,7 +179,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @Test
     void aGivenPeriodIsLookedForInstead() throws IOException {
-        // The second order of the blazed grating, as if it were the first of half the period: no period of the heights.
+        // The second order of the blazed grating is the first order of half the period, which the heights do not have.
         assertThat(run("--patch", "blaze", "--azimuth", "0", "--period", "1250nm"))
                 .as(err.toString())
                 .isEqualTo(4);
@@ -208,7 +207,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(files()).isEmpty();
     }
 
-    /** Where the result of others is, and in the words of inspect. */
+    /** The verdict stands where other patches have their result, in the words of inspect. */
     @Test
     void aPatchWithoutPeriodHasItsVerdictOnStandardOutput() throws IOException {
         SplittableRandom random = new SplittableRandom(5);
@@ -242,7 +241,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(report().get("verdict_code").textValue()).isEqualTo("probable_grating");
     }
 
-    /** A ridge at 43 um stood under a right period of 50 um. */
+    /** Overlapping orders would give a ridge at 43 um for a period of 50 um. */
     @Test
     void ordersThatLightDoesNotTellApartHaveNoRidge() throws IOException {
         String[] few = {"--wavelengths", "400:700:100", "--angles", "-80:-70:0.2", "--azimuth", "0"};
@@ -291,7 +290,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isGreaterThan(290.9);
     }
 
-    /** The last two fifths are one row: a warning says which, and the period is that of the others. */
+    /** The last two fifths repeat one row: a warning names them, and the period is that of the other rows. */
     @Test
     void aScanThatWasStoppedTellsThePeriodOfWhatWasMeasured() throws IOException {
         SplittableRandom random = new SplittableRandom(1);
@@ -307,7 +306,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1020.0);
     }
 
-    /** Half of the slip's phase over half of the scan draws the wave aside by up to 3 %: the interval holds what the rows tell. */
+    /** A slip in the middle of the scan shifts the wave by up to 3 %: the interval includes the true period. */
     @Test
     void aSlipWidensTheInterval() throws IOException {
         SplittableRandom random = new SplittableRandom(4);

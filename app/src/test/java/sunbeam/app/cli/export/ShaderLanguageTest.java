@@ -29,8 +29,8 @@ import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 
 /**
- * The exported function in other languages, compiled by others' programs to GLSL and run beside the original on the same directions. A test
- * is skipped where its compiler is missing.
+ * Translations of the exported function, compiled to GLSL by other programs and compared with the original on the same directions. A test
+ * is skipped if its compiler is missing.
  */
 @NeedsDisplay
 class ShaderLanguageTest extends InAContext {
@@ -38,8 +38,8 @@ class ShaderLanguageTest extends InAContext {
     private static final int TABLE = 32;
     private static final int SLICES = 6;
 
-    // Both are the same operations in 24 bits, but llvmpipe fuses and reorders them; Kirchhoff's factor magnifies small
-    // s.
+    // Both do the same operations in float32, but llvmpipe fuses and reorders them, and Kirchhoff's factor magnifies
+    // small differences.
     private static final double ROUNDING = 2e-4;
 
     /** A light and a viewer for each pixel, some below the horizon; footprints from none to a third of all directions. */

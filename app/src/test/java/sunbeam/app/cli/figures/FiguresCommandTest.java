@@ -30,7 +30,7 @@ class FiguresCommandTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
 
-    /** A program whose maps are gray, those of 50 and 100 nm darker, and which cannot draw those of 25 nm. */
+    /** Stands for the program: draws gray maps, those of 50 and 100 nm darker, and fails for 25 nm. */
     private int draw(PrintWriter complaints, String... arguments) {
         List<String> words = List.of(arguments);
         runs.add(words);
@@ -121,7 +121,7 @@ class FiguresCommandTest {
                 .hasMessageStartingWith("--only 5.99: no such figure; choose from 2.8, 2.11, 3.1");
     }
 
-    /** What commands take is theirs to say, and they do: none of the manifest is refused before it loads anything. */
+    /** The commands themselves check their options; here their names are checked. */
     @Test
     void eachCommandOfTheManifestIsOneOfTheProgram() {
         List<String> words = Figure.all().stream()
@@ -163,7 +163,7 @@ class FiguresCommandTest {
         String page = Files.readString(folder.resolve("index.html"));
         assertThat(page).contains("Figure 5.5", "5.5-blaze-10nm.png", "--wavelength-step 10nm");
         assertThat(page).as("what was not drawn").doesNotContain("5.5-blaze-25nm.png", "Figure 5.6");
-        // Of equal pictures, and of grays that lie 26 apart in lightness.
+        // Two pictures are equal, the others' grays differ by 26 in lightness.
         assertThat(page).contains("CIEDE2000 0.0 (median)").containsPattern("CIEDE2000 2[0-9] \\(median\\)");
 
         runs.clear();
@@ -197,7 +197,7 @@ class FiguresCommandTest {
                 .isEmpty();
     }
 
-    /** The program of this test writes pictures alone, none of the files that plots and checks of 4.5 and 5.11 read. */
+    /** The program of this test writes none of the files that plots and checks of 4.5 and 5.11 read. */
     @Test
     void withoutResultsAPlotAndAVerdictAreLeftOut() throws IOException {
         assertThat(figures("--only", "4.5,5.11", "--size", "24")).isZero();

@@ -47,7 +47,6 @@ final class InspectCommandTest extends CommandLineFixture {
                 .contains("51.2 um x 51.2 um, 1024 x 1024 samples", "relief 110 nm", "steeper than 30 degrees")
                 .containsPattern("period +1600.* nm, 95 % interval 1[56]")
                 .endsWith(picture() + System.lineSeparator());
-        // The verdict and at most eight lines.
         assertThat(out.toString()).hasLineCount(6);
         BufferedImage sheet = ImageIO.read(new File(picture()));
         assertThat(sheet.getWidth()).isGreaterThan(1000);
@@ -75,7 +74,7 @@ final class InspectCommandTest extends CommandLineFixture {
         assertThat(report.get("patch").textValue()).isEqualTo("sinusoid");
         assertThat(report.at("/files/0").textValue()).isEqualTo(picture());
         assertThat(report.get("sampling_is_fine_enough").booleanValue()).isTrue();
-        // The grating's own, to the rounding of a double; degrees likewise.
+        // Exact but for the rounding of doubles.
         assertThat(report.at("/period_m").doubleValue()).isCloseTo(2.5e-6, within(1e-12));
         assertThat(report.at("/direction_deg").doubleValue()).isCloseTo(0, within(1e-6));
         double pitch =
@@ -104,7 +103,7 @@ final class InspectCommandTest extends CommandLineFixture {
                 .as(err.toString())
                 .isZero();
         assertThat(out.toString()).startsWith("No order found: a white gloss without color");
-        // 200 nm apart: said on standard error by the loader and in the table.
+        // Samples are 200 nm apart: the loader's warning and the table say so.
         assertThat(err.toString()).contains("sampling too coarse");
         assertThat(out.toString()).contains("pitch     sampling too coarse");
     }
@@ -124,13 +123,13 @@ final class InspectCommandTest extends CommandLineFixture {
                     "--output",
                     picture(),
                     "--force");
-            // A mirror can only be a mistake: done, but doubtful.
+            // A mirror is most likely a mistake, so the exit code is 3.
             assertThat(code).as("%s x %s: %s", size[0], size[1], err).isEqualTo(3);
             assertThat(out.toString()).startsWith("A mirror: ").contains("relief 0 m");
         }
     }
 
-    /** A scan of 10 x 5 um of a wave, tilted, as text. */
+    /** Writes a tilted wave as a scan of 10 x 5 um in text. */
     private Path scan(double amplitudeNm, boolean spiked) throws IOException {
         StringBuilder text = new StringBuilder();
         for (int row = 0; row < 64; row++) {
@@ -181,7 +180,7 @@ final class InspectCommandTest extends CommandLineFixture {
         assertThat(out.toString()).contains("light     coherence length 5 um");
     }
 
-    /** Meters of a scan were nanometers of another: inspect looks at what no command could draw. */
+    /** With a wrong unit the relief is too deep for any other command. */
     @Test
     void aScanThatCannotBeDrawnIsInspected() throws IOException {
         text(128, 64, (x, y) -> 500 * Math.sin(2 * Math.PI * x / 1.6) + 100 * Math.sin(2 * Math.PI * y / 1.3));
@@ -208,7 +207,7 @@ final class InspectCommandTest extends CommandLineFixture {
         Files.writeString(folder.resolve("scan.txt"), text);
     }
 
-    /** Picometers read as nanometers, or a mirror indeed: nobody sees any color of it. */
+    /** A relief in picometers shows no color, like a mirror. */
     @Test
     void aReliefFarBelowAWavelengthIsDoubtful() throws IOException {
         scan(0.1, false);

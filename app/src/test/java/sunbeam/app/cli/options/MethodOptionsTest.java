@@ -21,7 +21,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 
-/** From a command line to a method. */
+/** Parses methods from command lines. */
 class MethodOptionsTest {
     private static Choices parse(String options) {
         CommandLine line = new CommandLine(new MethodOptions());

@@ -16,12 +16,12 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** From a command line to a surface. */
+/** Parses surfaces from command lines. */
 class PatchOptionsTest {
     @TempDir
     Path folder;
 
-    /** A tilted grating in text: 40 x 20 samples, 4 um wide, tilted by 39 nm. */
+    /** Writes a grating in text: 40 x 20 samples, 4 um wide, tilted by 39 nm. */
     private Path scan() throws IOException {
         StringBuilder text = new StringBuilder();
         for (int row = 0; row < 20; row++) {
@@ -50,7 +50,7 @@ class PatchOptionsTest {
     void theThesisTakesAScanThatIsGivenDirectlyAsItIs() throws IOException {
         Choices thesis = method("--preset", "thesis");
         Patch patch = load(thesis);
-        // The tilt stays, less the mean; the edges are those of the scan; light sees the repetition over 65 um.
+        // Only the mean is removed, the edges are not blended, and the scan repeats over 65 um.
         assertThat(patch.source()).contains("levelling mean").doesNotContain("blended");
         assertThat(patch.heights().heights()).isEqualTo(patch.scan().heights());
         assertThat(patch.heights().at(39, 0) - patch.heights().at(0, 0))
@@ -64,12 +64,11 @@ class PatchOptionsTest {
         Choices standard = method();
         Patch patch = load(standard);
         assertThat(patch.source()).contains("levelling plane", "edges blended");
-        // It changes along x only.
         assertThat(ScanLimit.of(standard, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
                 .isCloseTo(4e-6, within(1e-15));
     }
 
-    /** Files of one name from several folders are three surfaces. */
+    /** Three folders have a file of the same name. */
     @Test
     void surfacesOfOneNameAreToldApart() {
         HeightMap heights = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, 1e-8});

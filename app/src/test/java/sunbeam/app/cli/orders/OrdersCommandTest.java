@@ -66,7 +66,7 @@ class OrdersCommandTest extends CommandLineFixture {
                 * Math.pow((1 + dot) / (cosR + cosI), 2)
                 / (cosR * cosI)
                 * Math.pow(BesselJ.value(1, 2 * Math.PI / 550e-9 * (cosR + cosI) * 100e-9), 2);
-        // The expansion's 1e-6; 128 samples a period are exact for a sinusoid.
+        // The expansion errs by 1e-6; 128 samples per period are exact for a sinusoid.
         assertThat(first.get("efficiency").get(15).asDouble()).isCloseTo(expected, within(1e-6));
         // Order -3 leaves the hemisphere at 2500 nm (1 - sin 20) / 3 = 548.3 nm.
         assertThat(order(incidence, -3).get("beyond_horizon_from_m").asDouble()).isCloseTo(550e-9, within(1e-15));
@@ -86,7 +86,7 @@ class OrdersCommandTest extends CommandLineFixture {
         double told = Double.parseDouble(lines.get(1).split(",")[10]);
         lines.stream().skip(1).map(line -> line.split(",")).forEach(row -> {
             sum[0] += Double.parseDouble(row[7]);
-            // Conical incidence: the component of the light along the lines is kept.
+            // Conical incidence: orders keep the light's component along the lines.
             double theta = Math.toRadians(Double.parseDouble(row[2]));
             double phi = Math.toRadians(Double.parseDouble(row[3]));
             assertThat(Math.sin(theta) * Math.sin(phi)).isCloseTo(-0.5, within(1e-9));

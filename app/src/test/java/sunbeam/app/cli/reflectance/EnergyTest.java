@@ -89,7 +89,7 @@ class EnergyTest extends CommandLineFixture {
 
     @Test
     void aDiscReflectsNoMoreThanItsShareOfRedLight() throws IOException {
-        // A grid over the three orders at 720 nm, in widths of their Gaussians.
+        // The grid covers the three orders at 720 nm; its step is a fraction of their width.
         double width = 720e-9 * WINDOW.sigmaFrequency();
         List<String> rows = new ArrayList<>();
         for (int m = -1; m <= 1; m++) {
@@ -123,7 +123,7 @@ class EnergyTest extends CommandLineFixture {
             sums[rule.equals("scalar") ? 0 : 1] =
                     Arrays.stream(column("out.csv", "brdf")).sum() * width / 6 * width / 4;
         }
-        // Schlick's factor at half of 77 degrees is 1 % above 0.04.
+        // Schlick's factor at 38.5 degrees is 1 % above 0.04.
         assertThat(sums[0]).isGreaterThan(1.5 * 0.04);
         assertThat(sums[1]).isBetween(0.98 * 0.04, 1.012 * 0.04);
     }
@@ -178,7 +178,7 @@ class EnergyTest extends CommandLineFixture {
             DirectionPair pair = queries.get(i).pair();
             double expected = divisor.ofColors(pair.wi(), probe.setup().cie());
             most = Math.max(most, expected);
-            // Lines between directions 5 degrees apart; orders that leave bend the mean over luminance.
+            // The divisor is interpolated between directions 5 degrees apart, and bends where orders pass the horizon.
             assertThat(Gain.relativeRadiance(pair) / results.get(i)[3])
                     .as("light %s", pair.wi())
                     .isCloseTo(expected, within(0.06 * expected));
@@ -247,7 +247,7 @@ class EnergyTest extends CommandLineFixture {
             FloatBuffer values = ByteBuffer.wrap(array, array.length - 4 * 3 * 625, 4 * 3 * 625)
                     .order(ByteOrder.LITTLE_ENDIAN)
                     .asFloatBuffer();
-            // The middle of 25 x 25 is light from above; colors have one divisor.
+            // The middle of the 25 x 25 directions is light along the normal; all channels of colors have one divisor.
             double above = new EnergyDivisor(
                             new MethodProbe(folder, disc).setup().patch().heights(),
                             CoherenceWindow.ofCoherenceLength(10e-6))

@@ -45,14 +45,14 @@ class EvaluatorTest {
         assertThat(silvered[3]).isCloseTo(r0 * 7, within(ROUNDING));
     }
 
-    /** At grazing light all materials reflect all: rho is in proportion to a mirror that reflects more. */
+    /** All materials reflect all grazing light, so rho is inversely proportional to the mirror's reflectance. */
     @Test
     void grazingLightIsReflectedByAllAlike() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n89.9,0,89.9,180\n");
         double[] gain = evaluator(list)
                 .indexed(RefractiveIndex.parse("3"), CieTable.load(), List.of(new double[] {1, 1, 1, 25}))
                 .get(0);
-        // Of 90 degrees; a tenth of a degree short of it, 0.9 % is not yet reflected.
+        // The limit is for 90 degrees; at 89.9 degrees 0.9 % is not reflected.
         assertThat(gain[3]).isCloseTo(4, within(0.02));
     }
 

@@ -40,7 +40,7 @@ class GemMethodTest {
         assertThat(xyz.get(4)[1]).isCloseTo(1, within(1e-5f));
     }
 
-    /** The bumps as X, Y and Z, of all orders whose wavelength is visible, along the grating alone. */
+    /** The sum of the bumps in X, Y and Z over all orders with a visible wavelength, across the lines. */
     @Test
     @EnabledIfEnvironmentVariable(
             named = "DISPLAY",
@@ -63,7 +63,7 @@ class GemMethodTest {
                 double place = (2500 * u / order - 380) / 400;
                 sum += Math.max(0, 1 - Math.pow(4 * place - 3 + c, 2));
             }
-            // Behind a curve of exponent 1 / 2.4 the light is exp(-slope^2) times as bright; float32.
+            // The display curve of exponent 1 / 2.4 makes exp(-slope^2) out of this factor; computed in float32.
             double expected = 0.1 * white[c] * sum * Math.exp(-2.4 * slope * slope);
             assertThat((double) xyz.get(0)[c]).isCloseTo(expected, within(1e-4 * white[c]));
         }

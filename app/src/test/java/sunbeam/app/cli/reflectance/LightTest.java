@@ -19,7 +19,7 @@ import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
-/** Colors in other lights than daylight, beside the exact reference and the grating equation. */
+/** Compares colors under several illuminants with the exact reference and the grating equation. */
 class LightTest {
     private static final double PERIOD = 2.5e-6;
 
@@ -30,7 +30,7 @@ class LightTest {
         return new MethodProbe(home, "--patch", "sinusoid");
     }
 
-    /** Medians keep the tolerance, of 1e-3; whether steps of the wavelength see the light is in all of them. */
+    /** Medians keep the tolerance of 1e-3. */
     @ParameterizedTest
     @CsvSource({
         "full, --illuminant=F11, ensemble",
@@ -58,7 +58,7 @@ class LightTest {
             double[] expected = exact.xyz(pairs.get(i), ReferenceColor.Quadrature.INTEGRATED);
             float[] rounded = {(float) expected[0], (float) expected[1], (float) expected[2]};
             double error = MethodProbe.relativeError(colors.get(i), rounded);
-            // Three times the tolerance; in the dark, of a thousandth of the brightest.
+            // Three times the tolerance, relative to at least a thousandth of the brightest color.
             assertThat(error).isLessThanOrEqualTo(3e-3 * Math.max(1, 1e-3 * brightest / expected[1]));
         }
     }

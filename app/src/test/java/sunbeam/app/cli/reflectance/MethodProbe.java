@@ -27,7 +27,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 
-/** One patch, and methods on it as the command line asks for them. */
+/** Evaluates methods, given as command-line options, on one patch. */
 final class MethodProbe {
     private final DiffractionSetup setup;
 
@@ -41,12 +41,12 @@ final class MethodProbe {
         return setup;
     }
 
-    /** Light and viewer in the plane of incidence along x; angles in degrees, negative ones to the left. */
+    /** Returns light and viewer in the x-z plane; angles in degrees, negative towards -x. */
     static DirectionPair inPlane(double lightDegrees, double viewDegrees) {
         return new DirectionPair(Direction.ofDegrees(lightDegrees, 0), Direction.ofDegrees(viewDegrees, 0));
     }
 
-    /** Directions along the grating's plane, lit from the normal, from the left horizon to the right. */
+    /** Returns views in the x-z plane from -x to +x, under light along the normal. */
     static List<DirectionPair> gratingPlane(int count) {
         List<DirectionPair> pairs = new ArrayList<>();
         for (int i = 0; i < count; i++) {
@@ -63,17 +63,17 @@ final class MethodProbe {
                 Methods.of(choices).plan(setup.withLight(LightTable.of(choices)).surface(), range));
     }
 
-    /** X, Y, Z of the power. */
+    /** Returns X, Y, Z of the power. */
     List<float[]> colors(List<DirectionPair> pairs, String... options) {
         return evaluate(pairs, 0, MethodUse.COLOR, options);
     }
 
-    /** Coherent power, ensemble power, rho, BRDF at one wavelength in meters. */
+    /** Returns coherent power, ensemble power, rho and BRDF at one wavelength in meters. */
     List<float[]> powers(List<DirectionPair> pairs, double wavelength, String... options) {
         return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
     }
 
-    /** The same of one direction at each whole nanometer from 380 to 780. */
+    /** Returns the same values for one pair at each whole nanometer from 380 to 780. */
     List<float[]> spectrum(DirectionPair pair, String... options) {
         List<DirectionsRenderer.Query> queries = IntStream.rangeClosed(380, 780)
                 .mapToObj(nanometers -> new DirectionsRenderer.Query(pair, nanometers * 1e-9))
@@ -100,7 +100,7 @@ final class MethodProbe {
         return UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
     }
 
-    /** A BRDF map, lit from the normal. */
+    /** Draws a BRDF map under light along the normal. */
     LinearPicture map(int size, String... options) {
         Direction normal = new Direction(0, 0, 1);
         try (RenderContext context = RenderContext.offscreen();
@@ -110,7 +110,7 @@ final class MethodProbe {
         }
     }
 
-    /** Relative distance of two colors in XYZ. */
+    /** Returns the relative distance of two colors in XYZ. */
     static double relativeError(float[] actual, float[] expected) {
         double difference = 0;
         double size = 0;

@@ -29,13 +29,13 @@ import sunbeam.precompute.setting.SettingException;
         matches = ".+",
         disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
 class NmmMethodTest {
-    // What the design asks for; it is the error of taking one wavelength for an order.
+    // Required by the design: the error of replacing an order's wavelengths by one.
     private static final double MEDIAN_ERROR = 0.01;
 
     @TempDir
     private Path home;
 
-    /** Errors of the directions that an order reaches, sorted; the valleys between orders hold nothing to compare. */
+    /** Returns sorted errors in the orders; between them there is too little light to compare. */
     private static List<Double> errors(List<float[]> actual, List<float[]> expected) {
         double brightest = expected.stream().mapToDouble(xyz -> xyz[1]).max().orElseThrow();
         List<Double> errors = new ArrayList<>();
@@ -91,7 +91,7 @@ class NmmMethodTest {
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
 
-    /** What evaluate shows of nmm is what its colors are made of, and not full's power: that is the method's error. */
+    /** The power that evaluate shows for nmm is the power in its colors, not that of method full. */
     @ParameterizedTest
     @CsvSource({"blaze, coherent, 9", "disc, coherent, 20", "disc, ensemble, 20"})
     void itsPowerOverTheWavelengthsIsItsColor(String patch, String average, double degrees) {
@@ -110,7 +110,7 @@ class NmmMethodTest {
                 sum[c] += (float) (power * cie.at((380 + i) * 1e-9, c) * 1e-9 / cie.integralOfY());
             }
         }
-        // Orders are 7 nm wide and more: whole nanometers add up to 1 %, where samples stand for all up to half way.
+        // Orders are at least 7 nm wide, so a sum over whole nanometers errs by 1 %.
         assertThat(MethodProbe.relativeError(sum, color)).isLessThan(0.02);
         List<float[]> full = probe.spectrum(pair, "--average", average);
         assertThat(IntStream.range(0, 401).anyMatch(i -> powers.get(i)[0] != full.get(i)[0]))
@@ -136,17 +136,18 @@ class NmmMethodTest {
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
         double full = blueness(probe.colors(plane));
         double weighted = blueness(probe.colors(plane, "--method", "nmm"));
-        // Without the white disc around u = v = 0, which no wavelength explains.
+        // Leave out the white mirror order around u = v = 0.
         List<DirectionPair> orders =
                 plane.stream().filter(g -> Math.abs(g.u()) > 0.16).toList();
         double thesis = blueness(probe.colors(orders, "--method", "nmm", "--preset", "thesis"));
         assertThat(weighted / full).isBetween(0.99, 1.01);
-        // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much.
-        // Averaged over the colors of an order, a tenth more blue at the least.
+        // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much. On
+        // average over an
+        // order's colors, at least a tenth more blue.
         assertThat(thesis / full).isGreaterThan(1.1);
     }
 
-    /** Z over Y of all light. */
+    /** Returns Z / Y of all light. */
     private static double blueness(List<float[]> colors) {
         double y = 0;
         double z = 0;
@@ -168,7 +169,7 @@ class NmmMethodTest {
             // 5 nm steps of a smooth spectrum, and the default tolerance of the expansion.
             assertThat(MethodProbe.relativeError(nmm.get(i), full.get(i))).isLessThan(3e-3);
         }
-        // The blaze sends most light into its first order: a white disc would have Y = 1.
+        // The blaze sends most light into its first order; a mirror order would have Y = 1.
         assertThat(nmm.get(0)[1]).isLessThan(0.1f);
     }
 
@@ -176,7 +177,7 @@ class NmmMethodTest {
     @ValueSource(strings = {"blaze", "disc"})
     void noPixelOfAMapIsWithoutAColor(String patch) {
         MethodProbe probe = new MethodProbe(home, "--patch", patch);
-        // Odd: the middle pixel is exactly u = v = 0, the middle row and column have v = 0 and u = 0.
+        // The size is odd, so the middle pixel is exactly u = v = 0.
         for (String[] options : new String[][] {
             {"--method", "nmm"},
             {"--method", "nmm", "--average", "ensemble"},

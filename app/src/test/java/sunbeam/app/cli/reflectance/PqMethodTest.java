@@ -45,7 +45,7 @@ class PqMethodTest {
                 .power(pair, WAVELENGTH);
     }
 
-    /** Lit from the normal, seen in the order's direction. */
+    /** Returns light along the normal and the view in the order's direction. */
     private static DirectionPair order(int n) {
         return MethodProbe.inPlane(0, -Math.toDegrees(Math.asin(n * WAVELENGTH / PERIOD)));
     }
@@ -117,7 +117,7 @@ class PqMethodTest {
         List<float[]> colors = blaze.colors(directions, "--method", "pq");
         for (int i = 0; i < directions.size(); i++) {
             double[] xyz = light.xyz(directions.get(i), Quadrature.EXACT);
-            // One wavelength a cycle of the power, and the default tolerance of the expansion.
+            // One wavelength per cycle of the power; the expansion has its default tolerance.
             assertThat(MethodProbe.relativeError(
                             colors.get(i), new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]}))
                     .isLessThan(5e-3);
@@ -127,7 +127,7 @@ class PqMethodTest {
     @ParameterizedTest
     @ValueSource(strings = {"sinc", "linear"})
     void noPixelOfAMapIsWithoutAColor(String interpolation) {
-        // Odd: the middle pixel is exactly u = v = 0, where both sines of the array factor vanish.
+        // The size is odd, so the middle pixel is exactly u = v = 0, where both sines of the array factor vanish.
         LinearPicture map = blaze.map(21, "--method", "pq", "--interpolation", interpolation);
         for (int pixel = 0; pixel < 21 * 21; pixel++) {
             double x = (2.0 * (pixel % 21) + 1) / 21 - 1;

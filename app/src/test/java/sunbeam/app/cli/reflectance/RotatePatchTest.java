@@ -19,7 +19,7 @@ import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.text.Text;
 
-/** A turned patch sees light and viewer turned the other way; heights are never resampled. */
+/** A turned patch equals light and viewer turned the other way; heights are not resampled. */
 @NeedsDisplay
 class RotatePatchTest extends CommandLineFixture {
     private static final int SIDE = 24;
@@ -30,7 +30,7 @@ class RotatePatchTest extends CommandLineFixture {
         assertThat(sunbeam(all)).as(err.toString()).isZero();
     }
 
-    /** X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */
+    /** Returns X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */
     private double[][] reflectance(double[][] pairs, String... more) throws IOException {
         StringBuilder csv = new StringBuilder("theta_i,phi_i,theta_r,phi_r\n");
         for (double[] pair : pairs) {
@@ -49,7 +49,7 @@ class RotatePatchTest extends CommandLineFixture {
                 .toArray(double[][]::new);
     }
 
-    /** Linear X, Y, Z of each pixel, top row first. */
+    /** Returns linear X, Y, Z of each pixel, top row first. */
     private float[] map(String... more) throws IOException {
         Path numbers = folder.resolve("map.npy");
         String[] first = {
@@ -85,7 +85,7 @@ class RotatePatchTest extends CommandLineFixture {
         double[][] expected = reflectance(back);
 
         for (int i = 0; i < pairs.length; i++) {
-            // The same angles but for rounding of the sums, 1e-14, of which the list's text keeps 1e-12.
+            // The angles are equal but for the 1e-12 that the list's text keeps.
             assertThat(turned[i]).containsExactly(expected[i], within(1e-6 * expected[i][3] + 1e-6 * expected[i][1]));
         }
         assertThat(expected[3][1]).as("light on an order").isGreaterThan(0);
@@ -103,10 +103,11 @@ class RotatePatchTest extends CommandLineFixture {
         for (int row = 0; row < SIDE; row++) {
             for (int column = 0; column < SIDE; column++) {
                 for (int c = 0; c < 3; c++) {
-                    // What lies at the right goes to the top.
+                    // A quarter turn moves the right side to the top.
                     float expected = before[3 * (column * SIDE + SIDE - 1 - row) + c];
                     float turned = after[3 * (row * SIDE + column) + c];
-                    // Directions in single precision: 1e-7, in deviations of an order, 0.012, a slope of 1e-5.
+                    // Directions are rounded by 1e-7; an order's deviation is 0.012, so its slope magnifies that to
+                    // 1e-5.
                     assertThat(turned).isEqualTo(expected, within(Float.isNaN(expected) ? 0 : 1e-4f * brightest));
                 }
             }
@@ -135,7 +136,7 @@ class RotatePatchTest extends CommandLineFixture {
         for (int i = 0; i < pixels.length; i++) {
             for (int c = 0; c < 3; c++) {
                 double rho = listed[i][3] * listed[i][c];
-                // Two plans, of one light and of a list, at the tolerance of 1e-3 each, which 95 % keep three times.
+                // The map and the list have different plans with a tolerance of 1e-3 each; 95 % keep three times that.
                 assertThat((double) map[3 * pixels[i] + c]).isCloseTo(rho, within(6e-3 * (rho + 1e-3 * brightest)));
             }
         }
@@ -164,7 +165,7 @@ class RotatePatchTest extends CommandLineFixture {
         assertThat(turned.get("verdict").asText()).contains("across 30 degrees");
         for (int i = 0; i < turned.get("colors").size(); i++) {
             double before = told.get(0).get("colors").get(i).get("Y").asDouble();
-            // The same pairs of directions after two turns, in single precision on an order's flank.
+            // The same pairs of directions, rounded to float32 on an order's flank.
             assertThat(turned.get("colors").get(i).get("Y").asDouble()).isCloseTo(before, within(1e-3 * before + 1e-9));
         }
     }

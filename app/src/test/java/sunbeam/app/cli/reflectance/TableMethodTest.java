@@ -27,7 +27,7 @@ import sunbeam.precompute.setting.SettingException;
         matches = ".+",
         disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
 class TableMethodTest {
-    // Short, so that steps are long and tables small.
+    // A short window makes small tables.
     private static final String[] WINDOW = {"--coherence-length", "6um"};
 
     @TempDir
@@ -39,7 +39,7 @@ class TableMethodTest {
         return all.toArray(String[]::new);
     }
 
-    /** Where gratings have their orders, and on their skirts: v is small. */
+    /** Returns directions with small v, where gratings have their orders. */
     private static List<DirectionPair> directionsNearTheAxis(int count) {
         Random random = new Random(7);
         List<DirectionPair> pairs = new ArrayList<>();
@@ -86,7 +86,7 @@ class TableMethodTest {
         List<Double> nearHorizon = new ArrayList<>();
         for (int i = 0; i < 48 * 48; i++) {
             assertThat(table.covered(i)).isEqualTo(exact.covered(i));
-            // Pixels of power below 1e-9 are below the promise's floor.
+            // The tolerance is not promised for power below 1e-9.
             if (exact.covered(i) && exact.luminance(i) > 1e-8) {
                 double error = Math.abs(table.luminance(i) / exact.luminance(i) - 1);
                 all.add(error);
@@ -97,7 +97,7 @@ class TableMethodTest {
             }
         }
         assertErrorsWithin(all, 1e-3);
-        // There w changes fastest with u and v.
+        // Near the horizon w changes fastest with u and v.
         assertThat(nearHorizon).hasSizeGreaterThan(10);
         assertErrorsWithin(nearHorizon, 1e-3);
     }
@@ -113,7 +113,7 @@ class TableMethodTest {
 
     @Test
     void nothingRingsBesideTheSpecularPeak() {
-        // Between the specular order and the next there is its skirt alone, down to 1e-9.
+        // Between the mirror order and the next one there is only its tail, down to 1e-9.
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
         List<DirectionPair> skirt = new ArrayList<>();
         for (int i = 0; i < 30; i++) {

@@ -42,8 +42,8 @@ class GifAnimationTest {
             }
             worst = Math.max(worst, Math.abs(sum / (BLOCK * BLOCK)));
         }
-        // The palette's steps are 32 of 255 codes, so that without dither blocks are off by 9; at the edges errors are
-        // lost.
+        // The palette has steps of 32 codes, so without dither the blocks' means err by 9. At the edges dither loses
+        // errors.
         assertThat(worst).isLessThan(4);
     }
 }

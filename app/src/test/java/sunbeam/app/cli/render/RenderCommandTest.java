@@ -159,7 +159,7 @@ class RenderCommandTest extends CommandLineFixture {
             for (int frame = 0; frame < 3; frame++) {
                 BufferedImage drawn = ImageIO.read(
                         frames.resolve("frame-000" + (frame + 1) + ".png").toFile());
-                // 256 colors, each for cells of 8 of 256 steps a channel.
+                // A palette of 256 colors has steps of about 8 codes in each channel.
                 assertThat(meanDifference(reader.read(frame), drawn))
                         .as("difference per channel of frame %d", frame)
                         .isLessThan(8);
@@ -217,7 +217,7 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(output).doesNotExist();
     }
 
-    /** A grating on a bare, smooth sphere sends its light past the camera, but for specks. */
+    /** A grating on a smooth sphere sends only specks of light into the camera. */
     @Test
     void aPictureOfSpecksIsDoubtful() throws IOException {
         Path grating = Files.writeString(
@@ -249,7 +249,7 @@ class RenderCommandTest extends CommandLineFixture {
                 .map(pixel -> image.getRGB(pixel % 64, pixel / 64))
                 .filter(rgb -> saturation(rgb) > 0.3)
                 .count();
-        // The two arcs beside the highlight; a white one alone has none.
+        // The two arcs beside the highlight are colored; the highlight is white.
         assertThat(colored).isGreaterThan(50);
     }
 

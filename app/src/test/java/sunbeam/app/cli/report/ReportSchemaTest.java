@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.CommandLineFixture;
 
-/** The JSON of every command is as docs/reference/report.schema.json says, which leaves no field out. */
+/** Validates the JSON of every command by docs/reference/report.schema.json, which names all fields. */
 final class ReportSchemaTest extends CommandLineFixture {
     private static final Path SCHEMA = Path.of("../docs/reference/report.schema.json");
 

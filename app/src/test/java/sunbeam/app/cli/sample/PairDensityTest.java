@@ -36,7 +36,7 @@ class PairDensityTest {
         return pair.cosThetaI() * pair.cosThetaR();
     }
 
-    /** Over pairs that are drawn by java.util's numbers, evenly on two discs: those of solid angles by their cosines. */
+    /** Integrates over pairs drawn evenly on two discs, that is, over solid angles weighted by cosines. */
     @Test
     void theDensityIntegratesToOne() {
         SplittableRandom random = new SplittableRandom(1);
@@ -50,11 +50,11 @@ class PairDensityTest {
                 count++;
             }
         }
-        // The density varies by five times its mean: 5 / sqrt(2e5) is 0.011, three times that.
+        // The density's deviation is five times its mean; three standard errors are 3 * 5 / sqrt(2e5).
         assertThat(sum / count * Math.PI * Math.PI).isCloseTo(1, within(0.035));
     }
 
-    /** A flat mirror's light under a Gaussian window: over both discs the area that they share times exp(-r^2 / width^2). */
+    /** Integrates a flat mirror's light: the discs' common area times exp(-r^2 / width^2). */
     @Test
     void meansByTheDensityAreIntegrals() {
         double exact = 0;
@@ -67,20 +67,21 @@ class PairDensityTest {
         }
         double light = estimate(
                 pair -> cosines(pair) * Math.exp(-(pair.u() * pair.u() + pair.v() * pair.v()) / (WIDTH * WIDTH)));
-        // f / p is 0 outside of the order, which most rows miss: deviation 3 of the mean, by sqrt(2e5), thrice.
+        // Most rows miss the order, so f / p has a deviation of three times its mean; the limit is three standard
+        // errors.
         assertThat(light / exact).isCloseTo(1, within(0.02));
-        // At most pi^2 / background, a deviation of 1.7 of the mean.
+        // f / p is at most pi^2 / background; its deviation is 1.7 times the mean.
         assertThat(estimate(PairDensityTest::cosines)).isCloseTo(Math.PI * Math.PI, within(0.12));
     }
 
-    /** Stratified: of any rows that follow each other the background has its share, within a row or two. */
+    /** Rows are stratified: of any consecutive rows the background has its share, within two rows. */
     @Test
     void theBackgroundHasItsShareOfAnyRows() {
         long background = LongStream.range(70_000, 71_000)
                 .mapToObj(this::pair)
                 .filter(pair -> Math.hypot(pair.u(), pair.v()) > 0.5 && !(pair.u() > 0.69 && pair.u() < 0.81))
                 .count();
-        // Of the 250 that are drawn by cosines 0.84 lie so, with a deviation of 6; four times that.
+        // Of the 250 background rows a share of 0.84 lies so, with a deviation of 6; the limit is four deviations.
         assertThat(background).isBetween(186L, 234L);
     }
 }

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 
-/** The table of what mouse and keys do. */
+/** The table of mouse and key actions. */
 final class HelpTest {
     @Test
     void theManualHasTheSameRowsInTheSameGroups() throws Exception {

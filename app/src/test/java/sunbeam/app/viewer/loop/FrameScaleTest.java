@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Frames that take some time for the mesh and some for the pixels. */
+/** Frame times consist of a time for the mesh and a time per pixel. */
 final class FrameScaleTest {
     private static final int FRAMES = 300;
 

@@ -27,7 +27,7 @@ import sunbeam.app.viewer.ViewerInAWindow;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
 
-/** The order of work of the render thread, by a stage that draws nothing, amid whose work anything may happen, and a clock of its own. */
+/** Order of the render thread's work, with a simulated clock and a stage that draws nothing and lets events happen during its work. */
 final class RenderLoopTest {
     private static final int SEQUENCES = 10_000;
     private static final Tile PIXEL = Tile.whole(1, 1);
@@ -41,7 +41,7 @@ final class RenderLoopTest {
     static void load() {
         SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), line -> {});
         SceneData one = loader.parts(ViewerInAWindow.scene()).get(0);
-        // Other objects, as they come of a light that moves.
+        // Equal scenes are different objects, as when the light moves.
         scenes = IntStream.range(0, 3)
                 .mapToObj(i -> one.scene().withLight(new SceneLight(new Vector3f(i, 0, 1).normalize(), 1)))
                 .map(scene -> new LoadedScene(List.of(one.with(scene))))
@@ -67,7 +67,7 @@ final class RenderLoopTest {
         private final RenderLoop loop;
         private long now = 1_000_000_000;
         private Runnable arrived = () -> {};
-        // Of the stage: what it draws, and its tiles.
+        // State of the stage: drawn state and tiles.
         private ViewState current;
         private boolean isCoarsestThere;
         private int missing;
@@ -77,7 +77,7 @@ final class RenderLoopTest {
         private boolean isBusy;
         private boolean isOver;
         private boolean isClosed;
-        // Of the listener.
+        // State of the listener.
         private ViewState asked;
         private ViewState shown;
         private boolean isFinal;
@@ -150,7 +150,7 @@ final class RenderLoopTest {
             loop.show(asked);
         }
 
-        /** Whether there was one to come. */
+        /** Delivers a tile; returns false if none is missing. */
         private boolean tilesCome() {
             boolean isDone = isCoarsestThere && (isInteractive || missing == untaken);
             if (!isByTable || isDone) {
@@ -323,7 +323,7 @@ final class RenderLoopTest {
 
         @Override
         public void complete(ViewState state, Final picture, long nanoseconds) {
-            // What is asked for meanwhile shows the same, or comes next.
+            // A state requested meanwhile shows the same picture, or is drawn next.
             shown = state;
             isFinal = state == asked;
         }

@@ -16,7 +16,7 @@ class ShownExposureTest {
     private static final int SIDE = 80;
     private static final int BACKGROUND = 0x101418;
 
-    /** Grays of three decades on half of a picture, nothing on the other. */
+    /** Returns a picture with grays of three decades on one half, nothing on the other. */
     private static LinearPicture picture() {
         SplittableRandom random = new SplittableRandom(7);
         float[] xyz = new float[3 * SIDE * SIDE];
@@ -38,7 +38,7 @@ class ShownExposureTest {
         for (int i = 0; i < SIDE * SIDE; i += 2) {
             image.setRGB(i % SIDE, Math.floorDiv(i, SIDE), BACKGROUND);
         }
-        // Eight bits: half a step of 255 is 2 % of the compressed light of what is ten times as bright as white.
+        // Half a step of 8 bits is 2 % of the light of a pixel ten times as bright as white, which is compressed.
         double exact = AutoExposure.of(picture());
         assertThat(ShownExposure.of(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
     }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Viewpoint;
 
 final class DragsTest {
-    // A handful of float32 operations on numbers of size 5.
+    // Rounding of a few float32 operations on numbers of size 5.
     private static final float ROUNDING = 1e-5f;
     private static final Camera FRONT = new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0));
     private static final Camera ABOVE = new Camera(new Vector3f(0, -5, 5), new Vector3f(), new Vector3f(0, 0, 1));
@@ -37,7 +37,7 @@ final class DragsTest {
         for (int drag = 0; drag < 100; drag++) {
             orientation = Drags.turned(ABOVE, orientation, 0.3, 0.2 * Math.sin(drag));
             Vector3f vertical = orientation.transform(new Vector3f(0, 0, 1));
-            // The picture's horizontal is x; a float32 rotation's error adds up over the drags.
+            // The picture's horizontal is x; rounding errors of float32 rotations add up over the drags.
             assertThat(vertical.x).isCloseTo(0, within(100 * ROUNDING));
         }
     }
@@ -79,7 +79,7 @@ final class DragsTest {
 
     @Test
     void whatIsSeenFollowsAPan() {
-        // At 90 degrees the picture is 10 high at the point that is looked at.
+        // With a field of view of 90 degrees the picture is 10 high at the target.
         Camera camera = Drags.panned(VIEW, 0.1, 0.2, 800, 600).camera();
         assertThat(camera.lookAtPoint().distance(-1, -2, 0)).isCloseTo(0, within(ROUNDING));
         assertThat(camera.centerOfProjection().distance(-1, -2, 5)).isCloseTo(0, within(ROUNDING));

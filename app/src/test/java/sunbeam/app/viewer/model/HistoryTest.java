@@ -79,7 +79,7 @@ final class HistoryTest {
         history.setDragging(true);
         history.changed(now, scene(0.2));
         history.setDragging(false);
-        // Refused: the scene is as before.
+        // The change is refused, so the scene is as before.
         assertThat(undo()).isZero();
     }
 }

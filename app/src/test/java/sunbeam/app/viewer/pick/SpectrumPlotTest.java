@@ -8,7 +8,7 @@ import java.awt.Graphics;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
 
-/** What the plot says of spectra that are not there yet. */
+/** The plot's text while spectra are missing. */
 final class SpectrumPlotTest {
     private static final double[] POWERS = {0, 1, 0.5};
 

@@ -10,10 +10,10 @@ import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.optics.Direction;
 
 final class GratingOrdersTest {
-    // In double precision.
+    // Rounding of double precision.
     private static final double ROUNDING = 1e-12;
 
-    /** GratingPlane has angles, and the light anywhere. */
+    /** Compares with GratingPlane for light from any direction. */
     @Test
     void ordersLieWhereTheGratingEquationSendsThem() {
         double period = 1.5e-6;
