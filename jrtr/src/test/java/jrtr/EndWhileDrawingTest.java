@@ -16,13 +16,13 @@ import jrtr.glsl.ShaderTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The process ends, by Ctrl-C for instance, while a thread draws: that draws to the end first, and no more. */
+/** The process ends (by Ctrl-C, for instance) during a draw: the draw is finished, and no other begins. */
 @NeedsDisplay
 class EndWhileDrawingTest {
     @TempDir
     private Path folder;
 
-    /** One thread draws and reads for about a second, then reads on; the other ends the process with 7 in the first. */
+    /** One thread draws and reads for about a second, then reads on; the other ends the process with status 7 during the first draw. */
     static final class Program {
         private Program() {}
 

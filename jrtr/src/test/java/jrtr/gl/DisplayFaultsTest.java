@@ -16,7 +16,7 @@ class DisplayFaultsTest {
     private final CountDownLatch lost = new CountDownLatch(1);
 
     @Test
-    void anEndOfTheServerIsToldAndOneOfAConnectionIsNot() throws Exception {
+    void theEndOfTheServerIsReportedButNotThatOfAConnection() throws Exception {
         ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
         DisplayFaults.watch("localhost:" + (server.getLocalPort() - FIRST_PORT) + ".0", lost::countDown);
         try (Socket client = server.accept()) {
@@ -31,7 +31,7 @@ class DisplayFaultsTest {
     }
 
     @Test
-    void whereThereIsNoServerNothingIsLost() throws IOException, InterruptedException {
+    void withoutAServerNothingIsReported() throws IOException, InterruptedException {
         for (String display : new String[] {"", "what is this", ":99999", ":58123"}) {
             DisplayFaults.watch(display, lost::countDown);
         }

@@ -19,7 +19,7 @@ class FloatTargetTest extends InARendering {
     private static final Offset<Float> HALF_A_STEP = within(2f / 256);
 
     @Test
-    void whatIsReadHasItsTopRowFirstAndIsNotClamped() {
+    void pixelsReadBackHaveTheTopRowFirstAndAreNotClamped() {
         float[] pixels = rendering.drawn(rendering.program("", COORDINATES), 3, 5);
 
         assertThat(pixels).hasSize(4 * 3 * 5);

@@ -45,7 +45,7 @@ class ImageTextureTest extends InARendering {
         assertThat(plain[0]).isCloseTo(188 / 255f, within(1e-6f));
     }
 
-    /** Of areas: three columns become one, and the row between two pairs counts half for either. */
+    /** Area means: three columns become one, and a row between two pairs counts half for each. */
     @Test
     void mipmapsAreMeansInLinearLight() {
         MipLevel wide = new MipLevel(3, 2, rgba(0, 255, 30, 255, 90, 0), ColorEncoding.LINEAR).next();

@@ -106,7 +106,7 @@ class OffscreenContextTest {
         assertThat(openFiles() - before).isLessThan(10);
     }
 
-    /** Linux tells; elsewhere the test only shows that contexts can be made again and again. */
+    /** Number of open files on Linux; elsewhere 0, and the test shows only that contexts can be created repeatedly. */
     private static long openFiles() throws IOException {
         Path folder = Path.of("/proc/self/fd");
         if (!Files.isDirectory(folder)) {

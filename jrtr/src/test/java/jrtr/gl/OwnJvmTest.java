@@ -13,7 +13,7 @@ import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What only a virtual machine of its own can show: its end, its standard streams, its display. */
+/** Tests that need their own virtual machine: its end, its standard streams, its display. */
 @NeedsDisplay
 class OwnJvmTest {
     @TempDir

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The libraries of a program that was started without the launcher, which would have told JOGL where they lie. */
+/** Libraries of a program started without the launcher, which sets JOGL's folder. */
 @NeedsDisplay
 class PrivateLibrariesTest {
     @TempDir
@@ -67,7 +67,7 @@ class PrivateLibrariesTest {
                 "-cp",
                 System.getProperty("java.class.path"),
                 Program.class.getName());
-        // JOGL would go on to these.
+        // JOGL would try these next.
         builder.environment().put("TMPDIR", temporaryFolder.toString());
         builder.environment().put("HOME", root.toString());
         Process process = builder.redirectErrorStream(true)
@@ -79,7 +79,7 @@ class PrivateLibrariesTest {
         return Files.readAllLines(output, StandardCharsets.UTF_8);
     }
 
-    /** The folders that JOGL takes by itself, made in advance by another user where this one is root. */
+    /** Creates JOGL's default folders in advance; as another user's, if this user is root. */
     @Test
     void nothingIsLoadedFromAFolderThatAnotherUserMade() throws IOException, InterruptedException {
         assumeTrue(Files.exists(Path.of("/proc/self/maps")), "skipped: only Linux tells what was loaded");

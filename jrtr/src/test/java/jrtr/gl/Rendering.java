@@ -7,7 +7,7 @@ import jrtr.ShaderSource;
 import jrtr.Tile;
 import jrtr.glsl.ShaderTexts;
 
-/** A context with short ways to small drawings. */
+/** A context with helpers for small drawings. */
 final class Rendering implements AutoCloseable {
     final RenderContext context = RenderContext.offscreen();
 

@@ -36,7 +36,7 @@ class CompilerLogTest {
     }
 
     @Test
-    void linesWithoutAPlaceAreKeptOnlyWhereNoneHasOne() {
+    void messagesWithoutALineCountOnlyIfNoneHasALine() {
         assertThat(CompilerLog.parse("error: no main\n", source))
                 .containsExactly(new ShaderProblem("root.glsl", 0, "error: no main", ""));
         assertThat(CompilerLog.parse("Fragment info\n-----\n0(2) : error C1: x\n", source))

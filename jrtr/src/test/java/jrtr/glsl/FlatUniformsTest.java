@@ -51,7 +51,7 @@ class FlatUniformsTest {
     }
 
     @Test
-    void samplersAndArraysStayAndWhatThereIsNoRoomFor() {
+    void samplersArraysAndUniformsBeyondTheLimitAreNotMoved() {
         String[] lines = {"uniform sampler2D s;", "uniform float a[3];", "uniform mat4 m;", "in vec2 uniform_x;"};
         FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", lines), 15);
 
@@ -60,7 +60,7 @@ class FlatUniformsTest {
     }
 
     @Test
-    void whatIsDeclaredOnEitherSideOfAnElseIsHandedOnOnce() {
+    void aUniformDeclaredInBothBranchesIsPassedOnce() {
         FlatUniforms flat = FlatUniforms.of(
                 VERTEX, source("a.frag", "#if A", "uniform float x;", "#else", "uniform float x;", "#endif"), 60);
 

@@ -48,7 +48,7 @@ class FrustumTest {
     }
 
     @Test
-    void whatIsNoFrustumIsRefused() {
+    void invalidFrustumsAreRefused() {
         assertThatThrownBy(() -> new Frustum(1, -1, 1, 2)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Frustum(1, Float.NaN, 1, 2)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Frustum(0, 1, 2)).isInstanceOf(IllegalArgumentException.class);

@@ -83,7 +83,7 @@ class SceneRendererTest {
                 scene, PictureArea.whole(whole.spec().width(), whole.spec().height()), whole, tile);
     }
 
-    /** From the eye through the middle of a pixel; by the camera's own vectors, without matrices. */
+    /** Ray from the eye through the center of a pixel, computed from the camera's vectors without matrices. */
     private static Vector3f ray(int column, int row) {
         Vector3f forward = new Vector3f(CAMERA.lookAtPoint())
                 .sub(CAMERA.centerOfProjection())
@@ -199,7 +199,7 @@ class SceneRendererTest {
     }
 
     @Test
-    void whatIsNearerHidesWhatIsBehindInWhateverOrderTheyAreDrawn() {
+    void nearerShapesHideFartherOnesInAnyOrder() {
         Shape large = shape(TestMeshes.square(), program("", "vec4(1)"));
         Shape front = shape(TestMeshes.square(), program("", "vec4(2)"));
         Shape back = shape(TestMeshes.square(), program("", "vec4(3)"));
@@ -215,7 +215,7 @@ class SceneRendererTest {
     }
 
     @Test
-    void whatCoversPixelsSelectsThemInATargetThatHasItsDepth() {
+    void copiedDepthSelectsTheCoveredPixels() {
         float[] shapes = drawn(scene(shape(TestMeshes.sphere(40, 20), program("", "vec4(1)"))));
         ShaderProgram two = context.createFullScreenProgram(ShaderTexts.of(
                         Map.of("two.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(2); }\n"))
@@ -226,7 +226,7 @@ class SceneRendererTest {
             other.clear(whole, 0, 0, 0, 0);
             other.copyDepthFrom(target);
             context.drawCovered(two, List.of(), other, whole);
-            // The depth is still there.
+            // The draw keeps the depth.
             context.drawCovered(two, List.of(), other, whole);
 
             float[] covered = other.read(0);

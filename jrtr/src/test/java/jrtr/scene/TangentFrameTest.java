@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 
-/** The frame that fragments see: its columns, wi and wr, all drawn at once into five images. */
+/** The tangent frame in fragments: its columns, wi and wr, drawn into five images. */
 @NeedsDisplay
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class TangentFrameTest {
@@ -60,7 +60,6 @@ class TangentFrameTest {
         context.close();
     }
 
-    /** The five images. */
     private record Images(List<float[]> images) {
         Vector3f at(int image, int pixel) {
             float[] values = images.get(image);

@@ -2,7 +2,7 @@ package jrtr.scene;
 
 import jrtr.VertexData;
 
-/** Meshes with an analytic truth. */
+/** Meshes with known analytic normals. */
 final class TestMeshes {
     private TestMeshes() {}
 

@@ -13,7 +13,7 @@ import sunbeam.app.terminal.UsageException;
 
 final class FailureTest {
 
-    /** One that nobody enters in the table would tell users of a bug. */
+    /** An exception without an entry would be reported as a bug. */
     @Test
     void everyExceptionOfOursHasAMeaning() {
         List<JavaClass> exceptions = new ClassFileImporter()

@@ -23,7 +23,7 @@ import sunbeam.precompute.table.TableBuilder;
 
 /** One surface under one request, by method {@code full} on the GPU and by the reference. */
 final class Comparison {
-    /** Below it the power counts as none: it is a tenth of what stray light in any instrument leaves. */
+    /** Power below this counts as none: a tenth of the stray light in any instrument. */
     static final double FAINTEST = 1e-9;
 
     private final RenderContext context;

@@ -17,7 +17,7 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 
-/** Directions and wavelengths at the edges of what there is, by each way that a plan can take. */
+/** Directions and wavelengths at the ends of their ranges, with each kind of plan. */
 @NeedsDisplay
 class HardDirectionsTest extends InAContext {
     private static final HeightMap ROUGH = Surface.noise(64, 64, 50e-9, 400e-9, 51);

@@ -29,7 +29,7 @@ import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.table.TableBuilder;
 
-/** Mesa's software renderer ends loops after 65,535 steps, without a word: what it leaves must not pass for a result. */
+/** Mesa's software renderer silently ends loops after 65,535 steps; the partial sums must be refused. */
 @NeedsDisplay
 class LoopLimitTest extends InAContext {
     private static final GaussianArea AREA =
@@ -38,7 +38,7 @@ class LoopLimitTest extends InAContext {
             List.of(new Query(new DirectionPair(Direction.ofDisc(0.5, 0.2), Direction.ofDisc(0.1, 0.3)), 500e-9));
 
     @Test
-    void whatAnEndedLoopLeavesIsRefused() {
+    void partialSumsOfEndedLoopsAreRefused() {
         assumeTrue(context.info().renderer().contains("llvmpipe"), "only llvmpipe is known to end loops");
         // 961 bins at some hundred wavelengths, more than 65,535 together.
         assertThatThrownBy(() -> evaluate(15))
@@ -47,7 +47,7 @@ class LoopLimitTest extends InAContext {
     }
 
     @Test
-    void whatIsWholePasses() {
+    void completeSumsPass() {
         assertThat(evaluate(1).get(0)[1]).isPositive();
     }
 

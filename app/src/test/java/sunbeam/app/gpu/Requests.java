@@ -9,14 +9,13 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.TableChoices;
 
-/** What tests ask of method {@code full}. */
+/** Settings of method {@code full} in tests. */
 final class Requests {
-    /** The tolerance that these tests promise. */
+    /** Tolerance in these tests. */
     static final double TOLERANCE = 1e-3;
 
     private Requests() {}
 
-    /** Planned for a tolerance of 1e-3. */
     static FullMethod of(double coherenceLength, Average average) {
         return of(coherenceLength, average, WindowOrigin.CENTRE, Optional.empty());
     }

@@ -17,7 +17,7 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 
-/** What must hold for mirrors and for every surface, on the GPU. */
+/** Laws that hold for mirrors and for every surface, on the GPU. */
 @NeedsDisplay
 class TruthsOnGpuTest extends InAContext {
     private static final double SUNLIGHT = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH;
@@ -48,13 +48,13 @@ class TruthsOnGpuTest extends InAContext {
                 .mapToDouble(result -> result[3])
                 .sum();
 
-        // cos(theta_r) d omega = dx dy of the disc. What varies over the peak is second order in its width, 5e-3.
+        // cos(theta_r) d omega = dx dy of the disc. Variation over the peak is of second order in its width, 5e-3.
         double reflected = sum * Math.pow(step * wavelength, 2);
         assertThat(reflected / Gain.reflectance(light.z())).isCloseTo(1, within(TOLERANCE));
     }
 
     @Test
-    void lightAndViewMayChangePlaces() {
+    void swappedLightAndViewHaveTheSameBrdf() {
         List<Query> there = new Directions(41).queries(60);
         List<Query> back = there.stream()
                 .map(query -> new Query(

@@ -23,7 +23,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.setting.Choices;
 
-/** Each scene that comes with Sunbeam, as it is: what a user draws first. */
+/** The built-in scenes, unchanged. */
 @NeedsDisplay
 class BuiltInScenesTest extends InAContext {
     @TempDir
@@ -92,13 +92,13 @@ class BuiltInScenesTest extends InAContext {
         }
     }
 
-    /** Tables of all that nine scenes see would take minutes, and a sky's occlusion two seconds each. */
+    /** Tables for nine scenes would take minutes, and the occlusion of the sky two seconds for each. */
     private static Scene byFull(Scene scene) {
         return scene.with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02))
                 .with(PlaneScenes.around(Optional.empty(), 0, false));
     }
 
-    /** Whether some pixel is far from the white of daylight. */
+    /** True if a pixel is far from the white of daylight. */
     private static boolean isColored(float[] pixels) {
         for (int i = 0; i < pixels.length; i += 4) {
             float sum = pixels[i] + pixels[i + 1] + pixels[i + 2];

@@ -81,7 +81,7 @@ class FillLightsTest extends InAContext {
     }
 
     @Test
-    void aPictureThatMovesHasThemToo() {
+    void movingPicturesShowFillLights() {
         Scene half = scene(TableMethod.TYPE)
                 .with(Choices.none().with(SceneSettings.SHADOWS, false))
                 .withLight(new SceneLight(KEY.towards(), 0.5));
@@ -105,7 +105,7 @@ class FillLightsTest extends InAContext {
     }
 
     @Test
-    void aFileKeepsThem() {
+    void sceneFilesStoreFillLights() {
         Scene scene = scene(FullMethod.TYPE).withFillLights(List.of(FILL, KEY));
         Path file = folder.resolve("scene.json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);

@@ -124,7 +124,7 @@ class FootprintTest extends InAContext {
         "20, 0, 0, 5, 30",
         "0, 0, 0, 0, 20"
     })
-    void theShaderFindsWhatDoublePrecisionDoes(double ux, double uy, double vx, double vy, double slope) {
+    void theShaderFindsTheFootprintOfDoublePrecision(double ux, double uy, double vx, double vy, double slope) {
         Footprint found = find(change(ux, uy), change(vx, vy), slope * SIGMA, 0, 1);
         Footprint exact = Footprint.of(change(ux, uy), change(vx, vy), slope * SIGMA);
 
@@ -134,7 +134,7 @@ class FootprintTest extends InAContext {
         // Taps to either side are the same: the sign is free.
         double sign = Math.signum(found.axis()[0] * exact.axis()[0] + found.axis()[1] * exact.axis()[1]);
         for (int i = 0; i < 3; i++) {
-            // float32; a logarithm of 6 digits decides nothing in these cases.
+            // float32; no case lies where rounding the logarithm changes the level.
             assertThat(sign * found.axis()[i]).isCloseTo(exact.axis()[i], within(1e-5 * length + 1e-12));
         }
     }
@@ -183,10 +183,10 @@ class FootprintTest extends InAContext {
         assertThat(find(none, none, 0, 1, 1).level()).isZero();
         assertThat(find(shorter, none, 0, 1, 1).level()).isZero();
         assertThat(find(longer, none, 0, 1, 1).level()).isOne();
-        // A quarter of a pixel, all of which counts.
+        // A quarter of a pixel.
         assertThat(find(shorter, none, 0, 1, 2).level()).isOne();
         assertThat(find(change(0.4, 0), none, 0, 1, 2).level()).isZero();
-        // Where there is no such level, points are looked up where all else is.
+        // Without a level for points, level 0 serves them.
         assertThat(find(none, none, 0, 0, 1).level()).isZero();
         assertThat(find(longer, none, 0, 0, 1).level()).isZero();
     }
@@ -198,7 +198,7 @@ class FootprintTest extends InAContext {
         Footprint nearly = find(change(12.001, 0), change(0, 12));
         assertThat(square.level()).isEqualTo(nearly.level());
         assertThat(square.taps()).isEqualTo(nearly.taps());
-        // As far as the sides differ.
+        // The sides differ by less.
         assertThat(square.variance()).isCloseTo(nearly.variance(), within(1e-3 * nearly.variance()));
     }
 }

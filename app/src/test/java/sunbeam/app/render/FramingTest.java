@@ -14,7 +14,7 @@ import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.Mesh;
 
-/** The scenes that show the whole snake show it whole, in windows of any shape. */
+/** Scenes of the whole snake show it completely, in windows of any shape. */
 class FramingTest {
     private static final Mesh SNAKE = BuiltInMeshes.create("snake");
 
@@ -25,21 +25,21 @@ class FramingTest {
             float[] reach = reach(Scenes.load(name), width, height);
             assertThat(reach[0]).as("%s, left and right", name).isLessThan(1);
             assertThat(reach[1]).as("%s, bottom and top", name).isLessThan(1);
-            // Neither is it lost in it: half of one side at least is the snake's.
+            // The snake spans at least half of one side.
             assertThat(Math.max(reach[0], reach[1])).as("%s, larger", name).isGreaterThan(0.5f);
         }
     }
 
     @ParameterizedTest
     @CsvSource({"870, 811", "300, 1200"})
-    void whatIsSeenFromLeftToRightIsThatOfFourToThree(int width, int height) {
+    void narrowPicturesHaveTheHorizontalAngleOfFourToThree(int width, int height) {
         Scene scene = Scenes.load("elaphe-scales");
 
         // Float32.
         assertThat(reach(scene, width, height)[0]).isCloseTo(reach(scene, 800, 600)[0], withinPercentage(1e-3));
     }
 
-    /** How far from the middle the mesh reaches, in halves of the picture. */
+    /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */
     private static float[] reach(Scene scene, int width, int height) {
         Matrix4f toClip = SceneGraphs.frustum(scene.view(), new BoundingSphere(new Vector3f(), 1))
                 .cameraToClip(PictureArea.whole(width, height))

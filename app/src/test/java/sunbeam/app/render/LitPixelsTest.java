@@ -47,14 +47,14 @@ class LitPixelsTest {
     }
 
     @Test
-    void framesAddUp() {
+    void sharesOfSeveralFramesAreMeans() {
         LitPixels both = LitPixels.of(specks(0), DISPLAY).plus(LitPixels.of(specks(500), DISPLAY));
 
         assertThat(both.share()).isCloseTo(0.25, within(1e-12));
     }
 
     @Test
-    void aPictureWithoutTheMeshIsToldSo() {
+    void aPictureWithoutTheMeshHasItsOwnComplaint() {
         assertThat(LitPixels.NONE.areTooFew()).isTrue();
         assertThat(LitPixels.NONE.complaint()).contains("shows no mesh");
     }

@@ -17,7 +17,7 @@ import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.text.Text;
 
-/** Meshes and distances far from the snake's. */
+/** Meshes much smaller and larger than the snake. */
 @NeedsDisplay
 class MeshSizesTest extends InAContext {
     private static final int SIDE = 16;
@@ -40,7 +40,7 @@ class MeshSizesTest extends InAContext {
                 folder.resolve("square.obj"),
                 Text.format("v -%1$g -%1$g 0\nv %1$g -%1$g 0\nv %1$g %1$g 0\nv -%1$g %1$g 0\n", side / 2)
                         + "f 1 2 3 4\n");
-        // Beside the middle, lest the small ones hit the middle of a pixel.
+        // Beside the middle, so that small meshes miss the center of a pixel.
         Camera camera = new Camera(new Vector3f(0, -0.1f * distance, distance), new Vector3f(), new Vector3f(0, 1, 0));
         Scene scene = PlaneScenes.blaze()
                 .withMesh(MeshSource.of(mesh.toString()))

@@ -23,8 +23,8 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
 /**
- * What a tolerance promises of tables on meshes, on surfaces that tables missed: it is kept. Windows are
- * shorter than sunlight's, and periods no longer beside them, so that tables are made in seconds.
+ * Tables on meshes keep their tolerance, for surfaces on which an earlier version missed it. Windows are shorter than those of sunlight,
+ * and periods are not longer than windows, so that tables take seconds.
  */
 @NeedsDisplay
 class MeshTablePromiseTest extends InAContext {
@@ -42,7 +42,7 @@ class MeshTablePromiseTest extends InAContext {
      * @param width of a period along x, micrometers
      * @param length along y
      * @param height meters, at a place in micrometers
-     * @param lone whether its orders stand alone, so that lines between texels would miss
+     * @param lone whether its orders are isolated, so that linear interpolation would miss the tolerance
      */
     record Case(
             String name,
@@ -61,7 +61,7 @@ class MeshTablePromiseTest extends InAContext {
 
     static Stream<Case> cases() {
         return Stream.of(
-                // By lines 0.026 in the median.
+                // Linear interpolation errs by 0.026 in the median.
                 new Case(
                         "500 nm ribs with cross ribs of 5 um on a cylinder",
                         "cylinder",
@@ -71,7 +71,7 @@ class MeshTablePromiseTest extends InAContext {
                         "[\"0 cm\", \"-80 cm\", \"30 cm\"]",
                         "15 deg",
                         true),
-                // By lines 0.03.
+                // Linear interpolation errs by 0.03.
                 new Case(
                         "hexagonal dots on a sphere",
                         "sphere",
@@ -81,7 +81,7 @@ class MeshTablePromiseTest extends InAContext {
                         "[\"0 cm\", \"-80 cm\", \"56 cm\"]",
                         "20 deg",
                         true),
-                // By lines 0.1 in the median, and 0.14 at the 95th percentile of its brighter half.
+                // Linear interpolation errs by 0.1 in the median, and 0.14 at the 95th percentile of its brighter half.
                 new Case(
                         "a blazed grating, most of which is dark",
                         "plane",
@@ -114,7 +114,7 @@ class MeshTablePromiseTest extends InAContext {
         return 150e-9 * Math.sqrt(Math.max(0, 1 - Math.pow(nearest / 0.3, 2)));
     }
 
-    /** As much light in all directions. */
+    /** Scatters evenly in all directions. */
     private static DoubleBinaryOperator rough() {
         SplittableRandom random = new SplittableRandom(5);
         return (x, y) -> 40e-9 * random.nextDouble();

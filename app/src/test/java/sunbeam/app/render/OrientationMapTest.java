@@ -35,7 +35,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Fields of orientation on a mesh, beside the turn that is the same everywhere. */
+/** Orientation maps on a mesh, compared with a constant rotation. */
 @NeedsDisplay
 class OrientationMapTest extends InAContext {
     private static final int WIDTH = 36;
@@ -82,7 +82,7 @@ class OrientationMapTest extends InAContext {
         assertThat(direction.distance(expected)).isLessThan(1e-5f);
     }
 
-    /** Whatever the map's alpha, and on top of a turn. */
+    /** For any alpha of the map, and in addition to a rotation. */
     @Test
     void aConstantMapIsATurnOfThePatch() throws IOException {
         Scene plain = PlaneScenes.blaze();
@@ -140,7 +140,7 @@ class OrientationMapTest extends InAContext {
         }
     }
 
-    /** Where u runs to the left, the tangent does, and green is still along v. */
+    /** If u runs to the left, so does the tangent; green is still along v. */
     @Test
     void greenIsAlongVWhereTheTextureIsMirrored() throws IOException {
         Path mesh = Files.writeString(folder.resolve("mirrored.obj"), """

@@ -26,7 +26,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
-/** A skin whose index is a file's is the sum of two parts of light, over one body. */
+/** The light of a skin with an index file is the sum of two parts, over one body. */
 @NeedsDisplay
 class PartSumTest extends InAContext {
     private static final int SIZE = 48;
@@ -84,7 +84,7 @@ class PartSumTest extends InAContext {
         assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
     }
 
-    /** The brightest pixel and some that are less so. */
+    /** The brightest pixel and two less bright ones. */
     private static int[] brightest(float[] rgba) {
         int[] byLuminance = IntStream.range(0, SIZE * SIZE)
                 .boxed()

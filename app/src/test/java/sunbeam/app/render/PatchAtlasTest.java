@@ -38,7 +38,7 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Several patches on one mesh, each where a map has its color. */
+/** Several patches on one mesh, selected by the colors of a map. */
 @NeedsDisplay
 class PatchAtlasTest extends InAContext {
     private static final int WIDTH = 36;
@@ -147,7 +147,7 @@ class PatchAtlasTest extends InAContext {
         assertThat(read.regions().get(1).patch().patch()).isEqualTo("lamellar");
     }
 
-    /** Gray, of a palette, of 16 bits: a color is a color. */
+    /** Gray, indexed and 16-bit images. */
     @ParameterizedTest
     @ValueSource(ints = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_BYTE_BINARY, BufferedImage.TYPE_USHORT_GRAY})
     void blackAndWhiteMapsOfAllKindsAreRead(int type) throws IOException {
@@ -187,7 +187,7 @@ class PatchAtlasTest extends InAContext {
                 "'\"map\": \"m.png\", \"#ff0000\": \"no-such\"'|\"patch.#ff0000\": no-such",
                 "'\"map\": \"m.png\", \"#ff0000\": 3'|\"patch.#ff0000\": must be an object",
             })
-    void whatIsNoAtlasIsOneLine(String keys, String complaint) throws IOException {
+    void invalidPatchMapsAreRefusedInOneLine(String keys, String complaint) throws IOException {
         Files.copy(Path.of(map(BufferedImage.TYPE_INT_RGB, RED, RED, RED, RED)), folder.resolve("m.png"));
         Path file = Files.writeString(folder.resolve("scene.json"), """
                 { "mesh": "plane", "patch": { %s }, "texture": "none", "weights": {},

@@ -28,7 +28,7 @@ final class PlaneScenes {
 
     private PlaneScenes() {}
 
-    /** The blazed grating from a little beside the normal, in a light that sends its orders to the camera. */
+    /** The blazed grating, viewed near its normal; the light sends orders to the camera. */
     static Scene blaze() {
         Choices own = Choices.none()
                 .with(SceneSettings.TITLE, "plane")
@@ -49,7 +49,6 @@ final class PlaneScenes {
                 new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)));
     }
 
-    /** What is around a mesh. */
     static Choices around(Optional<SceneColor> ground, double sky, boolean shadows) {
         return Choices.none()
                 .with(SceneSettings.GROUND, ground)

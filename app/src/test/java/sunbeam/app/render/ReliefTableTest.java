@@ -19,7 +19,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.setting.Choices;
 
-/** Scenes of relief finer than a pixel, whose tables are of few tiles. */
+/** Scenes with relief finer than a pixel, whose tables have few tiles. */
 @NeedsDisplay
 class ReliefTableTest extends InAContext {
     private static final int WIDTH = 24;

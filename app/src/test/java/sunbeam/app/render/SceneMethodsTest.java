@@ -68,7 +68,7 @@ class SceneMethodsTest extends InAContext {
     }
 
     @Test
-    void nmmDrawsWhatFullDraws() {
+    void nmmHasTheColorsOfFull() {
         float[] full = draw(with(FullMethod.TYPE));
         float[] nmm = draw(with(NmmMethod.TYPE));
         int[] brightest = Arrays.copyOf(byLuminance(full), 200);
@@ -83,14 +83,14 @@ class SceneMethodsTest extends InAContext {
 
     /** 101 wavelengths of 17 x 17 bins are 33 thousand steps of loops, of which Mesa's software renderer makes 65 thousand. */
     @Test
-    void aPixelHasAsManyStepsAsAMapS() {
+    void aPixelMayUseAsManyLoopStepsAsAPixelOfAMap() {
         Choices many = Choices.none()
                 .with(METHOD, FullMethod.TYPE)
                 .with(PRESET, Preset.THESIS)
                 .with(MethodSettings.RADIUS, 8)
                 .with(MethodSettings.WAVELENGTH_STEP, 4e-9);
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
-            // The session refuses what loops have left unfinished.
+            // The session refuses partial sums.
             assertThat(session.draw(DrawRequest.ofPixels(session.scene(), 8, 6, Tile.whole(8, 6), 1))
                             .rgba())
                     .hasSize(4 * 8 * 6);
@@ -98,7 +98,7 @@ class SceneMethodsTest extends InAContext {
     }
 
     @Test
-    void theThesisSPresetIsCoherentUnlessTheSceneNamesAnAverage() {
+    void theThesisPresetIsCoherentUnlessTheSceneNamesAnAverage() {
         Choices thesis = Choices.none().with(METHOD, FullMethod.TYPE).with(PRESET, Preset.THESIS);
         SceneMethod named = new SceneMethod(Choices.none().with(AVERAGE, Average.ENSEMBLE));
 
@@ -107,9 +107,12 @@ class SceneMethodsTest extends InAContext {
         assertThat(new SceneMethod(thesis).get(AVERAGE)).isEqualTo(Average.COHERENT);
     }
 
-    /** Where nothing is diffracted, light hides nothing of the body, and Fresnel's reflectance, 0.04 along the normal, as much. */
+    /**
+     * Without diffraction, alpha {@code light} hides nothing of the body; alpha {@code fresnel} hides the reflectance, 0.04 along the
+     * normal.
+     */
     @Test
-    void theThesisSAlphaHidesTheBodyWithoutDiffraction() {
+    void theThesisAlphaHidesTheBodyWithoutDiffraction() {
         Scene body = with(FullMethod.TYPE).withBlend(new Blend(0, 1, 1, 0, Optional.empty()));
         Scene thesis = body.withBlend(new Blend(0, 1, 1, 0, Optional.of(BodyAlpha.FRESNEL)));
         float[] light = draw(body);
@@ -133,7 +136,7 @@ class SceneMethodsTest extends InAContext {
     }
 
     @Test
-    void whatAMethodCannotDoIsRefused() {
+    void unsupportedSettingsAndSurfacesAreRefused() {
         Choices replicated = Choices.none().with(METHOD, PqMethod.TYPE).with(AVERAGE, Average.ENSEMBLE);
         assertThatThrownBy(() -> with(replicated))
                 .isInstanceOf(SettingException.class)
@@ -146,7 +149,7 @@ class SceneMethodsTest extends InAContext {
     }
 
     @Test
-    void whereNobodyNamesAMethodItIsTableAndEachMethodHasItsOwnToleranceUntilOneIsNamed() {
+    void theDefaultMethodIsTableAndEachMethodHasADefaultTolerance() {
         Choices full = Choices.none().with(METHOD, FullMethod.TYPE);
         SceneMethod standard = new SceneMethod(Choices.none());
         assertThat(standard.type()).isEqualTo(TableMethod.TYPE);

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 class ScenePictureTest {
     @Test
-    void groundBesideTheMeshIsNoneOfItsLight() {
+    void theGroundDoesNotCountAsLightOfTheMesh() {
         ScenePicture samples = ScenePicture.empty(2, 2);
         for (int sample = 0; sample < 4; sample++) {
             boolean isMesh = sample == 0;

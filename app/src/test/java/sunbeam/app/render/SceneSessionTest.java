@@ -104,12 +104,12 @@ class SceneSessionTest extends InAContext {
     @Test
     void lightOfAnyCoherenceIsAsMuchLight() {
         double brief = light(8e-6);
-        // Of what lies in the picture: its border cuts the flanks of broad orders off.
+        // The picture's border cuts off the flanks of broad orders.
         assertThat(light(16e-6)).isCloseTo(brief, within(0.1 * brief)).isPositive();
     }
 
     @Test
-    void whatKnowsASpacingAloneIsAsBrightUnderAnyWindow() {
+    void methodGemIsAsBrightUnderAnyWindow() {
         Choices gem = Choices.none().with(Methods.METHOD, GemMethod.TYPE);
         double brief = light(gem.with(MethodSettings.COHERENCE_LENGTH, 8e-6));
         assertThat(light(gem.with(MethodSettings.COHERENCE_LENGTH, 32e-6)))

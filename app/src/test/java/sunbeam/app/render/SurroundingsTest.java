@@ -49,7 +49,7 @@ class SurroundingsTest extends InAContext {
         }
     }
 
-    /** Luminance of what is seen at a place of the ground, by similar triangles 2 m below the eye, or on the sphere. */
+    /** Luminance of the pixel that shows a point of the ground (by similar triangles, 2 m below the eye) or of the sphere. */
     private static float luminance(float[] drawn, double x, double y) {
         double scale = SIDE / (2 * 2.1 * Math.tan(0.2) * 4 / 3);
         int column = (int) (SIDE / 2.0 + scale * x);
@@ -107,7 +107,7 @@ class SurroundingsTest extends InAContext {
     }
 
     @Test
-    void theThesissPresetHasNoneOfIt() {
+    void theThesisPresetHasNoSurroundings() {
         UnaryOperator<Scene> thesis = scene -> scene.with(
                 Choices.none().with(Methods.METHOD, PqMethod.TYPE).with(MethodSettings.PRESET, Preset.THESIS));
         assertThat(draw(PlaneScenes.around(WHITE, 1, true), thesis)).isEqualTo(draw(NONE, thesis));

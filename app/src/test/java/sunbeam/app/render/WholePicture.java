@@ -1,10 +1,9 @@
 package sunbeam.app.render;
 
-/** Pictures as a whole. */
+/** Draws whole pictures. */
 public final class WholePicture {
     private WholePicture() {}
 
-    /** Draws one, tile by tile. */
     public static ScenePicture of(SceneSession session, int width, int height) {
         ScenePicture picture = ScenePicture.empty(width, height);
         for (DrawRequest part : SceneSession.parts(session.scene(), width, height, 1)) {

@@ -22,11 +22,10 @@ class WireframeTest {
 
         double ratio = width(scene, true) / width(scene, false);
 
-        // Two pixels of 200, and the perspective's growth of what is nearer.
+        // Two pixels of 200, and the perspective enlarges nearer parts.
         assertThat(ratio).isCloseTo(1.03, within(0.012));
     }
 
-    /** Returns the width of what is not background. */
     private static double width(Scene scene, boolean normals) {
         BufferedImage image = Wireframe.draw(scene, ReadMesh.load(scene.mesh()).mesh(), normals, SIDE, SIDE);
         int[] columns = IntStream.range(0, SIDE)

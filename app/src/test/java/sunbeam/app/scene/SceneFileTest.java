@@ -68,9 +68,9 @@ class SceneFileTest {
         assertThat(new int[] {picture.getWidth(), picture.getHeight()}).containsExactly(48, 36);
     }
 
-    /** In place of each value stands, in turn, null and each kind of value: read, or refused with file, line and key. */
+    /** Replaces each value of a scene by null and by each kind of value. */
     @Test
-    void anyValueMayStandAnywhere() throws IOException {
+    void anyKindOfValueIsReadOrRefusedAnywhere() throws IOException {
         String rich = SCENE.replace("\"exposure\"", "\"fillLights\": [{ \"direction\": [0, 1, 1] }], \"exposure\"")
                 .replace("\"elaphe-like\"", "{ \"patch\": \"elaphe-like\" }");
         for (String json : JsonVariants.of(rich)) {
@@ -84,7 +84,7 @@ class SceneFileTest {
     }
 
     @Test
-    void keysMeanWhatTheySay() throws IOException {
+    void keysSetTheirValues() throws IOException {
         Scene scene = SceneReader.read(write(SCENE));
         assertThat(scene.view().camera().centerOfProjection().y()).isEqualTo(-0.2f);
         assertThat(scene.light().towards().z()).isEqualTo(1);

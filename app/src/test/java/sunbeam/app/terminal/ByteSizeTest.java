@@ -15,7 +15,7 @@ final class ByteSizeTest {
     }
 
     @Test
-    void whatIsNoSizeIsToldWithARemedy() {
+    void invalidSizesAreReportedWithARemedy() {
         for (String wrong :
                 new String[] {"", "1", "GB", "-1GB", "1,5GB", "1e3MB", "1 GBit", "1KiB", "2000000TB", "1..5GB"}) {
             assertThatThrownBy(() -> ByteSize.parse(wrong))

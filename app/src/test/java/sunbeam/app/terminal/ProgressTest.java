@@ -25,7 +25,7 @@ final class ProgressTest {
     }
 
     @Test
-    void whereNoTerminalIsALineStaysEveryTenSecondsAtMost() {
+    void withoutATerminalALineIsPrintedEveryTenSecondsAtMost() {
         try (ProgressLine line = display(false).line()) {
             for (int second = 0; second < 35; second++) {
                 nanoseconds.set(Duration.ofSeconds(second).toNanos());
@@ -49,7 +49,7 @@ final class ProgressTest {
     }
 
     @Test
-    void aLongTaskIsToldInAPlainLineWhereNoTerminalIs() {
+    void aLongTaskPrintsAPlainLineWithoutATerminal() {
         try (Progress progress = display(false).start("rendering", 10)) {
             progress.step(5);
             nanoseconds.set(ProgressLine.INTERVAL.toNanos());
@@ -97,7 +97,7 @@ final class ProgressTest {
     }
 
     @Test
-    void ofATaskWithinATaskTheInnerOneIsDrawnUntilItEnds() {
+    void theInnerOfTwoTasksIsDrawnUntilItEnds() {
         ProgressDisplay display = display(true);
         try (ProgressLine outer = display.line()) {
             nanoseconds.set(Progress.DELAY.toNanos());

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 class BackgroundTaskTest {
     @Test
-    void isWorkedOutBesideItsCaller() {
+    void workRunsOnAnotherThread() {
         CountDownLatch caller = new CountDownLatch(1);
         BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
             await(caller);
@@ -20,7 +20,7 @@ class BackgroundTaskTest {
     }
 
     @Test
-    void throwsWhatTheWorkThrew() {
+    void getThrowsTheExceptionOfTheWork() {
         IllegalStateException problem = new IllegalStateException("a patch that cannot be drawn");
         BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
             throw problem;

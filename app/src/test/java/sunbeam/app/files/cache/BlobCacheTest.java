@@ -41,7 +41,7 @@ class BlobCacheTest {
     }
 
     @Test
-    void areMadeOnceForEachBuildAndName() {
+    void bytesAreMadeOnceForEachBuildAndName() {
         assertThat(get()).containsExactly(1, 2, 3);
         assertThat(get()).containsExactly(1, 2, 3);
         assertThat(made).isEqualTo(1);
@@ -52,7 +52,7 @@ class BlobCacheTest {
     }
 
     @Test
-    void areNotKeptOfAProgramThatIsNotPacked() {
+    void nothingIsCachedForAProgramWithoutJars() {
         get(null, "name", MOST);
         get(null, "name", MOST);
         assertThat(made).isEqualTo(2);
@@ -71,7 +71,7 @@ class BlobCacheTest {
     }
 
     @Test
-    void whatIsDamagedCutOffOrTooLongIsMadeAgainWithAWord() throws IOException {
+    void damagedTruncatedAndTooLongFilesAreMadeAgainWithAWarning() throws IOException {
         get();
         byte[] whole = Files.readAllBytes(file());
         for (int at = 0; at < whole.length; at++) {
@@ -100,7 +100,7 @@ class BlobCacheTest {
                 made++;
                 return map;
             });
-            // Of the heights themselves, and as it was kept.
+            // The digest of the heights, computed and cached.
             assertThat(new HeightMap(3, 2, kept.pitchX(), kept.pitchY(), kept.heights()).digest())
                     .isEqualTo(map.digest());
             assertThat(kept.digest()).isEqualTo(map.digest());

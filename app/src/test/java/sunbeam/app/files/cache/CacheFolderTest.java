@@ -38,7 +38,7 @@ final class CacheFolderTest {
     }
 
     @Test
-    void isMadeWhenOpened() {
+    void openingCreatesTheFolder() {
         CacheFolder cache = cache(Map.of());
         assertThat(cache.entries()).isEmpty();
         assertThat(cache.open(warnings::add).orElseThrow()).isEmptyDirectory();
@@ -46,7 +46,7 @@ final class CacheFolderTest {
     }
 
     @Test
-    void whatWasUsedLongestAgoGoesFirst() throws IOException {
+    void leastRecentlyUsedFilesAreDeletedFirst() throws IOException {
         CacheFolder cache = cache(Map.of());
         Path path = cache.open(warnings::add).orElseThrow();
         for (int i = 0; i < 4; i++) {
@@ -62,7 +62,7 @@ final class CacheFolderTest {
     }
 
     @Test
-    void nobodyElseReadsIt() throws IOException {
+    void otherUsersCannotReadTheFolder() throws IOException {
         Path path = cache(Map.of()).open(warnings::add).orElseThrow();
         assertThat(Files.getPosixFilePermissions(path)).isEqualTo(PosixFilePermissions.fromString("rwx------"));
         assertThat(Files.getPosixFilePermissions(path.getParent()))

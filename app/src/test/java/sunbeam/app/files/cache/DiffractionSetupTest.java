@@ -50,7 +50,7 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableLabel;
 
-/** Tables are made once, and come back as they were made. */
+/** Tables are made once, and are read back unchanged. */
 class DiffractionSetupTest {
     @TempDir
     private Path home;
@@ -61,7 +61,7 @@ class DiffractionSetupTest {
         throw new AssertionError("no colors are needed");
     }
 
-    /** A plan of next to nothing, which counts how often its tables are made. */
+    /** A tiny plan, which counts how often its tables are made. */
     private static MethodPlan counted(AtomicInteger made) {
         return new MethodPlan(
                 "counted",
@@ -112,7 +112,7 @@ class DiffractionSetupTest {
     }
 
     @Test
-    void whatIsThereIsNotMadeAgain() {
+    void cachedTablesAreNotMadeAgain() {
         AtomicInteger made = new AtomicInteger();
         MethodPlan plan = counted(made);
 
@@ -128,7 +128,7 @@ class DiffractionSetupTest {
     }
 
     @Test
-    void whatIsReadCountsAsUsedAndSaysWhatItIs() throws Exception {
+    void readFilesCountAsUsedAndHaveALabel() throws Exception {
         setup("a").tables(counted(new AtomicInteger()), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
         Path file = cached().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
@@ -160,7 +160,7 @@ class DiffractionSetupTest {
     }
 
     @Test
-    void whereTilesOfAllLightsAreCachedAMapOfAnyIsMadeOfThem() {
+    void aMapUsesCachedTilesOfAllLights() {
         GaussianArea area = GaussianArea.STANDARD
                 .with(CoherenceWindow.ofCoherenceLength(4e-6))
                 .with(Average.ENSEMBLE);

@@ -61,7 +61,7 @@ final class TileFileTest {
         }
     }
 
-    /** Tiles that a later run finds, each of which must be right. */
+    /** Number of tiles that a later run finds; asserts that each is right. */
     private int found(String key) {
         int count = 0;
         try (CachedTiles tiles = open(key, PLENTY)) {
@@ -78,7 +78,7 @@ final class TileFileTest {
     }
 
     @Test
-    void aLaterRunFindsThem() {
+    void aLaterRunFindsCachedTiles() {
         keepAll();
         assertThat(found(KEY)).isEqualTo(TILES);
         assertThat(TileFile.label(file(), TileFile.FORMAT)).isEqualTo(LABEL);
@@ -132,7 +132,7 @@ final class TileFileTest {
     }
 
     @Test
-    void nobodyElseReadsIt() throws IOException {
+    void otherUsersCannotReadTheFolder() throws IOException {
         keepAll();
         assertThat(Files.getPosixFilePermissions(file())).isEqualTo(PosixFilePermissions.fromString("rw-------"));
     }
@@ -171,7 +171,7 @@ final class TileFileTest {
     }
 
     @Test
-    void whoComesSecondReadsAndDoesNotWrite() {
+    void aSecondProcessReadsButDoesNotWrite() {
         keepAll();
         try (CachedTiles first = open(KEY, PLENTY);
                 CachedTiles second = open(KEY, PLENTY)) {

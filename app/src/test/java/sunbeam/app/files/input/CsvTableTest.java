@@ -90,7 +90,7 @@ final class CsvTableTest {
     }
 
     @Test
-    void nothingToReadIsSaid() {
+    void emptyTablesAreRefused() {
         assertRefused("").hasMessageContaining("empty");
         assertRefused("theta,phi\n\n").hasMessageContaining("no row");
     }
@@ -104,7 +104,7 @@ final class CsvTableTest {
     }
 
     @Test
-    void aMissingFileAndAFolderAreSaid() {
+    void missingFilesAndFoldersAreReported() {
         Path missing = folder.resolve("missing.csv");
         assertThatThrownBy(() -> CsvTable.read(missing, List.of("x"), List.of(), CsvTableTest::complaint))
                 .isInstanceOf(InputException.class)

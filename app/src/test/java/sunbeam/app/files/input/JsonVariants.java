@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** Documents that differ from a good one in one place each, where null or another kind of value stands. */
+/** Variants of a document: each has one value replaced by null or another kind of value. */
 public final class JsonVariants {
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
     private static final List<JsonNode> VALUES = List.of(

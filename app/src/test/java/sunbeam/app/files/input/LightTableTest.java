@@ -60,7 +60,7 @@ class LightTableTest {
                 "\"380,1,2\n\", two columns",
                 "\"380,1\nlamp,1\n\", is no wavelength",
             })
-    void whatIsNoSpectrumIsRefusedInOneLine(String text, String problem) {
+    void invalidSpectraAreRefusedInOneLine(String text, String problem) {
         assertThatThrownBy(() -> table(text == null ? "" : text))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("lamp.csv")
@@ -70,7 +70,7 @@ class LightTableTest {
     }
 
     @Test
-    void whatIsNoTextIsRefused() throws IOException {
+    void binaryFilesAreRefused() throws IOException {
         Path file = Files.write(folder.resolve("lamp.csv"), new byte[] {'3', '8', (byte) 0xff, (byte) 0xfe, 0});
 
         assertThatThrownBy(() -> LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString())))
@@ -78,7 +78,7 @@ class LightTableTest {
                 .hasMessageContaining("no table of text");
     }
 
-    /** A fifth of a nanometer wide, where no whole nanometer is. */
+    /** A line a fifth of a nanometer wide, between whole nanometers. */
     @Test
     void aNarrowLineIsTheLightOfItsWavelength() throws IOException {
         StringBuilder text = new StringBuilder("546.4,0\n546.5,1000\n546.6,0\n");
@@ -90,7 +90,7 @@ class LightTableTest {
                         .with(LightSettings.WAVELENGTHS, WavelengthBand.parse("546.5nm")))
                 .white();
 
-        // Both are shared by 546 and 547 nm; digits of the sums.
+        // Both are split between 546 and 547 nm; rounding of the sums.
         assertThat(table(text.toString()).white()).containsExactly(line, within(1e-9));
     }
 

@@ -57,7 +57,7 @@ final class AtomicFileTest {
     }
 
     @Test
-    void aFailureLeavesTheFileThatWasThere() throws IOException {
+    void aFailureKeepsTheOldFile() throws IOException {
         Path target = Files.writeString(folder.resolve("out.txt"), "old");
         assertThatThrownBy(() -> AtomicFile.write(target, Overwrite.REPLACE, stream -> {
                     stream.write(NEW);
@@ -106,7 +106,7 @@ final class AtomicFileTest {
     void aFolderThatTakesNoFilesIsFoundOutEarly() throws IOException {
         Files.setPosixFilePermissions(
                 folder, java.util.Set.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_EXECUTE));
-        // Permissions do not bind root; in /proc nobody can make a file.
+        // Permissions do not bind root; not even root can create a file in /proc.
         Path readOnly = Files.isWritable(folder) ? Path.of("/proc") : folder;
         assumeTrue(Files.isDirectory(readOnly), "needs a folder that takes no files");
         Path target = readOnly.resolve("sunbeam-out.txt");
@@ -146,9 +146,9 @@ final class AtomicFileTest {
         assertThat(target).hasContent("old");
     }
 
-    /** Where everybody may write, it may be another user's; elsewhere it is /dev/stdout. */
+    /** In a folder that all users may write to, the link may be another user's; elsewhere it is /dev/stdout. */
     @Test
-    void aLinkToADeviceIsFollowedOnlyWhereNobodyElseMakesLinks() throws IOException {
+    void aLinkToADeviceIsFollowedUnlessOthersMayCreateLinks() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("link.txt"), Path.of("/dev/full"));
         assertThatThrownBy(() -> write(link, Overwrite.REPLACE)).hasMessageContaining("No space left");
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxrwxrwx"));
@@ -158,9 +158,9 @@ final class AtomicFileTest {
         assertThat(Files.isSymbolicLink(link)).isFalse();
     }
 
-    /** Its process was killed; others may still write theirs. */
+    /** The process of an old file was killed; other files may still be written. */
     @Test
-    void aTemporaryFileThatNobodyWroteToForADayGoes() throws IOException {
+    void temporaryFilesUnusedForADayAreDeleted() throws IOException {
         Path old = Files.createFile(folder.resolve(".sunbeam-99999999-0.part"));
         Files.setLastModifiedTime(old, FileTime.from(Instant.now().minus(Duration.ofHours(25))));
         Path young = Files.createFile(folder.resolve(".sunbeam-99999999-1.part"));

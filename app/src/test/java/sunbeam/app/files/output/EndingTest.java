@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.terminal.UsageException;
 
-/** A name that says JPEG, EXR, table or nothing is not given to a PNG. */
+/** A PNG needs a name that ends in .png. */
 final class EndingTest {
     @ParameterizedTest
     @ValueSource(strings = {"map.jpg", "map.JPEG", "folder/map.exr", "map.npy", "map.csv", ".png.gif", "scan.v1.2"})

@@ -50,10 +50,10 @@ final class FileGroupTest {
     }
 
     @Test
-    void noneAppearsWhereOneMayNotBeReplaced() throws IOException {
+    void noFileAppearsIfOneMayNotBeReplaced() throws IOException {
         FileGroup group = group(Overwrite.REFUSE);
         Map<String, AtomicFile.StreamContent> contents = contents("new");
-        // Somebody's file appears while the last one is written.
+        // Another program creates a file while the last one is written.
         contents.put(".json", stream -> Files.writeString(folder.resolve("blaze.csv"), "somebody's"));
 
         assertThatThrownBy(() -> group.write(contents))
@@ -64,7 +64,7 @@ final class FileGroupTest {
     }
 
     @Test
-    void noneAppearsWhereTheContentOfOneFails() {
+    void noFileAppearsIfTheContentOfOneFails() {
         Map<String, AtomicFile.StreamContent> contents = contents("new");
         contents.put(".json", stream -> {
             throw new IOException("No space left on device");

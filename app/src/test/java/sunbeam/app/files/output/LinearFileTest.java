@@ -15,7 +15,7 @@ class LinearFileTest {
     // Matrices of sRGB have seven digits.
     private static final float ROUNDING = 1e-5f;
 
-    /** The white of D65 beside nothing. */
+    /** The white of D65, then a pixel without surface. */
     private static final float[] WHITE = {0.95047f, 1, 1.08883f, Float.NaN, Float.NaN, Float.NaN};
 
     @Test
@@ -26,7 +26,7 @@ class LinearFileTest {
         ByteBuffer bytes = ByteBuffer.wrap(stream.toByteArray()).order(ByteOrder.LITTLE_ENDIAN);
 
         assertThat(bytes.getInt(0)).as("OpenEXR's magic number").isEqualTo(20000630);
-        // A line so short does not shrink and is stored as it is.
+        // A line this short is stored uncompressed.
         for (int channel = 1; channel <= 4; channel++) {
             assertThat(bytes.getFloat(bytes.capacity() - channel * Float.BYTES)).isCloseTo(1, within(ROUNDING));
         }

@@ -17,10 +17,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Several writers of one name at the same moment: the name is no writer's twice, and nobody's content is lost unsaid. */
+/** Several writers of one name at once: no two get the same name, and no content is lost without an error. */
 final class RacingWritersTest {
     private static final int WRITERS = 4;
-    /** Looking first and renaming then lets two succeed in one race of nine: 200 races find it. */
+    /** With a check before a rename, two writers succeed in one race of nine: 200 races find it. */
     private static final int RACES = 200;
 
     @TempDir
@@ -33,7 +33,7 @@ final class RacingWritersTest {
         threads.shutdownNow();
     }
 
-    /** The place that each writer got, or null where it was refused. */
+    /** Path of each writer, or null if it was refused. */
     private List<Path> race(Path target, Overwrite overwrite) throws Exception {
         CyclicBarrier start = new CyclicBarrier(WRITERS);
         List<Future<Path>> writers = new ArrayList<>();
@@ -70,7 +70,7 @@ final class RacingWritersTest {
     }
 
     @Test
-    void eachGetsANameOfItsOwnWhereSunbeamChooses() throws Exception {
+    void eachWriterGetsItsOwnName() throws Exception {
         for (int race = 0; race < RACES / 4; race++) {
             Path target = folder.resolve("race" + race + ".png");
             List<Path> places = race(target, Overwrite.NUMBER);

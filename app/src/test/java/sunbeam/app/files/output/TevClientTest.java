@@ -18,7 +18,7 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
 class TevClientTest {
-    /** What tev's own Python client (tevclient 1.0.4) sends for the same pictures, but for the pixels. */
+    /** Packets that tev's own Python client (tevclient 1.0.4) sends for the same pictures, without the pixels. */
     private static final String CREATE =
             "1e000000" + "04" + "01" + "6d617000" + "03000000" + "02000000" + "04000000" + "5200470042004100";
 
@@ -57,7 +57,7 @@ class TevClientTest {
     }
 
     @Test
-    void aTevThatIsNotThereIsOneLine() throws IOException {
+    void aMissingTevIsReportedInOneLine() throws IOException {
         int port;
         try (ServerSocket server = listening()) {
             port = server.getLocalPort();
@@ -93,7 +93,7 @@ class TevClientTest {
                 client.update("map", 0, 0, side, side, new float[3 * side * side]);
             }
             assertThat(stalled.isConnected()).isTrue();
-            // The patience, and as much again for a busy machine.
+            // Twice the patience, for a busy machine.
             assertThat(Duration.ofNanos(System.nanoTime() - start).toMillis())
                     .isBetween(TevClient.PATIENCE_MILLISECONDS, 2 * TevClient.PATIENCE_MILLISECONDS);
             assertThat(said.toString()).hasLineCount(1).contains("tev takes no more pictures (no answer for 5 s)");

@@ -27,7 +27,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.shader.ShaderTables;
 
-/** The shader's look-up in tiles and Java's are one. */
+/** The look-ups of shader and Java agree. */
 @NeedsDisplay
 class ColorTableShaderTest {
     private static final Direction LIGHT = Direction.ofDegrees(30, 20);
@@ -71,7 +71,7 @@ class ColorTableShaderTest {
             for (int i = 0; i < shown.length; i += 3) {
                 double[] xyz = table.xyz(0, places[i], places[i + 1], places[i + 2]);
                 for (int c = 0; c < 3; c++) {
-                    // Places in a texel are rounded to 1/8192, of colors that change by their own size in one; float32.
+                    // Positions are rounded to 1/8192 of a texel, over which colors change by their own size; float32.
                     assertThat((double) shown[i + c]).isCloseTo(xyz[c], within(3e-4 * (1 + xyz[c])));
                 }
             }

@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 
-/** The scheduler by an executor that does what it is given when the test says so, and amid whose work anything may happen. */
+/** The scheduler on an executor that the test controls; events may occur during its work. */
 final class SchedulerTest {
     private static final int INTERLEAVINGS = 10_000;
     private static final int LEVELS = 3;
@@ -63,7 +63,7 @@ final class SchedulerTest {
             }
             isOver = true;
             interactive(false);
-            // Each turn makes a tile, fails, is one of few tasks, or the last.
+            // Each turn bakes a tile, fails, runs a task, or is the last.
             for (int turns = 0; !queue.isEmpty(); turns++) {
                 assertThat(turns).as("turns without an end").isLessThan(1000);
                 queue.remove().run();
@@ -73,7 +73,7 @@ final class SchedulerTest {
                 assertThat(scheduler.poll()).isEmpty();
                 return;
             }
-            // What it was not told of is no failure, unless it is this test's.
+            // Only failures that this test caused may be reported.
             boolean wasTold = isTold;
             int before = reported;
             take();
@@ -185,14 +185,14 @@ final class SchedulerTest {
                 throw new CancellationException();
             }
             if (random.nextInt(20) == 0) {
-                // What was canceled is tried again, and fails then.
+                // A canceled job is tried again, and fails then.
                 failures += token.isCancelled() ? 0 : 1;
                 throw new BrokenException();
             }
             return Collections.nCopies(job.tiles().cardinality(), new byte[0]);
         }
 
-        /** No stale frame: what a job begins with is what was asked for last, and may be made now. */
+        /** No stale frame: a job belongs to the latest request, and its priority may be baked now. */
         private void assertWanted(Job job) {
             List<TileSet> allowed = isInteractive ? List.of(request.coarsest()) : request.byPriority();
             assertThat(allowed.stream().anyMatch(tiles -> {

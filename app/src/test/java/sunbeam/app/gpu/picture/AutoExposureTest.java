@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What an automatic exposure must do whatever its formula: light what is there, and never jump (docs/theory.md). */
+/** Properties of automatic exposure with any formula: the subject is lit, and the exposure never jumps (docs/theory.md). */
 class AutoExposureTest {
     // Luminances are float32.
     private static final double ROUNDING = 1e-6;
@@ -17,7 +17,7 @@ class AutoExposureTest {
     private static LinearPicture picture(double... luminances) {
         float[] xyz = new float[3 * luminances.length];
         for (int i = 0; i < luminances.length; i++) {
-            // X and Z differ from pixel to pixel; they must not count.
+            // X and Z vary; the exposure must not depend on them.
             xyz[3 * i] = (float) (luminances[i] * (i % 7));
             xyz[3 * i + 1] = (float) luminances[i];
             xyz[3 * i + 2] = (float) (luminances[i] * (i % 3) - 5);
@@ -57,7 +57,7 @@ class AutoExposureTest {
     }
 
     @Test
-    void itIsThatOfTheUpperPartOfThePicture() {
+    void theBrighterHalfDeterminesTheExposure() {
         double[] luminances = diffraction(5000);
         double[] sorted = Arrays.stream(luminances).sorted().toArray();
 
@@ -86,7 +86,7 @@ class AutoExposureTest {
     }
 
     @Test
-    void withoutLightItIsOne() {
+    void theExposureWithoutLightIsOne() {
         assertThat(exposure(repeated(20, 0))).as("black").isEqualTo(1);
         assertThat(exposure(repeated(20, Double.NaN))).as("no surface").isEqualTo(1);
         assertThat(exposure(repeated(20, -1e-9))).as("rounded below zero").isEqualTo(1);

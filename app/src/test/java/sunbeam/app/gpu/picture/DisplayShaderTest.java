@@ -23,7 +23,7 @@ import sunbeam.app.gpu.Shaders;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 
-/** display.glsl and srgb.glsl against what they stand for in double precision. */
+/** display.glsl and srgb.glsl against their twins in double precision. */
 @NeedsDisplay
 class DisplayShaderTest extends InAContext {
     // The shader's matrices have seven digits behind the point, its numbers 24 bits.
@@ -43,7 +43,7 @@ class DisplayShaderTest extends InAContext {
         }
     }
 
-    /** All chromaticities, those that no light has too, at luminances from black to infinitely bright; and some without any. */
+    /** All chromaticities, also impossible ones, at luminances from black to infinitely bright; some colors without luminance. */
     private static List<float[]> colors() {
         List<float[]> colors = new ArrayList<>();
         for (double luminance : new double[] {1e-7, 0.003, 0.2, 0.5, 0.999, 1.001, 3, 100, 1e4, 1e12, -1e-3}) {
@@ -59,7 +59,7 @@ class DisplayShaderTest extends InAContext {
 
     @ParameterizedTest
     @CsvSource({"1, COMPRESS", "0.004, COMPRESS", "217, COMPRESS", "1, CLIP", "217, CLIP"})
-    void picturesThatMoveAreShownAsThoseThatStandStill(double exposure, Tone tone) {
+    void movingPicturesLookLikeStillOnes(double exposure, Tone tone) {
         String shader = """
                 #version 330 core
                 #include "include/display.glsl"

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 
-/** What {@code figures} and {@code render --resume} keep is the picture that they would draw, undamaged. */
+/** {@code figures} and {@code render --resume} keep only undamaged pictures with unchanged parameters. */
 class PictureParametersTest {
     private static final String HASH = "0123";
 

@@ -60,7 +60,7 @@ final class CertifierTest {
         Certificate certificate = certify(exact.clone(), 40);
         assertThat(certificate.places()).startsWith("40 random pixels, at most a quarter of them dark");
         assertThat(certificate.relative().count()).isPositive();
-        // Nothing but the rounding to float32, 6e-8.
+        // Rounding to float32, 6e-8.
         assertThat(certificate.relative().maximum()).isLessThan(1e-7);
         assertThat(certificate.colorDifference().maximum()).isLessThan(1e-4);
         assertThat(certificate.missed()).isFalse();

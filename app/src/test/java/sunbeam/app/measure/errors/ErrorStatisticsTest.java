@@ -52,7 +52,7 @@ final class ErrorStatisticsTest {
     }
 
     @Test
-    void whatFewErrorsLeaveUnknownIsTold() {
+    void fewErrorsAreReportedAsUncertain() {
         assertThat(ErrorStatistics.of(new double[10]).doubt()).as("0.95^10").contains("with a chance of 60 %");
         assertThat(ErrorStatistics.of(new double[59]).doubt())
                 .as("0.95^59 is 4.8 %")

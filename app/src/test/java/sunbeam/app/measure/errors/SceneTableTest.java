@@ -44,7 +44,7 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Method table on meshes, beside full: a point where pixels see points, the mean where they see more. */
+/** Compares method table on meshes with full: a point if a pixel sees a point, else the mean over the pixel. */
 @NeedsDisplay
 class SceneTableTest extends InAContext {
     private static final double TOLERANCE = 1e-2;
@@ -118,7 +118,9 @@ class SceneTableTest extends InAContext {
         assertTableHasTheMeanOfPoints(SceneTableTest::grazing);
     }
 
-    /** Of few pixels' points, each of which is the mean of 96 slopes; a table's mean is that of Gaussians whose width grows with the wavelength. */
+    /**
+     * Few pixels: each of their points is the mean of 96 slopes. A table's mean is that of Gaussians whose width grows with the wavelength.
+     */
     @Test
     @Tag("thorough")
     void reliefFinerThanAPixelHasTheMeanOfItsSlopes() {

@@ -22,7 +22,7 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.JsonVariants;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 
-/** What glTF alone has: extensions, quantized numbers, and documents that are JSON but no mesh. */
+/** Properties of glTF alone: extensions, quantized numbers, JSON documents without a mesh. */
 class GltfReaderTest {
     private static final Mesh PLANE = BuiltInMeshes.plane(1, 1);
     private static final String GOOD = MeshFiles.gltf(PLANE, MeshFiles.dataUri(MeshFiles.buffer(PLANE)));
@@ -143,14 +143,14 @@ class GltfReaderTest {
     }
 
     @Test
-    void damagedEscapesOfAddressesAreToldInOurWords() {
+    void damagedEscapesInUrisHaveAPlainMessage() {
         assertThat(refusal(MeshFiles.gltf(PLANE, "a%zz.bin")))
                 .contains("\"a%zz.bin\" has a % without two hexadecimal digits")
                 .doesNotContain("URLDecoder");
     }
 
     @Test
-    void parsersWordsAreNotShown() {
+    void messagesOfTheParserAreNotShown() {
         for (String broken :
                 List.of("{\"a\":tru}", "{\"a\":1,,}", "{\"a\":\"\n\"}", "{} {", "{\"a\":01}", "[1]", "{", "nul")) {
             assertThat(refusal("{".equals(broken.substring(0, 1)) ? broken : "{\"scene\":" + broken))
@@ -161,9 +161,9 @@ class GltfReaderTest {
         }
     }
 
-    /** At each place of the document stands, in turn, null and each kind of value: read or refused, never another exception. */
+    /** Replaces each value of the document by null and by each kind of value; any other exception fails. */
     @Test
-    void anyValueMayStandAnywhere() throws IOException {
+    void anyKindOfValueIsReadOrRefusedAnywhere() throws IOException {
         String rich = textured(transformed("\"offset\":[0,0],\"rotation\":0,\"scale\":[1,1],\"texCoord\":0"))
                 .replace(
                         "[{\"mesh\":0}]",
@@ -178,7 +178,7 @@ class GltfReaderTest {
         assertThat(refused).isGreaterThan(100);
     }
 
-    /** 60,000 nodes that place 60,000 primitives, of which none has triangles: hours, were they all looked at. */
+    /** 60,000 nodes that place 60,000 primitives without triangles; reading all of them would take hours. */
     @Test
     void manyNodesTimesManyPrimitivesAreRefused() {
         StringBuilder roots = new StringBuilder("0");
@@ -237,7 +237,7 @@ class GltfReaderTest {
                 .contains("node 0 has the rotation [0,0,0,0]");
     }
 
-    /** Empty lists and whole numbers with a fraction of 0 are common; what is not read may be anything. */
+    /** Empty lists and whole numbers such as 2.0 are common; unread properties may have any value. */
     @Test
     void harmlessValuesAreRead() throws IOException {
         String odd = textured("\"emissiveFactor\":[2,2,2]")

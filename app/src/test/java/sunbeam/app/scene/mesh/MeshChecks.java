@@ -7,7 +7,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.joml.Vector3d;
 
-/** What holds for every mesh. */
+/** Assertions that hold for every mesh. */
 public final class MeshChecks {
     // Components rounded to float32.
     public static final double ROUNDING = 1e-6;
@@ -31,7 +31,7 @@ public final class MeshChecks {
         return vector(mesh.tangents(), 4, vertex);
     }
 
-    /** Normal of a triangle, as long as twice its area. */
+    /** Normal of a triangle, with twice its area as its length. */
     static Vector3d areaNormal(Mesh mesh, int triangle) {
         int[] indices = mesh.indices();
         Vector3d a = position(mesh, indices[3 * triangle]);
@@ -76,7 +76,7 @@ public final class MeshChecks {
         }
     }
 
-    /** Every edge between two places is run through once in each direction. */
+    /** Asserts that each edge occurs once in either direction. */
     static void assertClosed(Mesh mesh) {
         Map<Vector3d, Integer> places = new HashMap<>();
         Map<Long, Integer> edges = new HashMap<>();
@@ -90,11 +90,11 @@ public final class MeshChecks {
     }
 
     private static int place(Map<Vector3d, Integer> places, Vector3d position) {
-        // Adding zero makes -0 the same place as 0.
+        // Adding zero makes -0 equal to 0.
         return places.computeIfAbsent(position.add(0, 0, 0), key -> places.size());
     }
 
-    /** Tangent and bitangent are the directions in which u and v grow. */
+    /** Asserts that tangent and bitangent point where u and v grow. */
     static void assertTangentsFollowTheTexture(Mesh mesh, double leastCosine) {
         float[] uv = mesh.textureCoordinates();
         for (int triangle = 0; triangle < mesh.triangles(); triangle++) {

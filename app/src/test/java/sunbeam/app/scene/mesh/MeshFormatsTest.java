@@ -74,7 +74,7 @@ class MeshFormatsTest {
         }
     }
 
-    /** Corner by corner; numbers of vertices may differ. */
+    /** Compares corner by corner; the numbers of vertices may differ. */
     private static void assertSame(Mesh mesh, Mesh expected) {
         assertThat(mesh.triangles()).isEqualTo(expected.triangles());
         for (int i = 0; i < mesh.indices().length; i++) {
@@ -174,7 +174,7 @@ class MeshFormatsTest {
         assertRefused("mesh.gltf", positions(1, square, "")).hasMessageContaining("no faces");
     }
 
-    /** A primitive of these numbers alone. */
+    /** A primitive with positions alone. */
     private static String positions(int mode, String numbers, String more) {
         String[] all = numbers.split(",", -1);
         ByteBuffer bytes = ByteBuffer.allocate(4 * all.length).order(ByteOrder.LITTLE_ENDIAN);
@@ -233,7 +233,7 @@ class MeshFormatsTest {
     }
 
     @Test
-    void whatGltfCannotHoldIsOneLine() {
+    void invalidGltfIsRefusedInOneLine() {
         String good = MeshFiles.gltf(SURFACE, MeshFiles.dataUri(MeshFiles.buffer(SURFACE)));
         assertRefusedAfterReplacing(good, "\"2.0\"", "\"1.0\"", "version \"1.0\"");
         assertRefusedAfterReplacing(good, "\"scenes\"", "\"stages\"", "no scene");

@@ -54,7 +54,7 @@ class MeshReaderTest {
     }
 
     @Test
-    void whatIsWrittenIsReadBack() {
+    void writtenMeshesAreReadBack() {
         for (String name : BuiltInMeshes.names()) {
             Mesh mesh = BuiltInMeshes.create(name);
             Path file = folder.resolve(name + ".obj");
@@ -212,7 +212,7 @@ class MeshReaderTest {
     }
 
     @Test
-    void wrongLinesAreNamed() throws IOException {
+    void messagesNameWrongLines() throws IOException {
         assertRefused("v 0 0 0\nv 1 NaN 0\n").hasMessageContaining("line 2").hasMessageContaining("\"NaN\"");
         assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContaining("line 2").hasMessageContaining("1e99");
         assertRefused("vn 0 -Infinity 0\n").hasMessageContaining("line 1");

@@ -15,14 +15,14 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.text.Text;
 
-/** What a mesh's numbers are. */
+/** Units of a mesh's numbers. */
 class MeshUnitTest {
     @TempDir
     private Path folder;
 
     @ParameterizedTest
     @CsvSource({
-        // Size in the file, its unit, what is said.
+        // Size in the file, unit, words of the warning.
         "1.3,   M,  ",
         "1300,  M,  is 1300 m wide where 100 um to 10 m make sense; if its numbers are in mm give --mesh-unit mm",
         "1300,  MM, ",

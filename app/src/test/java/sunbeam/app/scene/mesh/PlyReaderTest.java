@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 
-/** What PLY alone has. */
+/** Properties of PLY alone. */
 class PlyReaderTest {
     @TempDir
     private Path folder;
@@ -58,7 +58,7 @@ class PlyReaderTest {
     }
 
     @Test
-    void whatPlyCannotHoldIsOneLine() {
+    void invalidPlyIsRefusedInOneLine() {
         String header = """
                 ply
                 format ascii 1.0

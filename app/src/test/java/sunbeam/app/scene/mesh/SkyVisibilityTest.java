@@ -28,7 +28,7 @@ class SkyVisibilityTest {
         assertThat(ground(0)).isLessThan(0.05f);
     }
 
-    /** Nothing of a convex body is hidden by itself but where a normal sees no sky at all. */
+    /** A convex body hides no sky from itself above its tangent planes. */
     @Test
     void aSphereHidesNothingOfItself() {
         for (int i = 0; i < SPHERE.vertices(); i++) {

@@ -28,7 +28,7 @@ class SnakeMeshTest {
         for (int i = 2; i < SNAKE.positions().length; i += 3) {
             lowest = Math.min(lowest, SNAKE.positions()[i]);
         }
-        // A tenth of a millimetre: less than a pixel of any picture of the whole snake.
+        // A tenth of a millimeter: less than a pixel of any picture of the whole snake.
         assertThat(lowest).isBetween(-1e-4f, 1e-4f);
         assertThat(new SnakePath(new SnakeProfile()).length()).isBetween(1.0, 1.2);
     }
@@ -53,7 +53,7 @@ class SnakeMeshTest {
                     double x = relative.dot(right) / profile.halfWidth(place);
                     double height = relative.dot(up);
                     double y = height / (height > 0 ? profile.halfHeight(place) : profile.bellyDepth(place));
-                    // 1 is touching; coils press each other by a few percent, half a millimetre.
+                    // 1 is touching; coils press each other by a few percent, half a millimeter.
                     assertThat(x * x + y * y)
                             .as("skin at %s inside the body at %s", other, place)
                             .isGreaterThan(0.95 * 0.95);

@@ -46,7 +46,7 @@ class BodyTexturesTest {
     }
 
     @Test
-    void whatIsNoPictureIsRefusedInOneLine() throws IOException {
+    void invalidPicturesAreRefusedInOneLine() throws IOException {
         Path text = Files.writeString(folder.resolve("x.png"), "no picture");
         assertThatThrownBy(() -> BodyTextures.load(text.toString(), BlobCache.NONE))
                 .isInstanceOf(InputException.class)

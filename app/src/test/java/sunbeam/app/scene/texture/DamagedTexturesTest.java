@@ -20,7 +20,7 @@ import sunbeam.app.files.input.InputException;
 /** A damaged picture is one line about the file, whatever the decoder throws. */
 final class DamagedTexturesTest {
     private static final long HEAP = 512L << 20;
-    /** Of every hundred, two or three made the decoders throw what was taken for a bug of Sunbeam's. */
+    /** In two or three of a hundred, decoders throw unexpected exceptions. */
     private static final int MUTATIONS = 400;
 
     @TempDir
@@ -57,7 +57,7 @@ final class DamagedTexturesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"png", "jpeg", "bmp", "gif", "tiff"})
-    void isReadOrRefused(String format) throws IOException {
+    void damagedPicturesAreReadOrRefused(String format) throws IOException {
         byte[] good = picture(format);
         assertThat(isRead(good)).isTrue();
         Random random = new Random(2);
@@ -78,7 +78,7 @@ final class DamagedTexturesTest {
     @Test
     void aPictureThatDoesNotFitTheHeapIsRefusedBeforeItIsDecoded() throws IOException {
         byte[] png = picture("png");
-        // Width and height of the header; its checksum is not looked at before the size.
+        // Width and height in the header; readers check its checksum after the size.
         ByteBuffer.wrap(png).putInt(16, 8000).putInt(20, 8000);
         Files.write(file, png);
         assertThatThrownBy(() -> ImageTextureReader.read(file, HEAP))
