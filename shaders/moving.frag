@@ -25,6 +25,9 @@ uniform mat4 targetToWorld;
 // One over the size of the images.
 uniform vec2 perPicture;
 
+// Variance of each light's directions along either axis.
+uniform float lightVariances[LIGHTS];
+
 layout(location = 0) out vec4 color;
 
 vec3 worldAt(vec2 place) {
@@ -66,7 +69,8 @@ void main() {
         vec3 dv = inside(dFdy(uvw), coverageChange.y);
         vec3 diffracted = vec3(0.0);
         if (wi.z > 0.0 && wr.z > 0.0) {
-            diffracted = relativeRadiance(wi, wr) * residentXyz(footprintOf(uvw, du, dv));
+            Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariances[light], 0.0);
+            diffracted = relativeRadiance(wi, wr) * residentXyz(footprint);
         }
         // Only the first light casts shadows.
         float visible = 1.0;

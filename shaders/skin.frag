@@ -11,6 +11,9 @@
 // Shading pass: radiance of a skin under one light (diffracted light, body color and reflected sky) from geometry.frag's images.
 // COLOR_LEVELS: 1 for method table_levels, whose colors are means over footprints; 0 for methods that evaluate points.
 
+// Variance of the light's directions, along either axis across its direction.
+uniform float lightVariance;
+
 // For each fragment the index of the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
 #if COLOR_LEVELS == 1
@@ -18,6 +21,8 @@ uniform sampler2D sources;
 uniform float stride;
 // 1 to look colors up; 0 to write footprints only, as feedback for tiles that are not resident yet.
 uniform int lookUps;
+// Level of the footprints that are written: 0 for their own, 1 for the next, which pixels under a wide light read, too.
+uniform float nextLevel;
 #else
 // Standard deviation, along either axis, of the slopes of relief finer than a pixel, and index of the draw. A pixel has one random slope
 // per draw; the picture is the mean of all draws.
@@ -41,12 +46,17 @@ vec3 pixelXyz(vec3 wi, vec3 wr, ivec2 pixel) {
     vec3 uvw = diffractionVector(wi, wr);
     vec3 du = stride * uvwChange(pixel, ivec2(1, 0), uvw);
     vec3 dv = stride * uvwChange(pixel, ivec2(0, 1), uvw);
-    Footprint footprint = footprintOf(uvw, du, dv);
+    Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariance, nextLevel);
     footprintCenter = vec4(footprint.center, footprint.level);
     footprintAxis = vec4(footprint.axis, footprint.taps);
     vec3 xyz = vec3(MISSING);
     for (int i = 0; i < lookUps; ++i) {
         xyz = footprintXyz(footprint);
+    }
+    // A loop of one iteration, as in footprintXyz.
+    for (float share = footprint.nextShare * float(lookUps); share > 0.0; share = 0.0) {
+        vec3 next = footprintXyz(footprintOf(uvw, du, dv, wi, lightVariance, 1.0));
+        xyz = xyz.y == MISSING || next.y == MISSING ? vec3(MISSING) : mix(xyz, next, share);
     }
     return xyz;
 }
@@ -68,11 +78,19 @@ vec2 quantile(vec2 probability) {
 // bright order are drawn more often.
 const float WIDER = 1.6;
 
-vec2 slopeNumbers(ivec2 pixel) {
-    // Roberts's low-discrepancy sequence (2018), numbered through squares of 16 x 16 pixels, then through draws.
+vec2 normalNumbers(ivec2 pixel, uvec2 steps) {
+    // An additive low-discrepancy sequence, numbered through squares of 16 x 16 pixels, then through draws.
     uint number = uint((pixel.x & 15) + 16 * (pixel.y & 15) + 256 * slopeDraw);
-    vec2 at = vec2(number * uvec2(3242174889u, 2447445414u) + 0x80000000u) * exp2(-32.0);
+    vec2 at = vec2(number * steps + 0x80000000u) * exp2(-32.0);
     return quantile(clamp(at, 1e-5, 1.0 - 1e-5));
+}
+
+// A direction of the light, whose middle is wi, for this draw of a pixel.
+vec3 lightSample(vec3 wi, ivec2 pixel) {
+    // Fractions of the square roots of 2 and 3: independent of the steps for slopes.
+    vec2 numbers = sqrt(lightVariance) * normalNumbers(pixel, uvec2(1779033703u, 3144134277u));
+    vec3 across = normalize(cross(wi, abs(wi.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
+    return normalize(wi + numbers.x * across + numbers.y * cross(wi, across));
 }
 
 // Tangent frame of relief with a slope, as columns in the skin's tangent frame.
@@ -117,11 +135,13 @@ void main() {
         diffracted = xyz.y == MISSING ? vec3(0.0) : relativeRadiance(wi, wr) * xyz;
     }
 #else
-    vec2 numbers = slopeNumbers(pixel);
+    // Roberts's sequence (2018).
+    vec2 numbers = normalNumbers(pixel, uvec2(3242174889u, 2447445414u));
     weight = slopeDeviation > 0.0 ? exp(-0.5 * (WIDER * WIDER - 1.0) * dot(numbers, numbers)) : 1.0;
     mat3 relief = reliefFrame(WIDER * slopeDeviation * numbers);
-    if (hasPatch && isDiffracted(wi * relief, wr * relief)) {
-        diffracted = pointRadiance(wi * relief, wr * relief);
+    vec3 towards = lightVariance > 0.0 ? lightSample(wi, pixel) : wi;
+    if (hasPatch && isDiffracted(towards * relief, wr * relief)) {
+        diffracted = pointRadiance(towards * relief, wr * relief);
     }
 #endif
     // The body is lit by the light's luminance, as if by daylight; only diffracted light has the light's spectrum.

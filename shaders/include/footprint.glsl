@@ -25,6 +25,8 @@ struct Footprint {
     // Change of (u, v, w) along the line over which the taps are spread evenly, a part of the major axis, and the number of taps.
     vec3 axis;
     float taps;
+    // Share of the next level's color, 0 without a wide light: with it the mean of both has the minor axis's variance.
+    float nextShare;
 };
 
 // Distance between taps, in standard deviations of a sharp order's image in the level: a row of Gaussians 1.6 deviations apart is even to 2
@@ -33,12 +35,17 @@ const float SPACING = 1.6;
 // Pixels count as points if their variance along the major axis is below this share of the finest level's variance.
 const float POINT = 0.06;
 
-// du, dv: change of (u, v, w) from the sample to the next, to the right and up.
-Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv) {
-    // Squared lengths of the axes: eigenvalues of du du^T + dv dv^T, which is twelve times the covariance of a uniform parallelogram.
-    float difference = 0.5 * (dot(du.xy, du.xy) - dot(dv.xy, dv.xy));
-    float mixed = dot(du.xy, dv.xy);
-    float middle = 0.5 * (dot(du.xy, du.xy) + dot(dv.xy, dv.xy));
+// du, dv: change of (u, v, w) from the sample to the next, to the right and up. wi, lightVariance: direction towards the light, and the
+// variance of its directions along either axis across it. next: 0, or 1 for the footprint in the next level.
+Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv, vec3 wi, float lightVariance, float next) {
+    // Squared lengths of the axes: eigenvalues of du du^T + dv dv^T, which is twelve times the covariance of a uniform parallelogram, and of
+    // that of the light.
+    float light = 12.0 * lightVariance;
+    float squareU = du.x * du.x + dv.x * dv.x + light * (1.0 - wi.x * wi.x);
+    float squareV = du.y * du.y + dv.y * dv.y + light * (1.0 - wi.y * wi.y);
+    float difference = 0.5 * (squareU - squareV);
+    float mixed = du.x * du.y + dv.x * dv.y - light * wi.x * wi.y;
+    float middle = 0.5 * (squareU + squareV);
     float root = sqrt(difference * difference + mixed * mixed);
     // Relief moves (u, v) by its slopes times w, along both axes alike (Toksvig 2005; Olano and Baker 2010).
     float relief = 12.0 * slopeVariance * uvw.z * uvw.z;
@@ -49,18 +56,19 @@ Footprint footprintOf(vec3 uvw, vec3 du, vec3 dv) {
     float reach = mostTaps * SPACING;
     float fitting = floor(log2(1.0 + minorSquare / (12.0 * finestVariance)));
     float needed = ceil(log2(max(1.0, 1.0 + (majorSquare / (reach * reach + 12.0) - shown) / finestVariance)));
-    float level = clamp(max(fitting, needed), leastLevel - pointLevels, float(levels - 1));
+    float level = clamp(max(fitting, needed) + next, leastLevel - pointLevels, float(levels - 1));
     // Taps cover the part of the major axis that the level does not blur.
     float blur = (exp2(level) - 1.0) * finestVariance;
     float lengthSquare = max(majorSquare - 12.0 * blur, 0.0);
     float taps = clamp(ceil(sqrt(lengthSquare / (shown + blur)) / SPACING), 1.0, mostTaps);
 
-    // The major axis is du cos(t) + dv sin(t), turn = (cos(t), sin(t)). A circular footprint may have any direction; so may that of a
-    // point, whose extent comes from relief alone.
+    // The major axis in (u, v), and the change of (u, v, w) that goes with it. A circular footprint may have any direction; so may that of
+    // a point, whose extent comes from relief alone.
     vec2 turn = difference > 0.0 ? vec2(difference + root, mixed) : vec2(mixed, root - difference);
     turn = root > 0.0 ? normalize(turn) : vec2(1.0, 0.0);
-    vec3 axis = turn.x * du + turn.y * dv;
-    axis = middle > 0.0 ? axis * inversesqrt(middle + root) : vec3(1.0, 0.0, 0.0);
+    vec3 axis = dot(turn, du.xy) * du + dot(turn, dv.xy) * dv + light * (vec3(turn, 0.0) - dot(turn, wi.xy) * wi);
+    axis = middle > 0.0 ? axis / (middle + root) : vec3(1.0, 0.0, 0.0);
+    float nextShare = lightVariance > 0.0 ? clamp((minorSquare / 12.0 - blur) / (exp2(level) * finestVariance), 0.0, 1.0) : 0.0;
     bool seesPoint = samplesAcross * samplesAcross * majorSquare < 12.0 * POINT * finestVariance;
-    return Footprint(uvw, seesPoint ? leastLevel : level + pointLevels, sqrt(lengthSquare) * axis, taps);
+    return Footprint(uvw, seesPoint ? leastLevel : level + pointLevels, sqrt(lengthSquare) * axis, taps, nextShare);
 }

@@ -74,7 +74,7 @@ final class PackedShading implements AutoCloseable {
         if (tiles.isScheduled() || !isMissing(drawn)) {
             return drawn;
         }
-        tiles.addFeedback(footprints(packing));
+        addFeedback(skin, request, buffer, packing);
         tiles.bakeFeedback();
         drawn = draw(skin, buffer, packing, pass);
         if (isMissing(drawn)) {
@@ -127,11 +127,17 @@ final class PackedShading implements AutoCloseable {
     /** Adds the footprints of a part of a block to the feedback. The request's stride is 1. */
     void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part) {
         int[] covered = covered(buffer.views(part), part, 1);
-        ShadingPass pass = new ShadingPass(request, 0, false);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
-            skin.shade(context, buffer, sources, target, packing.used(), pass);
+            addFeedback(skin, request, buffer, packing);
+        }
+    }
+
+    /** Adds the footprints of the uploaded pixels to the feedback, in all levels that they read. */
+    private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
+        for (int level = 0; level < skin.levelsRead(request.scene()); level++) {
+            skin.shade(context, buffer, sources, target, packing.used(), new ShadingPass(request, level, false));
             skin.virtualTexture().orElseThrow().addFeedback(footprints(packing));
         }
     }

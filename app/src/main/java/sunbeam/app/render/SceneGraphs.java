@@ -17,6 +17,7 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.Viewpoint;
 
 /** Creates scene graphs and their parts from scenes. */
@@ -47,6 +48,16 @@ final class SceneGraphs {
         return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
                 .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
                 .toList();
+    }
+
+    /** Returns the variance of each light's directions, in the order of {@link #lights}, in square radians. */
+    static float[] variances(Scene scene) {
+        float[] variances = new float[1 + scene.fillLights().size()];
+        for (int i = 0; i < variances.length; i++) {
+            SceneLight light = i == 0 ? scene.light() : scene.fillLights().get(i - 1);
+            variances[i] = (float) Math.pow(scene.deviation(light), 2);
+        }
+        return variances;
     }
 
     static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {

@@ -1,5 +1,6 @@
 package sunbeam.app.render;
 
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 
 import java.nio.file.Path;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
@@ -30,9 +32,11 @@ import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -176,6 +180,21 @@ public final class SceneLoader {
                 .toList();
     }
 
+    /** Rejects a wide light with a table of coherent averages: only ensemble averages have levels for it. */
+    private static void requireEnsemble(Scene scene) {
+        boolean isWide = Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
+                .anyMatch(light -> scene.deviation(light) > 0);
+        if (isWide
+                && scene.method().method() instanceof TableMethod table
+                && table.area().average() == Average.COHERENT) {
+            throw scene.method()
+                    .choices()
+                    .complaint(
+                            AVERAGE,
+                            "coherent has no color of a light with an angularDiameter; give ensemble, or method full");
+        }
+    }
+
     private static CieTable light(Scene scene) {
         return LightTable.of(scene.method().choices());
     }
@@ -230,6 +249,7 @@ public final class SceneLoader {
         Choices choices = scene.method().choices();
         MethodPlan planned =
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
+        requireEnsemble(scene);
         progress.accept(METHOD_PLANNED);
         DoubleConsumer progressOfTables = share -> progress.accept(METHOD_PLANNED + (1 - METHOD_PLANNED) * share);
         Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));

@@ -79,11 +79,19 @@ final class SkinSurface implements AutoCloseable {
         return texture;
     }
 
-    /** Returns the number of draws whose mean is the picture: methods that evaluate points use one slope of fine relief per draw. */
+    /**
+     * Returns the number of draws whose mean is the picture: methods that evaluate points use one slope of fine relief and one direction of
+     * a wide light per draw.
+     */
     int draws(Scene scene, int samplesAcross) {
-        return texture.isEmpty() && scene.slopeDeviation() > 0
+        return texture.isEmpty() && (scene.slopeDeviation() > 0 || scene.deviation(scene.light()) > 0)
                 ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
                 : 1;
+    }
+
+    /** Returns the number of levels that a footprint reads. */
+    int levelsRead(Scene scene) {
+        return scene.deviation(scene.light()) > 0 ? 2 : 1;
     }
 
     /**
@@ -103,6 +111,7 @@ final class SkinSurface implements AutoCloseable {
         DrawRequest request = pass.request();
         Scene scene = request.scene();
         setLight(program, scene);
+        program.set("lightVariance", (float) Math.pow(scene.deviation(scene.light()), 2));
         List<Binding> textures = new ArrayList<>(method.bindings());
         textures.addAll(buffer.bindings());
         if (texture.isPresent()) {
@@ -110,6 +119,7 @@ final class SkinSurface implements AutoCloseable {
                     program, texture.get().table(), scene, MOST_TAPS, request.samples(), request.isCoarsest());
             program.set("stride", (float) request.stride());
             program.set("lookUps", pass.hasColors() ? 1 : 0);
+            program.set("nextLevel", (float) (pass.hasColors() ? 0 : pass.draw()));
             textures.addAll(texture.get().bindings());
         } else {
             program.set("slopeDeviation", (float) scene.slopeDeviation());
@@ -134,6 +144,7 @@ final class SkinSurface implements AutoCloseable {
             moving = new MovingSkin(context, method, texture.orElseThrow(), lights);
         }
         setLight(moving.program(), scene);
+        moving.program().set("lightVariances", SceneGraphs.variances(scene));
         return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
     }
 

@@ -18,7 +18,7 @@ public enum Motion {
         @Override
         public Scene at(Scene scene, double radians) {
             Vector3f towards = new Vector3f(scene.light().towards()).rotateZ((float) radians);
-            return scene.withLight(new SceneLight(towards, scene.light().intensity()));
+            return scene.withLight(scene.light().pointing(towards));
         }
     };
 

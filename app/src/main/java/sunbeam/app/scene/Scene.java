@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.BODY_ALPHA;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.INDEX;
@@ -73,7 +74,10 @@ public record Scene(
     /** Returns this scene with chosen values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own values. */
     public Scene with(Choices chosen) {
         Choices inherited = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
-        SceneLight newLight = new SceneLight(light.towards(), chosen.get(INTENSITY, light.intensity()));
+        SceneLight newLight = new SceneLight(
+                light.towards(),
+                chosen.get(INTENSITY, light.intensity()),
+                chosen.get(ANGULAR_DIAMETER, light.angularDiameter()));
         SceneMethod newMethod = method.with(chosen.only(Methods.SETTINGS));
         return new Scene(chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod);
     }
@@ -87,6 +91,7 @@ public record Scene(
         return settings.with(TONE, display(1).tone())
                 .with(PRIMARIES, display(1).primaries())
                 .with(INTENSITY, light.intensity())
+                .with(ANGULAR_DIAMETER, light.angularDiameter())
                 .over(method.choices());
     }
 
@@ -144,22 +149,42 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
+    /** Returns the number of scenes of {@link #underLight}. */
     public int lightCount() {
-        return 1 + fillLights.size();
+        return Stream.concat(Stream.of(light), fillLights.stream())
+                .mapToInt(each -> drawn(each).size())
+                .sum();
+    }
+
+    /** Returns the lights that are drawn for a light: parts of a wide one if pixels are footprints, which show one direction of light. */
+    private List<SceneLight> drawn(SceneLight one) {
+        return method.type().equals(TableMethod.TYPE) && !method.isThesis() ? one.narrow() : List.of(one);
     }
 
     /**
      * Returns this scene with only one of its lights; the scene's picture is the sum over all of them. Under a fill light nothing casts
      * shadows.
      *
-     * @param number 0 for the key light, from 1 on for fill lights
+     * @param number from 0 on for the key light or its parts, then for those of fill lights
      */
     public Scene underLight(int number) {
         if (lightCount() == 1) {
             return this;
         }
         Scene alone = withFillLights(List.of());
-        return number == 0 ? alone : alone.withLight(fillLights.get(number - 1)).with(SHADOWS, false);
+        List<SceneLight> keys = drawn(light);
+        return number < keys.size()
+                ? alone.withLight(keys.get(number))
+                : alone.withLight(fillLights.stream()
+                                .flatMap(fill -> drawn(fill).stream())
+                                .toList()
+                                .get(number - keys.size()))
+                        .with(SHADOWS, false);
+    }
+
+    /** Returns the standard deviation of a light's directions in radians; 0 with the thesis's preset. */
+    public double deviation(SceneLight one) {
+        return method.isThesis() ? 0 : one.deviation();
     }
 
     public Scene withTexture(String value) {

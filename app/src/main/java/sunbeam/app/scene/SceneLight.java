@@ -1,15 +1,25 @@
 package sunbeam.app.scene;
 
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
 /**
- * A light with parallel rays.
+ * A distant light: a point, or directions distributed as a Gaussian that has the variance of an even disc.
  *
  * @param towards direction from the scene to the light, world space; normalized from any length above 0
  * @param intensity factor of the light's radiance, at least 0
+ * @param angularDiameter diameter of the disc in radians; 0 for a point
  */
-public record SceneLight(Vector3fc towards, double intensity) {
+public record SceneLight(Vector3fc towards, double intensity, double angularDiameter) {
+    // Largest diameter that one footprint shows: at most the blur of a color table's widest level.
+    private static final double WIDEST = Math.toRadians(9.5);
+    private static final int RING = 6;
+    // Distance of the ring's lights from the middle in deviations of one light: closer than rows of Gaussians must be
+    // to look even.
+    private static final double RING_DISTANCE = 2;
 
     public SceneLight {
         float length = towards.length();
@@ -19,5 +29,46 @@ public record SceneLight(Vector3fc towards, double intensity) {
         }
         // A direction that is already normalized keeps its bits, so that a scene read back equals the written one.
         towards = Math.abs(length - 1) < 1e-6f ? new Vector3f(towards) : towards.div(length, new Vector3f());
+    }
+
+    public SceneLight(Vector3fc towards, double intensity) {
+        this(towards, intensity, 0);
+    }
+
+    /** Returns this light in another direction. */
+    public SceneLight pointing(Vector3fc direction) {
+        return new SceneLight(direction, intensity, angularDiameter);
+    }
+
+    /** Returns the standard deviation of the light's directions along either axis across its direction, in radians. */
+    public double deviation() {
+        return angularDiameter / 4;
+    }
+
+    /**
+     * Returns lights that one footprint each shows and that together have this light's variance: this one, or seven, one in the middle of
+     * a ring of six.
+     */
+    List<SceneLight> narrow() {
+        if (angularDiameter <= WIDEST) {
+            return List.of(this);
+        }
+        // A ring of radius d has the variance d^2 / 2 along either axis.
+        double share = 1 / Math.sqrt(1 + RING / (RING + 1.0) * RING_DISTANCE * RING_DISTANCE / 2);
+        SceneLight middle = new SceneLight(towards, intensity / (RING + 1), share * angularDiameter);
+        Vector3f across = towards.cross(
+                Math.abs(towards.x()) < 0.5 ? new Vector3f(1, 0, 0) : new Vector3f(0, 1, 0), new Vector3f());
+        across.normalize((float) (RING_DISTANCE * middle.deviation()));
+        return Stream.concat(
+                        Stream.of(middle),
+                        IntStream.range(0, RING)
+                                .mapToObj(i -> across.rotateAxis(
+                                        (float) (2 * Math.PI * i / RING),
+                                        towards.x(),
+                                        towards.y(),
+                                        towards.z(),
+                                        new Vector3f()))
+                                .map(aside -> middle.pointing(aside.add(towards))))
+                .toList();
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
@@ -182,8 +183,9 @@ public final class SceneReader {
 
     private static SceneLight light(JsonObject light) {
         Vector3f direction = numbers(light, "direction");
-        double intensity = light.choices(List.of(INTENSITY)).get(INTENSITY);
-        SceneLight result = light.checked("direction", () -> new SceneLight(direction, intensity));
+        Choices choices = light.choices(List.of(INTENSITY, ANGULAR_DIAMETER));
+        SceneLight result = light.checked(
+                "direction", () -> new SceneLight(direction, choices.get(INTENSITY), choices.get(ANGULAR_DIAMETER)));
         light.requireNoOthers();
         return result;
     }

@@ -27,6 +27,8 @@ public final class SceneSettings {
     private static final double MOST_DEGREES = 1e6;
     // Largest roughness. The model assumes small slopes; a slope turns a reflected direction by twice its angle.
     private static final double MOST_ROUGHNESS_DEGREES = 10;
+    // Largest diameter of a light, of which parts as wide as the widest level of a color table are drawn.
+    private static final double MOST_LIGHT_DEGREES = 15;
 
     public static final Setting<String> TITLE =
             new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
@@ -172,6 +174,13 @@ public final class SceneSettings {
 
     public static final Setting<Double> INTENSITY =
             new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
+
+    /** Diameter of the light's disc as an angle in radians; see {@link SceneLight#deviation}. */
+    public static final Setting<Double> ANGULAR_DIAMETER = new Setting<>(
+                    "angularDiameter",
+                    Kinds.angle(0, Math.toRadians(MOST_LIGHT_DEGREES)),
+                    "Diameter of the light as seen from the scene in degrees, 0 to 15; the sun has 0.53; preset thesis has none.")
+            .withStandard(0.0);
 
     /** Weights of the blend of diffracted light and body. */
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);

@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
@@ -138,7 +139,9 @@ public final class SceneWriter {
     private void light(SceneLight light) throws IOException {
         json.writeStartObject();
         direction("direction", light.towards());
-        JsonObject.write(json, Choices.none().with(INTENSITY, light.intensity()));
+        Choices choices = Choices.none().with(INTENSITY, light.intensity());
+        JsonObject.write(
+                json, light.angularDiameter() > 0 ? choices.with(ANGULAR_DIAMETER, light.angularDiameter()) : choices);
         json.writeEndObject();
     }
 

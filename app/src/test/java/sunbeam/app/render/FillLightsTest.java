@@ -30,14 +30,17 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
 
 /** Light adds up: a scene under several lights is the sum of the scenes under each. */
 @NeedsDisplay
 class FillLightsTest extends InAContext {
     private static final int SIZE = 64;
     private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1);
-    private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4);
+    private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4, Math.toRadians(12));
     private static final Choices AROUND = PlaneScenes.around(Optional.of(new SceneColor(0x907050)), 0.3, true);
 
     @TempDir
@@ -120,6 +123,35 @@ class FillLightsTest extends InAContext {
         assertRefused(file, "[ { \"direction\": [0, 0, 0] } ]", "no direction");
         assertRefused(file, one, "must be a list");
         assertRefused(file, "[ { \"direction\": [0, 0, 1], \"color\": 1 } ]", "color");
+    }
+
+    @Test
+    void aLampOf40DegreesIsRefusedWithTheRange() throws IOException {
+        Path file = folder.resolve("scene.json");
+        SceneWriter.write(
+                file,
+                Overwrite.REFUSE,
+                scene(FullMethod.TYPE).withLight(new SceneLight(KEY.towards(), 1, Math.toRadians(12))));
+        String text = Files.readString(file);
+        assertThat(text).contains("12 deg");
+        Files.writeString(file, text.replace("12 deg", "40 deg"));
+
+        assertThatThrownBy(() -> SceneReader.read(file))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("angularDiameter\": 40 deg is out of range; give 0 deg to 15 deg");
+    }
+
+    @Test
+    void aWideLightNeedsATableOfEnsembleAverages() {
+        Scene coherent = PlaneScenes.blaze()
+                .withMethod(new SceneMethod(Choices.none()
+                        .with(Methods.METHOD, TableMethod.TYPE)
+                        .with(MethodSettings.AVERAGE, Average.COHERENT)))
+                .withLight(FILL);
+
+        assertThatThrownBy(() -> PlaneScenes.load(coherent, folder))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("angularDiameter; give ensemble");
     }
 
     private static void assertRefused(Path file, String fillLights, String words) throws IOException {

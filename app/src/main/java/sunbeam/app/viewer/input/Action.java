@@ -10,7 +10,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.KeyStroke;
 import sunbeam.app.scene.Motion;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.picture.Divider;
 import sunbeam.app.viewer.picture.PictureView;
@@ -160,13 +159,12 @@ enum Action {
 
     private static void moveLight(Viewer viewer, KeyStroke stroke) {
         viewer.model()
-                .change(scene -> scene.withLight(new SceneLight(
-                        Drags.light(
+                .change(scene -> scene.withLight(scene.light()
+                        .pointing(Drags.light(
                                 scene.view().camera(),
                                 scene.light().towards(),
                                 right(stroke) * STEP_RADIANS,
-                                up(stroke) * STEP_RADIANS),
-                        scene.light().intensity())));
+                                up(stroke) * STEP_RADIANS))));
     }
 
     private static void turn(Viewer viewer, KeyStroke stroke) {

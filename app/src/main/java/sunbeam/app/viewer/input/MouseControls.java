@@ -11,7 +11,6 @@ import java.util.stream.Stream;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.pick.PickedPoint;
@@ -163,9 +162,8 @@ public final class MouseControls extends MouseAdapter {
     void moveLight(MouseEvent event) {
         double right = right(event);
         double up = up(event);
-        model.change(scene -> scene.withLight(new SceneLight(
-                Drags.light(scene.view().camera(), scene.light().towards(), right, up),
-                scene.light().intensity())));
+        model.change(scene -> scene.withLight(scene.light()
+                .pointing(Drags.light(scene.view().camera(), scene.light().towards(), right, up))));
     }
 
     /** Returns the angle of the last move to the right; the view's shorter side is half a turn. */

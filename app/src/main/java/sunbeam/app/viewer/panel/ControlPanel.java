@@ -1,5 +1,6 @@
 package sunbeam.app.viewer.panel;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.EXPOSURE;
@@ -142,6 +143,15 @@ public final class ControlPanel extends JTabbedPane {
                         angle -> 10 * Math.toDegrees(angle),
                         SettingRows::degrees));
         sceneTab.slider(INTENSITY, sceneTab.stops(INTENSITY, -15, 15));
+        sceneTab.slider(
+                ANGULAR_DIAMETER,
+                sceneTab.slider(
+                        ANGULAR_DIAMETER,
+                        0,
+                        150,
+                        step -> Math.toRadians(step / 10),
+                        angle -> 10 * Math.toDegrees(angle),
+                        SettingRows::degrees));
         sceneTab.box(GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
         sceneTab.slider(SKY, sceneTab.hundredths(SKY, 200));
         sceneTab.flag(SHADOWS);

@@ -17,6 +17,8 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
@@ -129,6 +131,30 @@ class SceneTableTest extends InAContext {
                         .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(1))),
                 1,
                 12);
+    }
+
+    /**
+     * Points see 96 random directions of the light each; the largest light is drawn as seven. Lit by a point instead, the picture has
+     * other colors, though its many pixels between orders show the body alike.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {3, 9, 15})
+    void aWideLightHasTheMeanOfItsDirections(double degrees) {
+        Scene point = plane(EYE, LIGHT, 20, ON_A_BODY, TableMethod.TYPE);
+        SceneLight wide = new SceneLight(LIGHT, 1, Math.toRadians(degrees));
+        Scene exact = plane(EYE, LIGHT, 20, ON_A_BODY, FullMethod.TYPE).withLight(wide);
+        try (SceneSession full = new SceneSession(context, load(exact));
+                SceneSession table = new SceneSession(context, load(point))) {
+            SceneCertifier certifier = new SceneCertifier(24, 18, 1);
+            PartSum sum = new PartSum(List.of(full));
+            PartSum tables = new PartSum(List.of(table));
+            Certificate certificate = certifier.certify(tables, point.withLight(wide), sum, exact, 1, 12);
+            Certificate ofPoint = certifier.certify(tables, point, sum, exact, 1, 12);
+            assertThat(certificate.missed()).as(certificate.summary()).isFalse();
+            assertThat(ofPoint.colorDifference().mean())
+                    .as("point: %s; wide: %s", ofPoint.summary(), certificate.summary())
+                    .isGreaterThan(1.5 * certificate.colorDifference().mean());
+        }
     }
 
     /** Lines across the line of sight send the green of their first order there. */
