@@ -50,7 +50,7 @@ class DamagedCacheTest {
     @Test
     void aTableOfAnotherVersion() throws Exception {
         byte[] other = goodTable.clone();
-        // Damage a byte after the file's signature of eight bytes.
+        // Overwrite the number after the signature of eight bytes.
         ByteBuffer.wrap(other).putInt(8, 99);
         Files.write(table, other);
 

@@ -44,7 +44,7 @@ class ExportMaterialTest extends InWorkplace {
                 print(np.median((abs(read - exact) / exact)[exact > 1e-3 * exact.max()]))
                 """);
 
-        // Largest error of a file of 12 MB.
+        // Median error of a file of 12 MB.
         assertThat(Double.parseDouble(said.strip())).isLessThan(0.25);
         assertThat(made.stdout()).contains("error of power as it is read");
     }

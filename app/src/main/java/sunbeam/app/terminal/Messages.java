@@ -32,6 +32,14 @@ public final class Messages {
         return NOTE + oneLine(message);
     }
 
+    /** Returns the last line of a run's standard error without the program's name. */
+    public static String last(String err) {
+        return err.lines()
+                .reduce((first, second) -> second)
+                .orElse("no message")
+                .replaceFirst("^" + ERROR, "");
+    }
+
     private static String oneLine(String message) {
         String line = message.lines()
                 .map(String::strip)

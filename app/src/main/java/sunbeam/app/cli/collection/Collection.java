@@ -51,7 +51,7 @@ public final class Collection {
     private static final Set<String> OWN =
             Set.of(PatchOptions.TASK, THETA_I, OUTPUT, "--patch", "--json", "--resume", "--force");
 
-    /** Options that have a meaning for one surface only. */
+    /** Options for single surfaces. */
     private static final List<String> OF_ONE = List.of("--with", "--linear");
 
     /** Failures that all further runs would have, too. */
@@ -99,7 +99,6 @@ public final class Collection {
         return possible && several ? Optional.of(collection) : Optional.empty();
     }
 
-    /** Returns the surfaces and folders that are named without {@code --patch}. */
     private List<String> arguments() {
         return parsed.matchedPositionals().stream()
                 .distinct()
@@ -159,7 +158,6 @@ public final class Collection {
                 .orElse(ExitCode.OK.code());
     }
 
-    /** Returns the row of an earlier run, or runs the command; prints why it failed. */
     private ObjectNode row(Item item, CollectionFolder folder, PrintWriter err) {
         String hash = ResumeOption.hash(hashed(item));
         Optional<ObjectNode> earlier = folder.find(item.patch(), item.stem(), hash);
@@ -219,7 +217,6 @@ public final class Collection {
         return items;
     }
 
-    /** Returns the light's angles as written; an empty text alone if none is given. */
     private List<String> angles() {
         String text = value(THETA_I).orElse("");
         if (!text.contains(":")) {
@@ -234,7 +231,6 @@ public final class Collection {
         }
     }
 
-    /** Returns the options of the command line that every run has. */
     private List<String> given() {
         return parsed.matchedOptions().stream()
                 .filter(option -> !OWN.contains(option.longestName()))
@@ -251,7 +247,7 @@ public final class Collection {
         });
     }
 
-    /** Returns what determines the report of a run: its options, and the file of the heights if the surface is a descriptor. */
+    /** Returns all that determines a run's report: its options and, for a descriptor, the file of its heights. */
     private List<String> hashed(Item item) {
         List<String> words = new ArrayList<>(item.options());
         words.add(parsed.commandSpec().name());
@@ -283,15 +279,8 @@ public final class Collection {
         StringWriter err = new StringWriter();
         int code = runner.run(new PrintWriter(out), new PrintWriter(err), words.toArray(String[]::new));
         boolean done = code == ExitCode.OK.code() || code == ExitCode.TOLERANCE_MISSED.code();
-        return folder.row(item.patch(), item.stem(), hash, code, done ? out.toString() : "", last(err.toString()));
-    }
-
-    /** Returns the last line of a run's standard error without the program's name. */
-    private static String last(String err) {
-        return err.lines()
-                .reduce((first, second) -> second)
-                .orElse("no message")
-                .replaceFirst("^sunbeam: ", "");
+        return folder.row(
+                item.patch(), item.stem(), hash, code, done ? out.toString() : "", Messages.last(err.toString()));
     }
 
     private static boolean failed(JsonNode row) {

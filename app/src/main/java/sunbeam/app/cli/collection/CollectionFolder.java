@@ -37,7 +37,6 @@ import sunbeam.precompute.units.Decimals;
  * and the files of each surface in {@code surfaces}. The files of a part have its number in their names.
  */
 final class CollectionFolder {
-    /** Fields of a report that are columns of the table, as JSON pointers. */
     private static final List<String> COLUMNS = List.of(
             "/theta_i_deg",
             "/verdict_code",
@@ -98,7 +97,6 @@ final class CollectionFolder {
         return overwrite == Overwrite.REPLACE;
     }
 
-    /** Reads the reports of all parts. */
     private void readEarlier() {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, REPORTS + "*.jsonl")) {
             for (Path file : files) {
@@ -112,7 +110,7 @@ final class CollectionFolder {
         }
     }
 
-    /** Returns the row of a surface that has a report; empty also for a line that a stopped run has not finished. */
+    /** Parses a row; empty if it has no report, or for the unfinished line of a stopped run. */
     private Optional<ObjectNode> parsed(String line) {
         try {
             return json.readTree(line) instanceof ObjectNode row && row.has("report")
@@ -166,7 +164,6 @@ final class CollectionFolder {
         }
     }
 
-    /** Writes reports, table and sheets, and returns their paths. */
     List<Path> write(String command, List<ObjectNode> rows) {
         List<Path> written = new ArrayList<>();
         String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
@@ -198,7 +195,6 @@ final class CollectionFolder {
         return cells;
     }
 
-    /** Returns a value as text: the parts of a list after each other, nothing for null. */
     private static String cell(JsonNode value) {
         if (value.isArray()) {
             String between = value.path(0).isNumber() ? " to " : "; ";

@@ -87,35 +87,21 @@ public final class GratingOptions extends SettingOptions {
     void check() {
         azimuth();
         period();
-        double nanometer = 1e9;
-        requireWithin(
-                "--wavelengths",
-                wavelengths,
-                CieTable.MINIMUM_WAVELENGTH * nanometer,
-                CieTable.MAXIMUM_WAVELENGTH * nanometer,
-                "the visible band; give %.4g to %.4g nm",
-                1);
+        wavelengths.requireWithin(
+                "--wavelengths", 1e9 * CieTable.MINIMUM_WAVELENGTH, 1e9 * CieTable.MAXIMUM_WAVELENGTH, "nm");
         double largest = Math.toDegrees(plane(0).largestThetaR());
         if (angles != null) {
-            requireWithin("--angles", angles, -largest, largest, "the hemisphere; give %.6g to %.6g degrees", FEWEST);
+            angles.requireWithin("--angles", -largest, largest, "degrees");
+            if (angles.count() < FEWEST) {
+                throw new UsageException(
+                        "--angles has " + angles.count() + " values; give " + FEWEST + " or more, MIN:MAX:STEP");
+            }
         }
         int columns = angles == null ? MOST_ANGLES : angles.count();
         if ((long) columns * wavelengths.count() > MOST_DIRECTIONS) {
             throw new UsageException(Text.format(
                     "%d --angles and %d --wavelengths are too many; take larger steps for %d directions or less",
                     columns, wavelengths.count(), MOST_DIRECTIONS));
-        }
-    }
-
-    private static void requireWithin(
-            String option, Range range, double least, double most, String limits, int fewest) {
-        String text = Text.format("%s %.9g:%.9g:%.9g", option, range.minimum(), range.maximum(), range.step());
-        // The tolerance of 1e-6 is for the rounding of degrees.
-        if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
-            throw new UsageException(text + " leaves " + Text.format(limits, least, most));
-        }
-        if (range.count() < fewest) {
-            throw new UsageException(text + " has " + range.count() + " values; give " + fewest + " or more");
         }
     }
 

@@ -11,7 +11,7 @@ import sunbeam.precompute.text.Text;
 /**
  * Measurement of a figure's pictures, and the rule by which the thesis's claim holds.
  *
- * @param of pictures to measure, each with its patch before its name and, for a number, with a JSON pointer behind
+ * @param of pictures to measure, each as patch, hyphen, name and, for a number, a JSON pointer
  * @param to picture with which the pictures are compared; null for none
  * @param rule {@code ascending}, {@code descending}, or limits such as {@code < 1}: one for all values or one for each
  */
@@ -19,11 +19,6 @@ record Check(Measure measure, List<String> of, String to, String rule) {
     /** Least ratio of neighbors that ascend or descend: measured at 96 and 256 pixels, a value differs by less. */
     private static final double STEP = 1.05;
 
-    /**
-     * Result of a check.
-     *
-     * @param numbers what was measured, and the rule
-     */
     record Verdict(boolean agrees, String numbers) {
         @Override
         public String toString() {
@@ -31,12 +26,6 @@ record Check(Measure measure, List<String> of, String to, String rule) {
         }
     }
 
-    /**
-     * Measures the pictures.
-     *
-     * @param drawings pictures of the figure
-     * @return the verdict; empty if a picture or a number is missing
-     */
     Optional<Verdict> verdict(List<Figure.Drawing> drawings) {
         List<Figure.Drawing> measured =
                 of.stream().flatMap(name -> find(drawings, name).stream()).toList();

@@ -43,16 +43,17 @@ record Figure(
      * Picture to draw for each patch.
      *
      * @param label words for the caption that distinguish the picture from the others of the figure
-     * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
-     *     {stem} for its name without the ending, {scene} for the file of the scene, {size} for its size, {wavelengths} for those of a response, {slits} for the patch of
-     *     {@link FigureInput}, {window} for a width at which a patch's orders are broader than pixels; a brdf-map without {file} draws a
-     *     disc of the chosen size. Null for a plot
+     * @param command command line of this program; null for a plot. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file}
+     *     for the picture, {stem} for its name without the ending, {scene} for the scene's file, {size} for its size. {wavelengths} stands
+     *     for those of a response, {slits} for {@link FigureInput#SLITS}, {window} for a width whose orders are broader than pixels. A
+     *     brdf-map without {file} draws a disc of the chosen size
      * @param plot name of a {@link FigurePlot}; null for a command
      * @param picture file that the command writes, with {stem}; null for {stem}.png
-     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers ({@link FigureInput}); null for none
+     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers ({@link FigureInput}); null for
+     *     none
      * @param hidden true for a picture that only the check or a plot needs
-     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters
-     *     (_m); null for none
+     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters (_m);
+     *     null for none
      */
     record Picture(
             String name,
@@ -64,7 +65,6 @@ record Figure(
             boolean hidden,
             Map<String, Double> numbers) {}
 
-    /** Reads the manifest, in the thesis's order. */
     static List<Figure> all() {
         try (InputStream manifest = Figure.class.getResourceAsStream("figures.json")) {
             ObjectMapper mapper = new ObjectMapper();
@@ -109,7 +109,6 @@ record Figure(
                 .toList();
     }
 
-    /** Returns "Figure 5.10: ..." or "Table 4.1: ...". */
     String heading() {
         boolean isFigure = Character.isDigit(number.charAt(0));
         String named = isFigure ? "figure " + number : number.replace('-', ' ');
@@ -119,8 +118,8 @@ record Figure(
     /** Picture of one patch, with the command line that draws it and the file of the picture to compare it with. */
     record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
         /**
-         * True if the command has {@code --resume}, so that it redraws an existing picture only if the parameters differ. An existing
-         * picture of another command is kept as it is.
+         * True if the command has {@code --resume}: it redraws an existing picture only if the parameters differ. Pictures of other
+         * commands are kept.
          */
         boolean resumes() {
             return picture.plot() == null
@@ -128,17 +127,15 @@ record Figure(
                             || (command.get(0).equals("render") && !command.contains("--wireframe")));
         }
 
-        /** Returns the picture's name in checks, with its patch before. */
+        /** Returns the picture's name in checks: patch, hyphen, name. */
         String name() {
             return (patch.isEmpty() ? "" : patch + "-") + picture.name();
         }
 
-        /** Returns the file beside the picture with another ending. */
         Path beside(String ending) {
             return Path.of(file.toString().replaceFirst("\\.png$", ending));
         }
 
-        /** True for a map's disc without its annotations. */
         boolean isMap() {
             return command.contains("--no-annotate");
         }
@@ -167,7 +164,6 @@ record Figure(
         }
     }
 
-    /** Returns what the check finds; empty if pictures are missing. */
     Optional<Check.Verdict> verdict(List<Drawing> drawings) {
         return check.verdict(drawings.stream()
                 .filter(drawing -> drawing.number().equals(number))
@@ -186,13 +182,6 @@ record Figure(
                 .toList();
     }
 
-    /**
-     * Sizes of pictures.
-     *
-     * @param map side of a map, pixels
-     * @param scene width and height of a scene, such as 480x360
-     * @param wavelengths wavelengths of a response in nm, such as 380:780:2
-     */
     record Sizes(int map, String scene, String wavelengths) {}
 
     private Drawing drawing(String patch, Picture picture, UnaryOperator<String> source, Sizes sizes, Path folder) {

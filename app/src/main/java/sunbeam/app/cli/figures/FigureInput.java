@@ -21,10 +21,9 @@ import sunbeam.app.files.output.PngWriter;
 
 /** Writes the files that a picture's command reads: its scene, and the patch of figures 4.5 and 4.6. */
 final class FigureInput {
-    /** End of the name of a picture's scene. */
     static final String SCENE = ".scene.json";
 
-    /** Period with one ridge, as wide in it as the thesis's slits are in theirs: 30 of 150 um. */
+    /** Image of one period with a ridge, whose share of the period is that of the thesis's slits: 30 of 150 um. */
     static final String SLITS = "slits.png";
 
     private static final int SLITS_SIDE = 50;

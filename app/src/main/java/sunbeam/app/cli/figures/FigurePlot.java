@@ -67,7 +67,7 @@ enum FigurePlot {
         }
     }
 
-    /** Plots the observer's functions and measures what steps of 5 nm, the thesis's, lose of each one's integral at most. */
+    /** Plots the observer's functions and measures the largest relative error of their integrals in the thesis's steps of 5 nm. */
     private static Plot colorMatching(Map<String, Double> numbers) {
         CieTable table = CieTable.of(Observer.CIE1931, Illuminant.of("E"));
         Plot plot = Plot.linear("CIE 1931, 2 degrees", "wavelength / nm", "color matching function", WIDTH, HEIGHT);
@@ -118,8 +118,8 @@ enum FigurePlot {
     }
 
     /**
-     * Plots the thesis's slits, 30 um wide and 150 um apart, in light of 500 nm on a screen in 0.5 m: each slit's own pattern times
-     * the sum of the slits' waves over their whole ways; the thin line is the sum over parallel rays.
+     * Plots the thesis's slits, 30 um wide and 150 um apart, in light of 500 nm on a screen in 0.5 m: the pattern of a single slit times
+     * the power of the sum of the slits' waves. Their paths have exact lengths; the thin line is for parallel rays.
      */
     private static Plot slits(Map<String, Double> numbers) {
         double distance = 0.5;

@@ -39,7 +39,6 @@ import sunbeam.precompute.text.Text;
         footer = {"  sunbeam figures --only 5.10,table-4.1"})
 public final class FiguresCommand extends ReportingCommand {
     private static final int LARGEST = 2048;
-    /** Sides of maps in pixels. */
     private static final int STANDARD = 224;
 
     private static final int QUICK = 96;
@@ -147,58 +146,56 @@ public final class FiguresCommand extends ReportingCommand {
         int code = ExitCode.OK.code();
         try (Progress progress = display.start("Figures", drawings.size())) {
             for (Figure.Drawing drawing : drawings) {
-                StringWriter err = new StringWriter();
-                boolean replaced = force.overwrite() == Overwrite.REPLACE;
-                if (drawing.picture().plot() != null) {
-                    plot(drawing, drawings);
-                    progress.step(1);
-                    continue;
-                }
-                FigureInput.write(drawing, output);
-                if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
-                    continue;
-                }
-                List<String> words = new ArrayList<>(drawing.command());
-                if (drawing.resumes()) {
-                    words.add("--resume");
-                }
-                if (replaced) {
-                    words.add("--force");
-                }
-                int result = runner.applyAsInt(new PrintWriter(err), words.toArray(String[]::new));
+                int result = draw(drawing, drawings);
                 if (result == ExitCode.INTERRUPTED.code()) {
                     return result;
                 }
-                // A command that misses its tolerance still writes a picture.
-                if (result != ExitCode.OK.code() && result != ExitCode.TOLERANCE_MISSED.code()) {
-                    code = code == ExitCode.OK.code() ? result : code;
-                    complain(drawing, err.toString());
-                }
+                code = code == ExitCode.OK.code() ? result : code;
                 progress.step(1);
             }
         }
         return code;
     }
 
+    private int draw(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
+        if (drawing.picture().plot() != null) {
+            plot(drawing, drawings);
+            return ExitCode.OK.code();
+        }
+        FigureInput.write(drawing, output);
+        boolean replaced = force.overwrite() == Overwrite.REPLACE;
+        if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
+            return ExitCode.OK.code();
+        }
+        List<String> words = new ArrayList<>(drawing.command());
+        if (drawing.resumes()) {
+            words.add("--resume");
+        }
+        if (replaced) {
+            words.add("--force");
+        }
+        StringWriter err = new StringWriter();
+        int result = runner.applyAsInt(new PrintWriter(err), words.toArray(String[]::new));
+        // A command that misses its tolerance still writes a picture.
+        if (result == ExitCode.OK.code() || result == ExitCode.TOLERANCE_MISSED.code()) {
+            return ExitCode.OK.code();
+        }
+        if (result != ExitCode.INTERRUPTED.code()) {
+            err().println(Messages.error(
+                    "figure " + drawing.file().getFileName() + ": " + Messages.last(err.toString())));
+        }
+        return result;
+    }
+
     private static void plot(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
-        drawing.picture()
-                .plot()
-                .draw(
-                        drawing,
-                        drawings.stream()
-                                .filter(other -> other.number().equals(drawing.number())
-                                        && other.patch().equals(drawing.patch())
-                                        && Files.exists(other.file()))
-                                .toList());
+        List<Figure.Drawing> others = drawings.stream()
+                .filter(other -> other.number().equals(drawing.number())
+                        && other.patch().equals(drawing.patch())
+                        && Files.exists(other.file()))
+                .toList();
+        drawing.picture().plot().draw(drawing, others);
     }
 
-    private void complain(Figure.Drawing drawing, String err) {
-        String last = err.lines().reduce((first, second) -> second).orElse("it said nothing");
-        err().println(Messages.error(
-                "figure " + drawing.file().getFileName() + ": " + last.replaceFirst("^sunbeam: ", "")));
-    }
-
-    /** Refuses to replace a page of another program without --force. */
     private void checkPage() {
         Path page = output.resolve(PAGE);
         AtomicFile.checkWritable(page, Overwrite.REPLACE);

@@ -34,7 +34,6 @@ final class FiguresPage {
 
     private FiguresPage() {}
 
-    /** @param drawings pictures of these figures; missing files are left out */
     static String of(List<Figure> figures, List<Figure.Drawing> drawings, Path folder) {
         StringBuilder html = new StringBuilder(START);
         html.append(

@@ -42,7 +42,6 @@ enum Measure {
         this.label = label;
     }
 
-    /** Returns the quantity's name in the manifest and in verdicts. */
     @Override
     @JsonValue
     public String toString() {
@@ -94,7 +93,7 @@ enum Measure {
         return ImageFile.ours(drawing.file(), "remove it");
     }
 
-    /** Returns the mean CIELAB chroma of the surface's pixels in a region: those whose color is not the one of the picture's corner. */
+    /** Returns the mean CIELAB chroma of a region's pixels that do not have the background's color, that of the picture's corner. */
     private static double chroma(Figure.Drawing drawing, Region region) {
         BufferedImage image = image(drawing);
         int background = image.getRGB(0, 0);
@@ -106,7 +105,6 @@ enum Measure {
                 .orElse(0);
     }
 
-    /** Returns the mean chroma of all pixels, each weighted by its luminance. */
     private static double chromaOfLight(BufferedImage image) {
         double light = 0;
         double colored = 0;
@@ -118,7 +116,7 @@ enum Measure {
         return colored / light;
     }
 
-    /** Returns how far the pixels' colors in the plane of CIELAB's a and b cancel: 0 for a single hue, 1 for hues of all directions. */
+    /** Returns the variety of hues, 1 - |mean of (a, b)| / mean chroma in CIELAB: 0 for a single hue, 1 for evenly spread ones. */
     private static double varietyOfHues(BufferedImage image) {
         double a = 0;
         double b = 0;
@@ -132,7 +130,6 @@ enum Measure {
         return 1 - Math.hypot(a, b) / chroma;
     }
 
-    /** Returns the sum of luminance in a region. */
     private static double light(Figure.Drawing drawing, Region region) {
         BufferedImage image = image(drawing);
         return pixels(image, region)
@@ -177,7 +174,6 @@ enum Measure {
         return wrong / all;
     }
 
-    /** Reads the XYZ that brdf-map --linear wrote beside a picture. */
     private static FloatBuffer linear(Figure.Drawing drawing) {
         Path file = drawing.beside(".npy");
         try {

@@ -25,7 +25,6 @@ record Response(double[] angles, double[] values) {
         }
     }
 
-    /** Returns the numbers behind a line's first column. */
     private static double[] numbers(String line) {
         return Stream.of(line.split(",", -1))
                 .skip(1)

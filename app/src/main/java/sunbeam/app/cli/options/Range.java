@@ -4,6 +4,7 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
+import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -35,6 +36,23 @@ public record Range(double minimum, double maximum, double step) {
             throw new IllegalArgumentException(
                     "the step " + step + " gives more than " + MOST_VALUES + " values; choose a larger one");
         }
+    }
+
+    /**
+     * Refuses an option's range that leaves the interval from {@code least} to {@code most}, but for rounding of 1e-6.
+     *
+     * @throws UsageException if a value is outside
+     */
+    public void requireWithin(String option, double least, double most, String unit) {
+        if (minimum < least - 1e-6 || maximum > most + 1e-6) {
+            throw new UsageException(option + " " + rounded(minimum) + ":" + rounded(maximum) + ":" + rounded(step)
+                    + " leaves the range " + rounded(least) + " to " + rounded(most) + " " + unit
+                    + "; give values within");
+        }
+    }
+
+    private static String rounded(double value) {
+        return Decimals.format(Math.rint(1e6 * value) / 1e6);
     }
 
     /** Returns the number of values. */

@@ -14,12 +14,10 @@ import sunbeam.precompute.analysis.OrderLight.Efficiency;
 final class OrderPlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 560;
-    // Largest number of plots below each other.
     private static final int MOST = 12;
 
     private OrderPlot() {}
 
-    /** Draws the verdict and, below it, efficiency over wavelength, or over the angle of incidence if there is one wavelength. */
     static BufferedImage draw(OrderTable table) {
         Sheet sheet = new Sheet(WIDTH)
                 .heading(table.patch().name() + ": " + table.verdict().sentence());

@@ -46,10 +46,9 @@ record OrderTable(
         List<List<OrderLight>> lights,
         CieTable cie) {
     private static final int STRONGEST = 6;
-    // Largest number of orders beyond the horizon in the report.
     private static final int NAMED = 12;
     private static final double NANOMETER = 1e-9;
-    // Luminance, 1 for white, of an order's color on the screen: that of pure red, the darkest bright color but blue.
+    // Luminance, relative to white, of an order's color on the screen: about that of pure red.
     private static final double LUMINANCE = 0.2;
     private static final List<String> COLUMNS = List.of(
             "theta_i",
@@ -69,7 +68,6 @@ record OrderTable(
         return Verdict.of(patch, period);
     }
 
-    /** Returns the orders above the horizon under some of these lights, ascending. */
     private static List<Order> orders(List<OrderLight> some) {
         return some.stream()
                 .flatMap(light -> light.efficiencies().keySet().stream())
@@ -78,7 +76,6 @@ record OrderTable(
                 .toList();
     }
 
-    /** Returns the orders with the most light, the strongest first. */
     static List<Order> strongest(List<OrderLight> some) {
         return orders(some).stream()
                 .sorted(Comparator.comparingDouble(order -> -Arrays.stream(values(some, order, Efficiency::value))
@@ -88,7 +85,7 @@ record OrderTable(
                 .toList();
     }
 
-    /** Returns a number of an order's efficiency under each light, NaN beyond the horizon. */
+    /** Returns a value of an order's efficiency under each light, NaN beyond the horizon. */
     static double[] values(List<OrderLight> some, Order order, ToDoubleFunction<Efficiency> value) {
         return some.stream()
                 .mapToDouble(light -> value.applyAsDouble(light.at(order)))
@@ -100,7 +97,6 @@ record OrderTable(
         return some.stream().filter(light -> light.direction(order).isPresent()).toList();
     }
 
-    /** Returns the report's lines: the strongest orders under the first light at the middle wavelength. */
     List<String> lines() {
         List<OrderLight> first = lights.get(0);
         OrderLight middle = first.get(first.size() / 2);
@@ -203,7 +199,6 @@ record OrderTable(
         return CsvWriter.numbers(COLUMNS, rows.size(), rows::get);
     }
 
-    /** Returns all results by name, for JSON. */
     Map<String, Object> tree() {
         Map<String, Object> tree = ReportFields.of(patch, period, verdict());
         tree.put("program", "Sunbeam " + Version.number());

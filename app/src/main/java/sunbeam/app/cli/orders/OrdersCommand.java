@@ -40,7 +40,6 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
-import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** Command {@code sunbeam orders}: how much light a surface sends into each diffraction order. */
@@ -58,12 +57,10 @@ import sunbeam.precompute.units.Lengths;
 public final class OrdersCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
-    // Most orders of a patch, for a relief of a micrometer (their amplitudes take 500 MB), and most evaluated orders
-    // (minutes).
+    // Limits of a patch's orders (for a relief of 1 um: 500 MB of amplitudes), and of evaluated orders (minutes).
     private static final long MOST_ORDERS = 4_000_000;
     private static final double DEEPEST = 20e-6;
     private static final long MOST_EVALUATIONS = 4_000_000_000L;
-    // Efficiencies; 300 MB.
     private static final double MOST_RESULTS = 3e6;
 
     @Mixin
@@ -116,8 +113,8 @@ public final class OrdersCommand extends ReportingCommand {
     }
 
     private int tell(Choices choices) {
-        requireWithin("--theta-i", thetas, 0, LARGEST_THETA);
-        requireWithin("--wavelengths", wavelengths, 380, 780);
+        thetas.requireWithin("--theta-i", 0, LARGEST_THETA, "degrees");
+        wavelengths.requireWithin("--wavelengths", 380, 780, "nm");
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
         if (output != null) {
@@ -146,15 +143,6 @@ public final class OrdersCommand extends ReportingCommand {
         contents.put(".png", stream -> PngWriter.write(stream, OrderPlot.draw(table), text));
         json.print(out(), tree, files.write(contents));
         return DoubtfulPicture.ofPatches(List.of(patch)).code();
-    }
-
-    private static void requireWithin(String option, Range range, double least, double most) {
-        // The tolerance of 1e-6 is for the rounding of the range's values.
-        if (range.minimum() < least - 1e-6 || range.maximum() > most + 1e-6) {
-            throw new UsageException(option + ": " + Decimals.format(range.minimum()) + " to "
-                    + Decimals.format(range.maximum()) + " leaves the range " + Decimals.format(least) + " to "
-                    + Decimals.format(most) + "; give values within");
-        }
     }
 
     private OrderTable table(

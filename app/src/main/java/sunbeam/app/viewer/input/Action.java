@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -115,31 +117,20 @@ enum Action {
     private final String keys;
 
     @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
-    private final transient Effect effect;
+    private final transient BiConsumer<Viewer, KeyStroke> effect;
 
     @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
     private final transient Optional<Predicate<Viewer>> state;
 
-    /** Effect of an action that depends on the pressed key. */
-    @FunctionalInterface
-    private interface Effect {
-        void run(Viewer viewer, KeyStroke stroke);
+    Action(Group group, String description, String keys, Consumer<Viewer> effect) {
+        this(group, description, keys, (viewer, stroke) -> effect.accept(viewer));
     }
 
-    @FunctionalInterface
-    private interface KeylessEffect {
-        void run(Viewer viewer);
+    Action(Group group, String description, String keys, Consumer<Viewer> effect, Predicate<Viewer> isOn) {
+        this(group, description, keys, (viewer, stroke) -> effect.accept(viewer), Optional.of(isOn));
     }
 
-    Action(Group group, String description, String keys, KeylessEffect effect) {
-        this(group, description, keys, (viewer, stroke) -> effect.run(viewer));
-    }
-
-    Action(Group group, String description, String keys, KeylessEffect effect, Predicate<Viewer> isOn) {
-        this(group, description, keys, (viewer, stroke) -> effect.run(viewer), Optional.of(isOn));
-    }
-
-    Action(Group group, String description, String keys, Effect effect) {
+    Action(Group group, String description, String keys, BiConsumer<Viewer, KeyStroke> effect) {
         this(group, description, keys, effect, Optional.empty());
     }
 
@@ -149,7 +140,12 @@ enum Action {
      * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
      * @param state what the action switches, for its check mark
      */
-    Action(Group group, String description, String keys, Effect effect, Optional<Predicate<Viewer>> state) {
+    Action(
+            Group group,
+            String description,
+            String keys,
+            BiConsumer<Viewer, KeyStroke> effect,
+            Optional<Predicate<Viewer>> state) {
         this.group = group;
         this.description = description;
         this.keys = keys;
@@ -245,6 +241,6 @@ enum Action {
     }
 
     void run(Viewer viewer, KeyStroke stroke) {
-        effect.run(viewer, stroke);
+        effect.accept(viewer, stroke);
     }
 }

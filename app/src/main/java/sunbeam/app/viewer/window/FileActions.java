@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.Executors;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
@@ -126,12 +126,7 @@ public final class FileActions {
     public void saveScene() {
         Scene scene = model.scene();
         ask(FileKind.SCENE, JFileChooser.SAVE_DIALOG)
-                .ifPresent(file -> run(
-                        () -> {
-                            SceneWriter.write(file, Overwrite.REPLACE, scene);
-                            return file;
-                        },
-                        saved -> window.status().message("saved " + saved)));
+                .ifPresent(file -> save(file, () -> SceneWriter.write(file, Overwrite.REPLACE, scene)));
     }
 
     public void savePicture() {
@@ -167,19 +162,16 @@ public final class FileActions {
         double exposure = drawnExposure;
         int width = image.getWidth();
         int height = image.getHeight();
-        run(
-                () -> {
-                    int samples =
-                            PixelSamples.alongSide(loaded.firstPart().scene().method(), width, height);
-                    FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
-                    PngWriter.write(
-                            file,
-                            Overwrite.REPLACE,
-                            image,
-                            text.of(loaded.firstPart().scene(), exposure, renderer));
-                    return file;
-                },
-                saved -> window.status().message("saved " + saved));
+        save(file, () -> {
+            Scene scene = loaded.firstPart().scene();
+            int samples = PixelSamples.alongSide(scene.method(), width, height);
+            FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
+            PngWriter.write(file, Overwrite.REPLACE, image, text.of(scene, exposure, renderer));
+        });
+    }
+
+    private void save(Path file, Runnable writing) {
+        run(Executors.callable(writing), done -> window.status().message("saved " + file));
     }
 
     private <T> void run(Callable<T> work, Consumer<T> done) {
@@ -212,8 +204,7 @@ public final class FileActions {
 
     private static Path withEnding(Path file, String ending) {
         String name = file.getFileName().toString();
-        UnaryOperator<String> complete = given -> given.contains(".") ? given : given + ending;
-        return file.resolveSibling(complete.apply(name));
+        return name.contains(".") ? file : file.resolveSibling(name + ending);
     }
 
     private final class Drop extends TransferHandler {

@@ -189,14 +189,14 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @ParameterizedTest
     @CsvSource({
-        "--angles, -95:0:0.1, hemisphere",
+        "--angles, -95:0:0.1, leaves the range -90 to 90 degrees",
         "--angles, 30:10:0.1, minimum",
         "--angles, -50:-40:0, step",
         "--angles, -50:-40:5, too coarse",
         "--angles, -50:-50:1, 3 or more",
         "--wavelengths, 380:780:0.01, too many",
-        "--wavelengths, 300:700:5, visible band",
-        "--wavelengths, 400:900:5, visible band",
+        "--wavelengths, 300:700:5, leaves the range 380 to 780 nm",
+        "--wavelengths, 400:900:5, leaves the range 380 to 780 nm",
         "--theta-i, 90, 89.9",
         "--azimuth, north, no angle",
         "--period, 5nm, out of range",

@@ -127,8 +127,8 @@ class OrdersCommandTest extends CommandLineFixture {
             delimiter = '|',
             value = {
                 "bumps | 4 | bumps: no orders without a period",
-                "blaze --theta-i 90 | 2 | --theta-i: 90 to 90 leaves the range 0 to 89.9",
-                "blaze --wavelengths 300:500:10 | 2 | --wavelengths: 300 to 500 leaves the range 380 to 780",
+                "blaze --theta-i 90 | 2 | --theta-i 90:90:1 leaves the range 0 to 89.9",
+                "blaze --wavelengths 300:500:10 | 2 | --wavelengths 300:500:10 leaves the range 380 to 780",
                 "blaze --wavelengths green | 2 | is not a range",
                 "blaze --theta-i 0:80:0.001 --wavelengths 380:780:0.001 | 2 | are too many for this patch",
                 "blaze --index 0 | 2 | --index 0",
