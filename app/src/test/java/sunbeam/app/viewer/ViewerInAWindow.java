@@ -46,7 +46,7 @@ import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.precompute.method.FullMethod;
@@ -147,14 +147,14 @@ public abstract class ViewerInAWindow {
     /** Picks the point of the skin in the picture's middle. */
     @SuppressWarnings("ReferenceEquality") // another click's point, though perhaps an equal one
     Pick doubleClick() throws Exception {
-        Optional<PickedPoint> before = onEvents(() -> viewer.inspector().point());
+        Optional<SkinPoint> before = onEvents(() -> viewer.inspector().point());
         // Far from the last click, or else this one is the third of a row.
         middle(-80);
         click(1);
         middle(0);
         click(2);
         await(() -> onEvents(() -> {
-            Optional<PickedPoint> now = viewer.inspector().point();
+            Optional<SkinPoint> now = viewer.inspector().point();
             return now.isPresent() && (before.isEmpty() || now.get() != before.get());
         }));
         awaitFinal();

@@ -16,7 +16,7 @@ import org.joml.Vector3fc;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.Pick;
-import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.ColorDifference;
@@ -100,7 +100,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void assertASecondPointStandsBesideTheFirst() throws Exception {
-        PickedPoint first = onEvents(() -> viewer.inspector().point().orElseThrow());
+        SkinPoint first = onEvents(() -> viewer.inspector().point().orElseThrow());
         middle(-80);
         click(1);
         middle(24);

@@ -122,7 +122,7 @@ public final class BenchmarkCommand extends ReportingCommand {
     }
 
     private void report(RenderContext context, BenchmarkPage page, List<Map<String, Object>> measured) {
-        if (json.isAsked()) {
+        if (json.isGiven()) {
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("renderer", context.info().renderer());
             report.put("size", size);
@@ -136,7 +136,7 @@ public final class BenchmarkCommand extends ReportingCommand {
     }
 
     private void print(String words) {
-        if (!json.isAsked()) {
+        if (!json.isGiven()) {
             out().print(words);
             out().flush();
         }

@@ -22,7 +22,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.ComparedPatches;
+import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.IndexOption;
@@ -115,7 +115,7 @@ public final class BrdfMapCommand extends ReportingCommand {
     private DisplayOptions exposure;
 
     @Mixin
-    private ComparedPatches compared;
+    private ComparisonPatches compared;
 
     @Option(
             names = "--annotate",
@@ -187,22 +187,22 @@ public final class BrdfMapCommand extends ReportingCommand {
         }
         AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
         AtomicFile.checkNamed(linear, force.overwrite());
-        List<MaterialMap> materials = planned(setups, choices, material, towards);
+        List<MaterialMap> materials = plan(setups, choices, material, towards);
         MaterialMap firstMap = materials.get(0);
         Map<String, Object> report = new LinkedHashMap<>();
-        List<Map<String, Object>> surfaces = json.isAsked() ? surfaces(setups, choices) : List.of();
+        List<Map<String, Object>> surfaces = json.isGiven() ? surfaces(setups, choices) : List.of();
         report.put("surfaces", surfaces);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
         try (RenderContext context = RenderContext.offscreen();
                 TevClient viewer = tev.connect(err).orElse(null)) {
-            List<MaterialMap.Drawn> maps =
+            List<MaterialMap.Result> maps =
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
             double factor = exposureRule.of(
-                    maps.stream().map(MaterialMap.Drawn::picture).toList());
+                    maps.stream().map(MaterialMap.Result::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
                             firstMap.exact(),
                             pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
@@ -258,9 +258,9 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     private void check() {
         UsageException.requireWithin("--size", size, 1, LARGEST);
-        if (resume.isAsked() && (json.isAsked() || certify.count().isPresent())) {
+        if (resume.isGiven() && (json.isGiven() || certify.count().isPresent())) {
             throw new UsageException("--resume keeps an existing map, "
-                    + (json.isAsked() ? "--json reports on it" : "--certify draws it") + "; leave out one of them");
+                    + (json.isGiven() ? "--json reports on it" : "--certify draws it") + "; leave out one of them");
         }
         Ending.PNG.require("--output", output);
         Ending.LINEAR.require("--linear", linear);
@@ -290,7 +290,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         return material;
     }
 
-    private List<MaterialMap> planned(
+    private List<MaterialMap> plan(
             List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
         List<MaterialMap> materials = new ArrayList<>();
         for (int i = 0; i < setups.size(); i++) {
@@ -318,7 +318,7 @@ public final class BrdfMapCommand extends ReportingCommand {
         return surfaces;
     }
 
-    private static void show(MaterialMap.Drawn map, TevClient viewer) {
+    private static void show(MaterialMap.Result map, TevClient viewer) {
         String name = "BRDF of " + map.patch().name();
         LinearPicture picture = map.picture();
         viewer.create(name, picture.width(), picture.height());

@@ -19,7 +19,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 
-record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
+record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
 
     private static final int GAP = 8;
@@ -28,7 +28,7 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
         return sheet(maps.stream().map(this::disc).toList());
     }
 
-    private BufferedImage disc(MaterialMap.Drawn map) {
+    private BufferedImage disc(MaterialMap.Result map) {
         return map.picture().shown(display);
     }
 
@@ -56,21 +56,21 @@ record MapSheet(List<MaterialMap.Drawn> maps, DisplayTransform display) {
     Optional<Patch> black() {
         return maps.stream()
                 .filter(map -> DoubtfulPicture.isBlack(disc(map)))
-                .map(MaterialMap.Drawn::patch)
+                .map(MaterialMap.Result::patch)
                 .findFirst();
     }
 
     List<Patch> patches() {
-        return maps.stream().map(MaterialMap.Drawn::patch).distinct().toList();
+        return maps.stream().map(MaterialMap.Result::patch).distinct().toList();
     }
 
     Map<String, String> text() {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + joined(patches(), Patch::name, ", "));
         text.put("Patch", joined(patches(), Patch::source, "; "));
-        text.put("Plan", joined(maps, MaterialMap.Drawn::plan, "; "));
+        text.put("Plan", joined(maps, MaterialMap.Result::plan, "; "));
         if (!maps.get(0).trial().isEmpty()) {
-            text.put("Table", joined(maps, MaterialMap.Drawn::trial, "; "));
+            text.put("Table", joined(maps, MaterialMap.Result::trial, "; "));
         }
         text.put("Exposure", Double.toString(display.exposure()));
         return text;

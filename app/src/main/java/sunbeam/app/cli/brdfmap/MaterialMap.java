@@ -54,7 +54,7 @@ final class MaterialMap {
      * @param light direction towards the light
      * @param trial validation of the color tables, one for each part of the reflection; empty without tables
      */
-    record Drawn(
+    record Result(
             Patch patch,
             Direction light,
             Method method,
@@ -100,7 +100,7 @@ final class MaterialMap {
         return parts.get(0).overStandard(pair);
     }
 
-    Drawn draw(RenderContext context, int size) {
+    Result draw(RenderContext context, int size) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] sum = new float[3 * size * size];
         double sigma = 0;
@@ -117,7 +117,7 @@ final class MaterialMap {
                 sigma = tables.windowSigma();
             }
         }
-        return new Drawn(
+        return new Result(
                 setup.patch(),
                 light,
                 method,

@@ -15,7 +15,7 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ComparedPatches;
+import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.IndexOption;
@@ -71,7 +71,7 @@ public final class ColorCommand extends ReportingCommand {
     private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
-    private ComparedPatches compared;
+    private ComparisonPatches compared;
 
     @Mixin
     private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
@@ -120,10 +120,10 @@ public final class ColorCommand extends ReportingCommand {
         // The ensemble average is the default: an eye or a camera sees many coherence areas at once.
         Choices choices = methodOptions.choices().over(Choices.none().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
         Choices fitting = choices.get(METHOD).has(MethodSettings.AVERAGE) ? choices : methodOptions.choices();
-        return fitting.located(() -> tell(fitting));
+        return fitting.located(() -> run(fitting));
     }
 
-    private int tell(Choices choices) {
+    private int run(Choices choices) {
         resume.requireMany();
         Ending.PNG.require("--output", output);
         double theta = theta();
@@ -148,7 +148,7 @@ public final class ColorCommand extends ReportingCommand {
         List<SurfaceColors> surfaces = new ArrayList<>();
         List<String> warnings = new ArrayList<>();
         for (Patch patch : patches) {
-            surfaces.add(planned(patch, cie, choices, material, theta, warnings));
+            surfaces.add(plan(patch, cie, choices, material, theta, warnings));
         }
         Map<String, Object> settings = new LinkedHashMap<>();
         List<ColorReport> reports;
@@ -158,7 +158,7 @@ public final class ColorCommand extends ReportingCommand {
             describe(settings, surfaces.get(0).patch(), choices, material, factor);
             settings.put("renderer", context.info().renderer());
             DisplayTransform display = exposure.display(factor, choices);
-            SeenColor.Scale scale = new SeenColor.Scale(display, choices.get(TOLERANCE), cie);
+            ViewColor.Scale scale = new ViewColor.Scale(display, choices.get(TOLERANCE), cie);
             reports = surfaces.stream()
                     .map(surface -> surface.report(context, scale))
                     .toList();
@@ -205,7 +205,7 @@ public final class ColorCommand extends ReportingCommand {
      *
      * @throws SettingException if the plan needs too much memory or time
      */
-    private SurfaceColors planned(
+    private SurfaceColors plan(
             Patch patch,
             CieTable spectrum,
             Choices choices,
@@ -254,7 +254,7 @@ public final class ColorCommand extends ReportingCommand {
      */
     private double factor(DisplayOptions.Exposure exposed, List<SurfaceColors> surfaces) {
         List<LinearPicture> pictures =
-                surfaces.stream().map(SurfaceColors::exposed).toList();
+                surfaces.stream().map(SurfaceColors::meteredColors).toList();
         if (!exposure.isOfAll()) {
             return exposed.of(pictures);
         }

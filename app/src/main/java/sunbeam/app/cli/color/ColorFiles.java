@@ -70,7 +70,7 @@ final class ColorFiles {
     private static String csv(List<ColorReport> reports) {
         List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {
-            for (SeenColor color : report.colors()) {
+            for (ViewColor color : report.colors()) {
                 Map<String, Object> cells = new LinkedHashMap<>();
                 cells.put("patch", report.patch().name());
                 color(color).forEach((name, value) -> {
@@ -90,7 +90,7 @@ final class ColorFiles {
         return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
     }
 
-    private static Map<String, Object> color(SeenColor color) {
+    private static Map<String, Object> color(ViewColor color) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("strip", color.view().strip());
         values.put("phi_deg", color.view().phiDegrees());
@@ -135,7 +135,7 @@ final class ColorFiles {
         return surface;
     }
 
-    private static Map<String, Object> band(SeenSpectrum spectrum) {
+    private static Map<String, Object> band(ViewSpectrum spectrum) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("width_m", spectrum.width());
         values.put("quarter_m", spectrum.from());
@@ -143,7 +143,7 @@ final class ColorFiles {
         return values;
     }
 
-    private static Map<String, Object> spectrum(SeenSpectrum spectrum) {
+    private static Map<String, Object> spectrum(ViewSpectrum spectrum) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("strip", spectrum.view().strip());
         values.put("theta_i_deg", spectrum.view().thetaIDegrees());

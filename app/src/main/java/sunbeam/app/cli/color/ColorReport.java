@@ -31,9 +31,9 @@ record ColorReport(
         double azimuthDegrees,
         double coherenceLength,
         String plan,
-        List<SeenColor> colors,
-        SeenSpectrum spectrum,
-        Optional<SeenColor> purest) {
+        List<ViewColor> colors,
+        ViewSpectrum spectrum,
+        Optional<ViewColor> purest) {
     /** Returns the lines for standard output: the verdict, and the purest color with its direction if the surface has one. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict.sentence()));

@@ -130,7 +130,7 @@ final class ColorSheet {
     }
 
     private void strip(Graphics2D graphics, ColorReport report, boolean along, Color mark) {
-        List<SeenColor> colors = report.colors().stream()
+        List<ViewColor> colors = report.colors().stream()
                 .filter(color -> color.view().along() == along)
                 .toList();
         int middle = GAP + STRIP / 2;
@@ -150,10 +150,10 @@ final class ColorSheet {
         }
     }
 
-    private void cells(Graphics2D graphics, List<SeenColor> colors) {
+    private void cells(Graphics2D graphics, List<ViewColor> colors) {
         double step =
                 colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
-        for (SeenColor color : colors) {
+        for (ViewColor color : colors) {
             int from = x(color.view().thetaRDegrees() - step / 2);
             int to = x(color.view().thetaRDegrees() + step / 2);
             graphics.setColor(new Color(color.rgb()));
@@ -162,7 +162,7 @@ final class ColorSheet {
     }
 
     /** Marks light, mirror direction and purest color in a strip, with a black border that is seen on any color. */
-    private void marks(Graphics2D graphics, ColorReport report, SeenColor.View strip, int y) {
+    private void marks(Graphics2D graphics, ColorReport report, ViewColor.View strip, int y) {
         double theta = strip.thetaIDegrees();
         double aside = Math.toRadians(strip.phiIDegrees() - strip.phiDegrees());
         if (theta == 0 || Math.abs(Math.sin(aside)) < IN_PLANE) {
@@ -202,14 +202,14 @@ final class ColorSheet {
                 .toList());
         locus.add(locus.get(0));
         Plot plot =
-                Plot.linear("Chromaticity" + ofOne(SeenColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
+                Plot.linear("Chromaticity" + ofOne(ViewColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
         plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
         for (int i = 0; i < reports.size(); i++) {
             ColorReport report = reports.get(i);
             List<Chromaticity> seen = report.colors().stream()
                     .filter(color ->
                             color.view().along() == report.spectrum().view().along() && color.xyz()[1] > 0)
-                    .map(SeenColor::chromaticity)
+                    .map(ViewColor::chromaticity)
                     .toList();
             if (!seen.isEmpty()) {
                 plot.points(names.get(i), xs(seen), ys(seen), i);
@@ -219,7 +219,7 @@ final class ColorSheet {
         plot.rings("white", xs(white), ys(white));
         List<Chromaticity> purest = reports.stream()
                 .flatMap(report -> report.purest().stream())
-                .map(SeenColor::chromaticity)
+                .map(ViewColor::chromaticity)
                 .toList();
         if (!purest.isEmpty()) {
             plot.rings("purest", xs(purest), ys(purest));
@@ -249,15 +249,15 @@ final class ColorSheet {
         return plot.draw();
     }
 
-    private String ofOne(Function<SeenColor.View, String> words) {
+    private String ofOne(Function<ViewColor.View, String> words) {
         return reports.size() == 1 ? " " + words.apply(reports.get(0).spectrum().view()) : "";
     }
 
-    private static String place(SeenColor.View view) {
+    private static String place(ViewColor.View view) {
         return view.strip() + " at " + angle(view.thetaRDegrees());
     }
 
-    private static void add(Plot plot, String name, SeenSpectrum spectrum, int color) {
+    private static void add(Plot plot, String name, ViewSpectrum spectrum, int color) {
         double largest = Math.max(
                 Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
         double[] shares = Arrays.stream(spectrum.radiances())

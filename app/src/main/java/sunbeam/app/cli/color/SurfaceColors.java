@@ -61,7 +61,7 @@ final class SurfaceColors {
     private final double azimuthDegrees;
     private final OptionalDouble lightAzimuthDegrees;
     private final double theta;
-    private final List<SeenColor.View> views = new ArrayList<>();
+    private final List<ViewColor.View> views = new ArrayList<>();
     private final List<MethodPlan> plans = new ArrayList<>();
     private final List<double[]> colors = new ArrayList<>();
     private final CoherenceWindow window;
@@ -117,7 +117,7 @@ final class SurfaceColors {
         }
     }
 
-    private SeenColor.View view(boolean along, double thetaR) {
+    private ViewColor.View view(boolean along, double thetaR) {
         double phi = azimuthDegrees + (along ? 0 : 90);
         double phiI = lightAzimuthDegrees.orElse(phi);
         Direction wi = Direction.ofDegrees(theta, phiI);
@@ -126,7 +126,7 @@ final class SurfaceColors {
                 .mapToObj(degrees -> Direction.ofDegrees(Math.abs(degrees), phi + (degrees < 0 ? 180 : 0)))
                 .map(wr -> new DirectionPair(wi, wr).turned(-turn))
                 .toList();
-        return new SeenColor.View(along, phi, theta, phiI, thetaR, pairs);
+        return new ViewColor.View(along, phi, theta, phiI, thetaR, pairs);
     }
 
     Patch patch() {
@@ -173,7 +173,7 @@ final class SurfaceColors {
      * True if a view's color may count as the surface's own: it is bright enough and outside the gloss, the mirror's order and its
      * surroundings, which are a thousand times brighter than any other order.
      */
-    private boolean isColor(SeenColor.View view, double[] xyz) {
+    private boolean isColor(ViewColor.View view, double[] xyz) {
         return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
     }
 
@@ -184,8 +184,8 @@ final class SurfaceColors {
                 .toList();
     }
 
-    /** Colors that set the exposure, as a row of pixels: those outside the gloss, or all if the surface has no color. */
-    LinearPicture exposed() {
+    /** Returns the colors that set the exposure, as a row of pixels: those outside the gloss, or all if the surface has no color. */
+    LinearPicture meteredColors() {
         List<double[]> some = whyColorless().isEmpty() ? outsideGloss() : colors;
         float[] xyz = new float[3 * some.size()];
         for (int i = 0; i < xyz.length; i++) {
@@ -212,17 +212,17 @@ final class SurfaceColors {
         return Optional.empty();
     }
 
-    ColorReport report(RenderContext context, SeenColor.Scale scale) {
+    ColorReport report(RenderContext context, ViewColor.Scale scale) {
         Optional<String> without = whyColorless();
-        List<SeenColor> seen = IntStream.range(0, views.size())
-                .mapToObj(i -> SeenColor.of(views.get(i), colors.get(i), scale))
+        List<ViewColor> seen = IntStream.range(0, views.size())
+                .mapToObj(i -> ViewColor.of(views.get(i), colors.get(i), scale))
                 .toList();
-        Optional<SeenColor> purest = without.isPresent()
+        Optional<ViewColor> purest = without.isPresent()
                 ? Optional.empty()
-                : SeenColor.purest(seen.stream()
+                : ViewColor.purest(seen.stream()
                         .filter(color -> isColor(color.view(), color.xyz()))
                         .toList());
-        SeenColor.View chosen = purest.map(SeenColor::view).orElseGet(() -> view(true, -theta));
+        ViewColor.View chosen = purest.map(ViewColor::view).orElseGet(() -> view(true, -theta));
         return new ColorReport(
                 patch(),
                 period,
@@ -239,8 +239,8 @@ final class SurfaceColors {
                 purest);
     }
 
-    private SeenSpectrum spectrum(RenderContext context, SeenColor.View view) {
-        double[] wavelengths = SeenSpectrum.fineWavelengths();
+    private ViewSpectrum spectrum(RenderContext context, ViewColor.View view) {
+        double[] wavelengths = ViewSpectrum.fineWavelengths();
         List<Query> queries = Arrays.stream(wavelengths)
                 .boxed()
                 .flatMap(wavelength -> view.pairs().stream().map(pair -> new Query(pair, wavelength)))
@@ -257,6 +257,6 @@ final class SurfaceColors {
             double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
             radiances[i / directions] += reflected / mirror * powers.get(i)[column] / directions;
         }
-        return SeenSpectrum.of(view, radiances);
+        return ViewSpectrum.of(view, radiances);
     }
 }

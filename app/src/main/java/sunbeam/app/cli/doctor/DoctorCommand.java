@@ -44,7 +44,7 @@ public final class DoctorCommand extends ReportingCommand {
         List<Check> rendering = examineGraphics();
         checks.addAll(rendering);
         boolean renders = rendering.stream().allMatch(Check::isOk);
-        if (json.isAsked()) {
+        if (json.isGiven()) {
             JsonOption.print(out(), report(renders, checks));
         } else {
             print(checks, out());

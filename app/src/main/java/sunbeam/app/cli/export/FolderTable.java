@@ -67,7 +67,7 @@ record FolderTable(Language language) implements TableWriter {
     }
 
     @Override
-    public GridShape fitted(GridShape shape) {
+    public GridShape fit(GridShape shape) {
         return shape.padded(language.mostDoublings);
     }
 

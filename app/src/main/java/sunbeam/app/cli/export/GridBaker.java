@@ -53,7 +53,7 @@ final class GridBaker {
         GridShape coarsest = null;
         for (int number = levels.size() - 1; number >= 0; number--) {
             ColorTable.Level level = levels.get(number);
-            GridShape shape = limit.writer().fitted(GridShape.within(tolerance, level, relief, box, range));
+            GridShape shape = limit.writer().fit(GridShape.within(tolerance, level, relief, box, range));
             coarsest = coarsest == null ? shape : coarsest;
             if (!limit.mayHold(shape)) {
                 break;

@@ -98,7 +98,7 @@ final class HtmlTable implements TableWriter {
         String function = ShaderLanguage.GLSL.translate(ShaderText.function("sunbeam.glsl", metadata, 0));
         values.put("SHADER", function + "\n" + ShaderText.read("display.glsl"));
         values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
-        String page = ShaderText.filled(ShaderText.read("page.html"), values);
+        String page = ShaderText.fill(ShaderText.read("page.html"), values);
         return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));
     }
 

@@ -27,12 +27,12 @@ final class ShaderText {
     }
 
     static String about(String name, TableMetadata metadata) {
-        return filled(read(name), words(metadata));
+        return fill(read(name), words(metadata));
     }
 
     static String page(String name, TableMetadata metadata) {
         float exposure = (float) HtmlTable.exposure(metadata.grid(), HtmlTable.THETA);
-        return filled(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
+        return fill(read(name), Map.of("EXPOSURE", String.valueOf(exposure)));
     }
 
     private static Map<String, String> words(TableMetadata metadata) {
@@ -61,10 +61,10 @@ final class ShaderText {
         values.put("SIGMA", number(sigma));
         values.put("BRDF", number(REFLECTANCE / (2 * Math.PI * sigma * sigma * level.scale())));
         values.put("COARSEST", number(doublings));
-        return filled(read(name), values);
+        return fill(read(name), values);
     }
 
-    static String filled(String text, Map<String, String> values) {
+    static String fill(String text, Map<String, String> values) {
         String filled = text;
         for (Map.Entry<String, String> value : values.entrySet()) {
             filled = filled.replace("@" + value.getKey() + "@", value.getValue());

@@ -21,7 +21,7 @@ interface TableWriter {
     }
 
     /** Returns the shape, enlarged where the format needs it. */
-    default GridShape fitted(GridShape shape) {
+    default GridShape fit(GridShape shape) {
         return shape;
     }
 

@@ -165,9 +165,14 @@ record Figure(
     }
 
     Optional<Check.Verdict> verdict(List<Drawing> drawings) {
-        return check.verdict(drawings.stream()
+        return check.verdict(own(drawings));
+    }
+
+    /** Returns those of the drawings that belong to this figure. */
+    List<Drawing> own(List<Drawing> drawings) {
+        return drawings.stream()
                 .filter(drawing -> drawing.number().equals(number))
-                .toList());
+                .toList();
     }
 
     /** Returns the names of the patches, which have a row of pictures each; a single empty name if the commands name their own patches. */

@@ -52,9 +52,8 @@ final class FiguresPage {
             html.append("</p>\n").append(table(figure, drawings));
             for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");
-                drawings.stream()
-                        .filter(drawing -> drawing.number().equals(figure.number())
-                                && drawing.patch().equals(patch)
+                figure.own(drawings).stream()
+                        .filter(drawing -> drawing.patch().equals(patch)
                                 && !drawing.picture().hidden()
                                 && Files.isRegularFile(drawing.file()))
                         .forEach(drawing -> html.append(picture(drawing, folder)));
@@ -66,8 +65,7 @@ final class FiguresPage {
 
     /** Returns a table of the thesis's numbers and Sunbeam's; an empty text if the figure has none. */
     private static String table(Figure figure, List<Figure.Drawing> drawings) {
-        List<List<String>> rows = drawings.stream()
-                .filter(drawing -> drawing.number().equals(figure.number()))
+        List<List<String>> rows = figure.own(drawings).stream()
                 .flatMap(drawing -> drawing.numbers().stream())
                 .toList();
         if (rows.isEmpty()) {

@@ -70,7 +70,7 @@ public final class InspectCommand extends ReportingCommand {
     public Integer call() {
         resume.requireMany();
         Ending.PNG.require("--output", output);
-        if (json.isAsked() && StandardOutput.isMeant(output)) {
+        if (json.isGiven() && StandardOutput.isMeant(output)) {
             throw new UsageException("--json and --output - both want standard output; name a file for the picture");
         }
         PrintWriter err = err();
@@ -81,7 +81,7 @@ public final class InspectCommand extends ReportingCommand {
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, force.overwrite(output));
         double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
-        Inspection inspection = Inspection.of(loaded, theta, explain || json.isAsked());
+        Inspection inspection = Inspection.of(loaded, theta, explain || json.isGiven());
         List<String> lines = new ArrayList<>(inspection.lines());
         if (explain) {
             lines.addAll(inspection.explanation());

@@ -55,15 +55,15 @@ record Inspection(
 
     /**
      * @param thetaI angle of the light to the normal, degrees
-     * @param planned whether to make the plan of method full, which takes long
+     * @param withPlan whether to make the plan of method full, which takes long
      */
-    static Inspection of(Patch patch, double thetaI, boolean planned) {
+    static Inspection of(Patch patch, double thetaI, boolean withPlan) {
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);
         HeightSpectrum.Edges edges = period.isExact() ? HeightSpectrum.Edges.PERIODIC : HeightSpectrum.Edges.TAPERED;
         Optional<SpectrumPlan> drawing = Optional.empty();
         String refusal = "";
-        if (planned) {
+        if (withPlan) {
             // These are the defaults of brdf-map.
             FullMethod standard = FullMethod.of(limit.choices().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
             try {

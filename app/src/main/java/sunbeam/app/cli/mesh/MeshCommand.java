@@ -102,7 +102,7 @@ public final class MeshCommand extends ReportingCommand {
                         : ObjWriter.write(target, overwrite, read.mesh());
         int vertices = read.mesh().vertices();
         int triangles = read.mesh().triangles();
-        if (json.isAsked()) {
+        if (json.isGiven()) {
             json.print(
                     out(target), Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
         } else {

@@ -22,7 +22,7 @@ public final class JsonOption {
                             + " (docs/reference/report.schema.json).")
     private boolean asked;
 
-    public boolean isAsked() {
+    public boolean isGiven() {
         return asked;
     }
 

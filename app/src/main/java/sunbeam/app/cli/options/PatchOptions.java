@@ -101,7 +101,7 @@ public final class PatchOptions extends SettingOptions {
     /** Loads several patches; the same name gets a number (-2, -3, ...) the second time. */
     public List<Patch> load(List<String> names, Choices method) {
         List<Patch> patches = new ArrayList<>();
-        names.forEach(name -> patches.add(ComparedPatches.distinct(load(name, method), patches)));
+        names.forEach(name -> patches.add(ComparisonPatches.distinct(load(name, method), patches)));
         return patches;
     }
 

@@ -67,7 +67,7 @@ public final class ResumeOption {
     }
 
     /** True if the option is given. */
-    public boolean isAsked() {
+    public boolean isGiven() {
         return resume;
     }
 

@@ -109,10 +109,10 @@ public final class OrdersCommand extends ReportingCommand {
     @Override
     public Integer call() {
         Choices choices = light.choices().over(azimuth.choices());
-        return choices.located(() -> tell(choices));
+        return choices.located(() -> run(choices));
     }
 
-    private int tell(Choices choices) {
+    private int run(Choices choices) {
         thetas.requireWithin("--theta-i", 0, LARGEST_THETA, "degrees");
         wavelengths.requireWithin("--wavelengths", 380, 780, "nm");
         RefractiveIndex material = index.parse();

@@ -39,17 +39,17 @@ record FourierImages(HeightMap map) {
      *
      * @param largest largest magnitude of a real or imaginary part of each power from 0 on; 0 for powers that were not transformed
      */
-    record Drawn(BufferedImage picture, double[] largest) {}
+    record Result(BufferedImage picture, double[] largest) {}
 
     /** @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added */
-    Drawn draw(List<Integer> powers) {
+    Result draw(List<Integer> powers) {
         boolean plotted = powers.size() > 1;
         int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
         double[][] extremes = new double[4][powers.get(powers.size() - 1) + 1];
         BufferedImage picture = new Sheet(width)
                 .part(SIDE + CAPTION, graphics -> draw(graphics, powers, extremes, width))
                 .draw();
-        return new Drawn(
+        return new Result(
                 picture,
                 IntStream.range(0, extremes[0].length)
                         .mapToDouble(n -> largest(extremes, n))

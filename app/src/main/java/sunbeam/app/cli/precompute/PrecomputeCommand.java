@@ -91,7 +91,7 @@ public final class PrecomputeCommand extends ReportingCommand {
         }
         AtomicFile.checkWritable(picture, force.overwrite());
         Patch patch = patchOptions.load(choices);
-        FourierImages.Drawn drawn = new FourierImages(patch.heights()).draw(powers);
+        FourierImages.Result drawn = new FourierImages(patch.heights()).draw(powers);
         Map<String, String> text = Map.of(
                 "Title", "Fourier images of " + patch.name(),
                 "Patch", patch.source(),

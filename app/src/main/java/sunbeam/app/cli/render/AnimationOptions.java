@@ -83,7 +83,7 @@ public final class AnimationOptions {
         }
     }
 
-    boolean isAsked() {
+    boolean isGiven() {
         return lightSweep != null || turntable != null;
     }
 
@@ -105,7 +105,7 @@ public final class AnimationOptions {
         if (lightSweep != null && turntable != null) {
             throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
         }
-        if (!isAsked() && frameRate != null) {
+        if (!isGiven() && frameRate != null) {
             throw new UsageException("--frame-rate needs --light-sweep or --turntable");
         }
         if (frames != null && lightSweep == null) {

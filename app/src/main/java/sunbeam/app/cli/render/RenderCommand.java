@@ -152,7 +152,7 @@ public final class RenderCommand extends ReportingCommand {
         if (wireframe) {
             return drawWireframe(scene);
         }
-        List<Scene> scenes = animation.isAsked() ? animation.scenes(scene) : List.of(scene);
+        List<Scene> scenes = animation.isGiven() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
         Path target = target();
         requireNoSceneFile(scene, target);
@@ -188,13 +188,13 @@ public final class RenderCommand extends ReportingCommand {
             report.put("plans", SceneData.ofRegions(parts, data -> data.method().summary()));
             frames.lit().ifPresent(lit -> report.put("lit_share", lit.share()));
             ExitCode doubt = doubt(frames, parts, err);
-            if (!json.isAsked()) {
+            if (!json.isGiven()) {
                 json.print(out, report, files);
             }
             ExitCode certified = certify.count().isPresent()
                     ? certified(context, frames, scene, parts, json.text(out), report)
                     : ExitCode.OK;
-            if (json.isAsked()) {
+            if (json.isGiven()) {
                 json.print(out, report, files);
             }
             return (certified == ExitCode.OK ? doubt : certified).code();
@@ -218,7 +218,7 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     private int drawWireframe(Scene scene) {
-        if (animation.isAsked()
+        if (animation.isGiven()
                 || linear != null
                 || resume
                 || overlays.hasLight()
@@ -284,11 +284,11 @@ public final class RenderCommand extends ReportingCommand {
             UsageException.requireWithin("--supersample", supersample, 1, PixelSamples.MOST);
         }
         animation.check();
-        if (!animation.isAsked()) {
+        if (!animation.isGiven()) {
             Ending.PNG.require("--output", output);
         }
         Ending.LINEAR.require("--linear", linear);
-        if (animation.isAsked() && linear != null) {
+        if (animation.isGiven() && linear != null) {
             throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
         }
         if (linear != null && linear.equals(output)) {
@@ -297,7 +297,7 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     private Path target() {
-        if (!animation.isAsked()) {
+        if (!animation.isGiven()) {
             return output != null ? output : Path.of(stem() + ".png");
         }
         return output != null ? output : Path.of(stem() + "-" + animation.name());
@@ -309,7 +309,7 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     private Overwrite overwriteOfPictures() {
-        return mayUseExisting() || animation.isAsked() ? force.overwrite() : Overwrite.NUMBER;
+        return mayUseExisting() || animation.isGiven() ? force.overwrite() : Overwrite.NUMBER;
     }
 
     private String stem() {
@@ -317,13 +317,13 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     private void checkOutputs(Path target, int frames) {
-        if (animation.isAsked()) {
+        if (animation.isGiven()) {
             OutputFolder.check(target);
             if (mayUseExisting() && Files.isDirectory(target)) {
                 AtomicFile.checkWritable(target.resolve(GIF), overwriteOfAnimation());
             }
         }
-        if (!resume && (mayUseExisting() || !animation.isAsked())) {
+        if (!resume && (mayUseExisting() || !animation.isGiven())) {
             files(target, frames).forEach(this::checkPicture);
         }
         if (linear != null) {
@@ -342,24 +342,24 @@ public final class RenderCommand extends ReportingCommand {
             throw new OutputExistsException("cannot write " + file
                     + ": it exists; add --resume to keep what is finished, or --force to replace it");
         }
-        if (!animation.isAsked()) {
+        if (!animation.isGiven()) {
             AtomicFile.checkWritable(file, overwriteOfPictures());
         }
     }
 
     private List<Path> files(Path target, int frames) {
-        return animation.isAsked() ? AnimationOptions.files(target, frames) : List.of(target);
+        return animation.isGiven() ? AnimationOptions.files(target, frames) : List.of(target);
     }
 
     private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
-        Path place = animation.isAsked() ? OutputFolder.claim(target, mayUseExisting()) : target;
+        Path place = animation.isGiven() ? OutputFolder.claim(target, mayUseExisting()) : target;
         List<Path> files = files(place, scenes.size());
         Overwrite overwrite = overwriteOfPictures();
         List<Boolean> missing =
                 resume ? frames.missing(scenes, files, overwrite) : Collections.nCopies(files.size(), true);
         AtomicFile.checkWritable(files.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
         List<Path> written = new ArrayList<>();
-        if (!animation.isAsked()) {
+        if (!animation.isGiven()) {
             written.addAll(frames.draw(scenes, files, missing, overwrite, linear));
         } else {
             Path gif = place.resolve(GIF);

@@ -151,7 +151,7 @@ public final class SampleCommand extends ReportingCommand {
         Optional<Certificate> certificate;
         Map<String, Object> made = metadata(setup, method, plan, part);
         try (Progress progress = environment().progress().start("Rows", rows)) {
-            SampledRows sampled = new SampledRows(plan, spectrum, setup.cie(), seed, progress);
+            SampleRows sampled = new SampleRows(plan, spectrum, setup.cie(), seed, progress);
             List<RowFile.Column> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());
@@ -244,13 +244,13 @@ public final class SampleCommand extends ReportingCommand {
     }
 
     private Certificate certified(
-            SampledRows sampled, ExactLight exact, long first, int rows, int places, TableMethod method) {
+            SampleRows sampled, ExactLight exact, long first, int rows, int places, TableMethod method) {
         return Certificate.ofRows(
                 environment().progress(),
                 rows,
                 places,
                 row -> {
-                    SampledRows.Row one = sampled.row(first + row);
+                    SampleRows.Row one = sampled.row(first + row);
                     if (channels == RowKind.XYZ) {
                         double[] xyz = Comparison.xyz(sampled.xyz(first + row, 1), 0);
                         return new Comparison(xyz, exact.xyz(one.pair(), Quadrature.INTEGRATED), 1);

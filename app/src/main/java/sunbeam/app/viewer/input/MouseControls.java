@@ -13,7 +13,7 @@ import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.pick.PickedPoint;
+import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.Player;
 import sunbeam.app.viewer.window.ScenePresenter;
@@ -28,7 +28,7 @@ public final class MouseControls extends MouseAdapter {
     private final ScenePresenter presenter;
     private final Player player;
     private Point last;
-    private Optional<PickedPoint> held = Optional.empty();
+    private Optional<SkinPoint> held = Optional.empty();
     private int presses;
 
     private MouseControls(Viewer viewer) {
@@ -154,7 +154,7 @@ public final class MouseControls extends MouseAdapter {
     }
 
     /** Moves the camera of a turned scene so that the grabbed point stays at its pixel. */
-    private static Scene following(PickedPoint grabbed, Scene turned) {
+    private static Scene following(SkinPoint grabbed, Scene turned) {
         Vector3f shift = grabbed.in(turned).pick().position().sub(grabbed.pick().position(), new Vector3f());
         return turned.withView(Drags.shifted(grabbed.scene().view(), shift));
     }

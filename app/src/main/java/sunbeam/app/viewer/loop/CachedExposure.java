@@ -12,7 +12,7 @@ import sunbeam.app.scene.SceneSettings;
 final class CachedExposure {
     private SceneData last;
     private double exposure;
-    // The metered exposure, and the {@link ShownExposure} of the metered picture; 0 if unknown.
+    // The metered exposure, and the {@link ScreenExposure} of the metered picture; 0 if unknown.
     private double metered;
     private double shownWhenMetered;
 
@@ -40,11 +40,11 @@ final class CachedExposure {
         return value;
     }
 
-    void storeShown(double value) {
+    void storeOnScreen(double value) {
         shownWhenMetered = value;
     }
 
-    /** Scales the metered exposure by the change of the {@link ShownExposure} since metering. */
+    /** Scales the metered exposure by the change of the {@link ScreenExposure} since metering. */
     void follow(SceneData data, DoubleSupplier shown) {
         if (shownWhenMetered > 0 && data.scene().get(SceneSettings.EXPOSURE).isEmpty() && looksTheSame(data, last)) {
             exposure = metered * shown.getAsDouble() / shownWhenMetered;

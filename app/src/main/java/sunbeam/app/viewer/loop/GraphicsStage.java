@@ -173,7 +173,7 @@ public final class GraphicsStage implements Stage {
         meter(() -> false);
         Preview preview = byTable(1);
         if (isFirst && scene().get(SceneSettings.EXPOSURE).isEmpty()) {
-            exposures.storeShown(shownExposure(preview.image(), preview.exposure()));
+            exposures.storeOnScreen(screenExposure(preview.image(), preview.exposure()));
         }
         return Optional.of(preview);
     }
@@ -185,7 +185,7 @@ public final class GraphicsStage implements Stage {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {
-            exposures.follow(state.firstPart(), () -> shownExposure(image, exposure));
+            exposures.follow(state.firstPart(), () -> screenExposure(image, exposure));
         }
         return new Preview(image, divisor, hasCoarsest(), exposure, 0);
     }
@@ -199,8 +199,8 @@ public final class GraphicsStage implements Stage {
         return metered.isPresent();
     }
 
-    private double shownExposure(BufferedImage image, double exposure) {
-        return ShownExposure.of(
+    private double screenExposure(BufferedImage image, double exposure) {
+        return ScreenExposure.of(
                 image,
                 scene().display(exposure),
                 scene().get(SceneSettings.BACKGROUND).rgb());

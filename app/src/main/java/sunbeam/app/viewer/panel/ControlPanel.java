@@ -70,7 +70,7 @@ public final class ControlPanel extends JTabbedPane {
     private final JCheckBox automatic = new JCheckBox("automatic");
     private final SettingRows colorTab = new SettingRows(this::enter);
     private final SettingRows sceneTab = new SettingRows(this::enter);
-    private final LabelledSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
+    private final ValueSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
     private transient MethodPlan plan;
     private transient List<String> remarks = List.of();
     private final transient DiffractionWeights weights = new DiffractionWeights();

@@ -81,19 +81,19 @@ final class SettingRows extends JPanel {
         followers.add(choices -> box.setSelected(choices.get(setting)));
     }
 
-    void slider(Setting<Double> setting, LabelledSlider slider) {
+    void slider(Setting<Double> setting, ValueSlider slider) {
         row(setting, slider, RESET);
         followers.add(choices -> slider.follow(choices.get(setting)));
     }
 
-    LabelledSlider slider(
+    ValueSlider slider(
             Setting<?> setting,
             int low,
             int high,
             DoubleUnaryOperator fromSlider,
             DoubleUnaryOperator toSlider,
             DoubleFunction<String> text) {
-        return new LabelledSlider(
+        return new ValueSlider(
                 setting.key(),
                 low,
                 high,
@@ -104,13 +104,13 @@ final class SettingRows extends JPanel {
                 typed -> entered.accept(setting, typed));
     }
 
-    LabelledSlider hundredths(Setting<?> setting, int high) {
+    ValueSlider hundredths(Setting<?> setting, int high) {
         return slider(
                 setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
     }
 
     /** @param low lowest value, in thirds of a stop like {@code high}; three thirds double the factor */
-    LabelledSlider stops(Setting<?> setting, int low, int high) {
+    ValueSlider stops(Setting<?> setting, int low, int high) {
         return slider(
                 setting,
                 low,

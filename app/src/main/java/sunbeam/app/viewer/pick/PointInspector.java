@@ -28,12 +28,12 @@ public final class PointInspector {
     private final List<Inspected> picks = new ArrayList<>();
 
     private static final class Inspected {
-        private PickedPoint point;
+        private SkinPoint point;
         // Inputs (see spectrumInputs()) of the spectrum requested last and of the displayed one; empty for none.
         private volatile List<Object> requestedInputs = List.of();
         private List<Object> displayedInputs = List.of();
 
-        Inspected(PickedPoint point) {
+        Inspected(SkinPoint point) {
             this.point = point;
         }
     }
@@ -52,12 +52,12 @@ public final class PointInspector {
     }
 
     /** Returns the first point; empty before a pick and after a change of mesh. */
-    public Optional<PickedPoint> point() {
+    public Optional<SkinPoint> point() {
         return points().stream().findFirst();
     }
 
     /** Returns the points; none before a pick and after a change of mesh. */
-    public List<PickedPoint> points() {
+    public List<SkinPoint> points() {
         return picks.stream().map(pick -> pick.point).toList();
     }
 
@@ -67,26 +67,26 @@ public final class PointInspector {
      * @param data scene data on screen
      * @param found called on the event thread with the point, or empty
      */
-    public void locate(RenderLoop loop, SceneData data, int x, int y, Consumer<Optional<PickedPoint>> found) {
+    public void locate(RenderLoop loop, SceneData data, int x, int y, Consumer<Optional<SkinPoint>> found) {
         int width = picture.pictureWidth();
         int height = picture.pictureHeight();
         if (x < 0 || y < 0 || x >= width || y >= height) {
             return;
         }
         loop.submit(stage -> {
-            Optional<PickedPoint> located =
-                    stage.pick(x, y, width, height).map(skin -> new PickedPoint(data.scene(), skin));
+            Optional<SkinPoint> located =
+                    stage.pick(x, y, width, height).map(skin -> new SkinPoint(data.scene(), skin));
             SwingUtilities.invokeLater(() -> found.accept(located));
         });
     }
 
-    public void show(Optional<PickedPoint> located) {
+    public void show(Optional<SkinPoint> located) {
         keepFirst(0);
         located.map(Inspected::new).ifPresent(picks::add);
     }
 
     /** Sets or replaces the second point; an empty one removes it. */
-    public void showBeside(Optional<PickedPoint> located) {
+    public void showBeside(Optional<SkinPoint> located) {
         keepFirst(Math.min(1, picks.size()));
         located.map(Inspected::new).ifPresent(picks::add);
     }
@@ -128,16 +128,16 @@ public final class PointInspector {
     /** Shows tangent frames and angles for a light in this direction. */
     public void showAngles(Vector3fc towards) {
         for (int i = 0; i < picks.size(); i++) {
-            PickedPoint found = picks.get(i).point;
+            SkinPoint found = picks.get(i).point;
             panel.show(i, found.describe(towards, pixel(found)));
         }
     }
 
-    private Point pixel(PickedPoint found) {
+    private Point pixel(SkinPoint found) {
         return found.pixel(picture.pictureWidth(), picture.pictureHeight());
     }
 
-    private static List<Object> spectrumInputs(PickedPoint found, Scene scene) {
+    private static List<Object> spectrumInputs(SkinPoint found, Scene scene) {
         return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
     }
 
@@ -149,7 +149,7 @@ public final class PointInspector {
     }
 
     private void measure(int index, Inspected pick, LoadedScene loaded) {
-        PickedPoint measured = pick.point;
+        SkinPoint measured = pick.point;
         SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
         Point pixel = pixel(measured);
         picture.color(pixel.x, pixel.y).ifPresent(color -> panel.showColor(index, color));

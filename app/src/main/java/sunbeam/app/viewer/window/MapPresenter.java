@@ -8,8 +8,8 @@ import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.pick.PickedPoint;
 import sunbeam.app.viewer.pick.PointInspector;
+import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.GratingOrders;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.optics.Direction;
@@ -60,7 +60,7 @@ final class MapPresenter {
         if (!isShown) {
             return Optional.empty();
         }
-        Optional<PickedPoint> picked = inspector.point();
+        Optional<SkinPoint> picked = inspector.point();
         Vector3f seen = seenLight(model.scene());
         Direction towards = picked.map(
                         point -> point.light(model.scene().light().towards()))

@@ -21,8 +21,8 @@ import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.MethodChoice;
-import sunbeam.app.viewer.pick.PickedPoint;
 import sunbeam.app.viewer.pick.PointInspector;
+import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.precompute.plan.MethodSettings;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
@@ -117,7 +117,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
     }
 
     /** Finds the point of the skin under a pixel, as {@link PointInspector#locate} does. */
-    public void locate(int x, int y, Consumer<Optional<PickedPoint>> found) {
+    public void locate(int x, int y, Consumer<Optional<SkinPoint>> found) {
         model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.firstPart(), x, y, found));
     }
 
@@ -130,7 +130,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         pick(x, y, inspector::showBeside);
     }
 
-    private void pick(int x, int y, Consumer<Optional<PickedPoint>> taking) {
+    private void pick(int x, int y, Consumer<Optional<SkinPoint>> taking) {
         locate(x, y, found -> {
             taking.accept(found);
             show();

@@ -26,22 +26,22 @@ class ColorSheetTest {
     private static final double EXPOSURE = 0.3;
     private static final String LONG = "Cicindela campestris, elytron 03 (museum no. 1907-221), left, 20 um, retrace";
 
-    private static SeenColor seen(boolean along, double thetaR) {
+    private static ViewColor seen(boolean along, double thetaR) {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
-        SeenColor.View view = new SeenColor.View(
+        ViewColor.View view = new ViewColor.View(
                 along, along ? 0 : 90, 0, 0, thetaR, List.of(new DirectionPair(Direction.ofDegrees(0, 0), wr)));
         // Orange.
-        return SeenColor.of(
+        return ViewColor.of(
                 view,
                 new double[] {0.6, 0.5, 0.1},
-                new SeenColor.Scale(new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE));
+                new ViewColor.Scale(new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE));
     }
 
     private static ColorReport report(String name) {
-        List<SeenColor> colors = Stream.of(true, false)
+        List<ViewColor> colors = Stream.of(true, false)
                 .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i)))
                 .toList();
-        SeenColor purest = seen(true, -30);
+        ViewColor purest = seen(true, -30);
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
         Patch patch = new Patch(name, flat, name, List.of());
         return new ColorReport(
@@ -53,7 +53,7 @@ class ColorSheetTest {
                 65e-6,
                 "a plan",
                 colors,
-                SeenSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0)),
+                ViewSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0)),
                 Optional.of(purest));
     }
 
@@ -116,10 +116,10 @@ class ColorSheetTest {
         // Grains 5 nm wide; one is three times as bright as its neighbors.
         DoubleUnaryOperator speckled =
                 i -> gaussian.applyAsDouble(i) * (i % 10 < 5 ? 2 : 0) * ((int) i / 10 == 17 ? 3 : 1);
-        SeenColor.View view = seen(true, 0).view();
+        ViewColor.View view = seen(true, 0).view();
         // The quartiles of a normal distribution.
-        assertThat(SeenSpectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
+        assertThat(ViewSpectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
         // The grain has a fifth of the light, so the quartiles move closer by about a fifth.
-        assertThat(SeenSpectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
+        assertThat(ViewSpectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
     }
 }

@@ -64,7 +64,7 @@ class ShaderLanguageTest extends InAContext {
         values.putAll(Map.of("U", "-1.5", "V", "-1.4", "STEP", "0.1", "COLUMNS", TABLE + ".0", "ROWS", TABLE + ".0"));
         values.putAll(Map.of("DEPTH", "0.3", "DEPTH_STEP", "0.35", "SLICES", SLICES + ".0", "SIGMA", "0.01"));
         values.put("COARSEST", "3.0");
-        return ShaderText.filled(ShaderText.read("sunbeam.glsl"), values) + MAIN;
+        return ShaderText.fill(ShaderText.read("sunbeam.glsl"), values) + MAIN;
     }
 
     @Test

@@ -54,6 +54,10 @@ class FiguresCommandTest {
         return 0;
     }
 
+    private List<Figure.Drawing> drawings(Figure figure) {
+        return figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder);
+    }
+
     private int figures(String... more) {
         CommandLine command =
                 new CommandLine(new FiguresCommand(new Environment(Map.of(), folder).progress(), this::draw));
@@ -100,10 +104,8 @@ class FiguresCommandTest {
                         "5.16",
                         "5.17",
                         "5.18");
-        List<Figure.Drawing> drawings = all.stream()
-                .flatMap(figure ->
-                        figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder).stream())
-                .toList();
+        List<Figure.Drawing> drawings =
+                all.stream().flatMap(figure -> drawings(figure).stream()).toList();
         assertThat(drawings).extracting(Figure.Drawing::file).doesNotHaveDuplicates();
         assertThat(drawings)
                 .filteredOn(drawing -> drawing.picture().plot() == null)
@@ -125,8 +127,7 @@ class FiguresCommandTest {
     @Test
     void eachCommandOfTheManifestIsOneOfTheProgram() {
         List<String> words = Figure.all().stream()
-                .flatMap(figure ->
-                        figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder).stream())
+                .flatMap(figure -> drawings(figure).stream())
                 .filter(drawing -> drawing.picture().plot() == null)
                 .map(drawing -> drawing.command().get(0))
                 .distinct()
@@ -192,9 +193,7 @@ class FiguresCommandTest {
     @Test
     void aCheckWithoutItsPicturesHasNoVerdict() throws IOException {
         Figure figure = Figure.select(List.of("5.5")).get(0);
-        assertThat(figure.verdict(
-                        figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder)))
-                .isEmpty();
+        assertThat(figure.verdict(drawings(figure))).isEmpty();
     }
 
     /** The program of this test writes none of the files that plots and checks of 4.5 and 5.11 read. */

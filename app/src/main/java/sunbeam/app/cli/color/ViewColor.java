@@ -22,7 +22,7 @@ import sunbeam.precompute.text.Text;
  * @param lab CIE L*a*b* after exposure; a color brighter than white is first scaled to the luminance of white
  * @param uncertainty error of the computation in CIEDE2000, which 95 % of directions keep
  */
-record SeenColor(
+record ViewColor(
         View view,
         double[] xyz,
         int rgb,
@@ -65,11 +65,11 @@ record SeenColor(
 
     record Scale(DisplayTransform display, double tolerance, CieTable cie) {}
 
-    static SeenColor of(View view, double[] xyz, Scale scale) {
+    static ViewColor of(View view, double[] xyz, Scale scale) {
         double exposure = scale.display().exposure();
         double[] exposed = {exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]};
         Chromaticity chromaticity = Chromaticity.of(xyz);
-        return new SeenColor(
+        return new ViewColor(
                 view,
                 xyz,
                 scale.display().rgb(xyz),
@@ -83,7 +83,7 @@ record SeenColor(
      * Returns the color with the largest product of excitation purity and the cube root of its luminance, relative to a bright color of the
      * list. So a dark color does not win, and the exposure has no influence.
      */
-    static Optional<SeenColor> purest(List<SeenColor> colors) {
+    static Optional<ViewColor> purest(List<ViewColor> colors) {
         double[] luminances =
                 colors.stream().mapToDouble(color -> color.xyz()[1]).sorted().toArray();
         double bright = luminances.length == 0 ? 1 : luminances[(int) (BRIGHT * (luminances.length - 1))];

@@ -12,7 +12,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
 /** Point of the skin that the user has picked, in a scene of given camera, light and orientation. */
-public record PickedPoint(Scene scene, Pick pick) {
+public record SkinPoint(Scene scene, Pick pick) {
 
     /** True if another scene has the same mesh, orientation map and patch map, so that the point is valid there. */
     boolean staysIn(Scene other) {
@@ -22,7 +22,7 @@ public record PickedPoint(Scene scene, Pick pick) {
     }
 
     /** Returns the same point of the mesh in a scene with another orientation or camera. */
-    public PickedPoint in(Scene other) {
+    public SkinPoint in(Scene other) {
         Quaternionf turn = other.orientation().mul(scene.orientation().conjugate(new Quaternionf()), new Quaternionf());
         Vector3f position = pick.position().sub(pick.center(), new Vector3f());
         turn.transform(position).add(pick.center());
@@ -38,7 +38,7 @@ public record PickedPoint(Scene scene, Pick pick) {
                 .centerOfProjection()
                 .sub(position, new Vector3f())
                 .normalize();
-        return new PickedPoint(
+        return new SkinPoint(
                 other,
                 new Pick(
                         position,

@@ -12,7 +12,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
 /** Option {@code --with}, which adds surfaces to compare with the first; a picocli mixin. */
-public final class ComparedPatches {
+public final class ComparisonPatches {
     /** Most surfaces beside the first. */
     private static final int MOST = 24;
 

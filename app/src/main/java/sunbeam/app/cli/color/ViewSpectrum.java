@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
  * @param from shortest wavelength of the band, meters
  * @param to longest wavelength of the band, meters
  */
-record SeenSpectrum(SeenColor.View view, double[] nanometers, double[] radiances, double from, double to) {
+record ViewSpectrum(ViewColor.View view, double[] nanometers, double[] radiances, double from, double to) {
     private static final int FIRST = 380;
 
     private static final int STEPS = 400;
@@ -25,13 +25,13 @@ record SeenSpectrum(SeenColor.View view, double[] nanometers, double[] radiances
     }
 
     /** @param fine radiances at {@link #fineWavelengths} */
-    static SeenSpectrum of(SeenColor.View view, double[] fine) {
+    static ViewSpectrum of(ViewColor.View view, double[] fine) {
         double[] wavelengths = fineWavelengths();
         double[] below = new double[fine.length];
         for (int i = 1; i < below.length; i++) {
             below[i] = below[i - 1] + 0.5 * (fine[i - 1] + fine[i]);
         }
-        return new SeenSpectrum(
+        return new ViewSpectrum(
                 view,
                 IntStream.rangeClosed(FIRST, FIRST + STEPS).asDoubleStream().toArray(),
                 IntStream.rangeClosed(0, STEPS)

@@ -15,7 +15,7 @@ import sunbeam.precompute.color.Srgb;
  * Automatic exposure estimated from display colors. Clipped highlights and the ground distort the value, but the ratio of two values within
  * a drag follows the exposure.
  */
-final class ShownExposure {
+final class ScreenExposure {
     // Longer side of the reduced picture, in pixels: half of the meter's, since each frame waits for the estimate.
     private static final int SIDE = SceneDisplay.METER_SIDE / 2;
     private static final double[] LINEAR =
@@ -24,7 +24,7 @@ final class ShownExposure {
     private static final double GREEN = Srgb.xyz(0, 1, 0)[1];
     private static final double BLUE = Srgb.xyz(0, 0, 1)[1];
 
-    private ShownExposure() {}
+    private ScreenExposure() {}
 
     /** Estimates the exposure from display colors, ignoring pixels of the background's color. */
     static double of(BufferedImage shown, DisplayTransform display, int background) {

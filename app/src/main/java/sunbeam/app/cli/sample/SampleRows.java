@@ -23,7 +23,7 @@ import sunbeam.precompute.radial.RadialBaker;
  * Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number, so that
  * parts of the rows can be computed separately.
  */
-final class SampledRows {
+final class SampleRows {
     private static final int CHANNELS = 3;
 
     /** Number of first rows of a file whose colors are compared with direct sums over wavelengths. */
@@ -47,7 +47,7 @@ final class SampledRows {
      * @param plan plan with the ensemble average
      * @param token receives the progress of rows
      */
-    SampledRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, BakeToken token) {
+    SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, BakeToken token) {
         ColorTable table = plan.table();
         this.finest = table.levels().get(0);
         this.colors = new RadialBaker(spectrum, cie, finest);

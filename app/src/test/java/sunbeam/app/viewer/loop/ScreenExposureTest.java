@@ -12,7 +12,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Tone;
 
-class ShownExposureTest {
+class ScreenExposureTest {
     private static final int SIDE = 80;
     private static final int BACKGROUND = 0x101418;
 
@@ -40,6 +40,6 @@ class ShownExposureTest {
         }
         // Half a step of 8 bits is 2 % of the light of a pixel ten times as bright as white, which is compressed.
         double exact = AutoExposure.of(picture());
-        assertThat(ShownExposure.of(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
+        assertThat(ScreenExposure.of(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
     }
 }

@@ -12,7 +12,7 @@ import javax.swing.JSlider;
 import javax.swing.JTextField;
 
 /** Slider with an editable value field. Both report changes as text; a double click resets. */
-final class LabelledSlider extends JPanel {
+final class ValueSlider extends JPanel {
     private final JSlider slider;
     private final JTextField value = new JTextField(5);
     private final transient DoubleUnaryOperator toSlider;
@@ -26,7 +26,7 @@ final class LabelledSlider extends JPanel {
      * @param standard text that a double click on the slider enters
      * @param entered receives the text of each change
      */
-    LabelledSlider(
+    ValueSlider(
             String name,
             int low,
             int high,
