@@ -4,7 +4,6 @@ package jrtr;
  * Largest sizes and counts that a driver allows.
  *
  * @param textureSize texels along a side of a texture
- * @param arrayLayers layers of a texture array
  * @param targetWidth pixels per row of a render target
  * @param targetHeight rows of a render target
  * @param colors color images of a render target that one draw can write

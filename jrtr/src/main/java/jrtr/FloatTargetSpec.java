@@ -7,7 +7,6 @@ package jrtr;
  * @param height rows, at least 1
  * @param colors number of color images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
  * @param depth whether there is a 32-bit float depth image
- * @param format pixel format of the color images
  */
 public record FloatTargetSpec(int width, int height, int colors, boolean depth, Format format) {
     /** Pixel format of color images. */

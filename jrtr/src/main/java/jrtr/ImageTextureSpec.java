@@ -5,8 +5,6 @@ package jrtr;
  *
  * @param width texels per row, at least 1
  * @param height rows, at least 1
- * @param encoding meaning of the bytes
- * @param wrap addressing outside [0, 1]
  */
 public record ImageTextureSpec(int width, int height, ColorEncoding encoding, Wrap wrap) {
 

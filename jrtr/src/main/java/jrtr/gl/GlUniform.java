@@ -8,8 +8,6 @@ import java.util.Map;
  *
  * @param name without {@code [0]}
  * @param location OpenGL's handle for setting it
- * @param type OpenGL's code of the type, such as GL_FLOAT_VEC2
- * @param array whether it was declared as an array
  */
 record GlUniform(String name, int location, int type, boolean array) {
 

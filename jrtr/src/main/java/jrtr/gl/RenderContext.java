@@ -84,7 +84,6 @@ public final class RenderContext implements AutoCloseable {
     /**
      * Uploads triangles.
      *
-     * @param label its name in messages
      * @throws GraphicsException if the driver has not enough memory
      */
     public VertexBuffer createVertexBuffer(String label, VertexData data) {
@@ -94,7 +93,6 @@ public final class RenderContext implements AutoCloseable {
     /**
      * Allocates a float texture.
      *
-     * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size; the message names the size and the limit
      */
     public FloatTexture createFloatTexture(String label, FloatTextureSpec spec) {
@@ -104,7 +102,6 @@ public final class RenderContext implements AutoCloseable {
     /**
      * Allocates an image texture with mipmaps.
      *
-     * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size
      */
     public ImageTexture createImageTexture(String label, ImageTextureSpec spec) {
@@ -114,7 +111,6 @@ public final class RenderContext implements AutoCloseable {
     /**
      * Allocates a render target.
      *
-     * @param label its name in messages
      * @throws GraphicsException if the driver does not allow that size
      */
     public FloatTarget createFloatTarget(String label, FloatTargetSpec spec) {
@@ -127,7 +123,6 @@ public final class RenderContext implements AutoCloseable {
      *
      * @param program program whose samplers are all bound
      * @param bindings textures by sampler name; names follow {@link ShaderProgram}'s rules
-     * @param target target that is drawn to
      * @param tile must lie inside the target
      */
     public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
@@ -150,9 +145,6 @@ public final class RenderContext implements AutoCloseable {
      * target draw the same picture as one draw, bit for bit.
      *
      * @param program made by {@link #createMeshProgram}; every sampler it uses must be bound
-     * @param bindings textures by sampler name
-     * @param mesh the triangles
-     * @param faces sides that are drawn
      * @param target target with depth
      * @param tile must lie inside the target
      */

@@ -56,7 +56,6 @@ public interface ShaderLibrary {
     /**
      * Returns a library of files (UTF-8) on the class path.
      *
-     * @param loader the class loader that finds the files
      * @param folder root, such as {@code sunbeam/shaders}
      */
     static ShaderLibrary ofClassPath(ClassLoader loader, String folder) {

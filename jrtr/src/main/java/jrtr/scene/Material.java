@@ -14,7 +14,6 @@ import jrtr.gl.ShaderProgram;
  * @param program from {@link jrtr.gl.RenderContext#createMeshProgram}
  * @param textures by sampler name
  * @param uniforms {@code float}s by name
- * @param faces sides of the triangles that are drawn
  */
 public record Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms, Faces faces) {
     public Material {

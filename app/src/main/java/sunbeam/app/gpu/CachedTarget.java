@@ -12,12 +12,7 @@ public final class CachedTarget implements AutoCloseable {
     private final boolean depth;
     private FloatTarget target;
 
-    /**
-     * The target is created on first use.
-     *
-     * @param label name of the target in messages
-     * @param depth whether the target has a depth buffer
-     */
+    /** The target is created on first use. */
     public CachedTarget(RenderContext context, String label, FloatTargetSpec.Format format, boolean depth) {
         this.context = context;
         this.label = label;

@@ -17,14 +17,7 @@ import sunbeam.app.scene.Scene;
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
  */
 public record DrawRequest(Scene scene, int width, int height, Tile tile, int samples, int stride, boolean isCoarsest) {
-    /**
-     * Returns a request for all samples of a tile of pixels.
-     *
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
-     * @param tile tile to draw, in pixels
-     * @param samples number of samples along a pixel's side
-     */
+    /** Returns a request for all samples of a tile of pixels. */
     public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, int samples) {
         Tile inSamples =
                 new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());

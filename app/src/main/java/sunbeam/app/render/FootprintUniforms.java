@@ -10,8 +10,6 @@ final class FootprintUniforms {
 
     /**
      * @param scene scene whose fine relief widens footprints, unless the table's levels include it
-     * @param mostTaps most taps along a footprint's major axis
-     * @param samplesAcross samples along a pixel's side
      * @param isCoarsest whether all footprints read the coarsest level
      */
     static void apply(

@@ -27,8 +27,6 @@ public final class FrameText {
 
     /**
      * @param parts data of the scene, one for each patch and reflectance component
-     * @param width pixels per row
-     * @param height rows
      * @param supersample samples along a pixel's side
      * @param overlays description of what is drawn over the picture, which enters the hash; empty for nothing
      */

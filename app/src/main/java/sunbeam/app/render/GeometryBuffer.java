@@ -8,12 +8,7 @@ import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 
-/**
- * Geometry buffer of a block: surface attributes of its pixels.
- *
- * @param layout number and contents of the images
- * @param attributes render target with these images and depth
- */
+/** Geometry buffer of a block: surface attributes of its pixels. */
 record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements AutoCloseable {
     static GeometryBuffer create(RenderContext context, GeometryLayout layout, Tile block) {
         int images = layout.samplers().size();

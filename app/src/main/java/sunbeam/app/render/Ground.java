@@ -78,7 +78,6 @@ final class Ground implements AutoCloseable {
      * @param pixels {@link ScenePicture#rgba} of every stride-th sample of every stride-th row of the part, top row first; changed
      * @param block block of the picture, in samples
      * @param part part of the block, in samples from the block's corner
-     * @param samples number of samples along a pixel's side
      */
     void fillUncovered(
             float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {

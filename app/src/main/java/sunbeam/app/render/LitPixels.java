@@ -29,7 +29,6 @@ public record LitPixels(long lit, long filled) {
      * Counts the pixels of a picture.
      *
      * @param pixels linear light of whole pixels, not of their samples
-     * @param display transform to the screen's linear light
      */
     public static LitPixels of(ScenePicture pixels, DisplayTransform display) {
         double[] light = new double[3];

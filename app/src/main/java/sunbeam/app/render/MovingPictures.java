@@ -20,8 +20,6 @@ final class MovingPictures implements AutoCloseable {
     /**
      * Draws a picture without baking tiles. A larger divisor draws fewer pixels with larger footprints.
      *
-     * @param fullWidth pixels per row of the whole picture
-     * @param fullHeight rows of the whole picture
      * @param divisor factor by which columns and rows are reduced
      * @return sRGB picture
      */

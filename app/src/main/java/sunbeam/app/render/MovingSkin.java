@@ -56,11 +56,8 @@ final class MovingSkin implements AutoCloseable {
     /**
      * Draws a block of a picture.
      *
-     * @param ground ground if it is visible
-     * @param geometry geometry of the picture
      * @param buffer attributes in {@link GeometryLayout#MOVING}
      * @param block block to draw, in pixels of the picture
-     * @param method textures of the method's tables
      * @return 0xffRRGGBB, top row first
      */
     int[] draw(

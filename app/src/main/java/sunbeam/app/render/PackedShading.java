@@ -42,7 +42,6 @@ final class PackedShading implements AutoCloseable {
     /**
      * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
-     * @param request picture of the block
      * @param buffer geometry of the block, also of pixels beside the part, since footprints are differences to neighbors
      * @param part part to shade, in pixels from the block's corner
      * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are

@@ -22,22 +22,12 @@ public final class PartSum {
         this.sessions = List.copyOf(sessions);
     }
 
-    /**
-     * Bakes the tiles that a picture reads.
-     *
-     * @param width pixels per row of the picture
-     * @param height rows
-     * @param samples number of samples along a pixel's side
-     */
+    /** Bakes the tiles that a picture reads. */
     public void prepare(Scene scene, int width, int height, int samples) {
         prepare(SceneSession.parts(scene, width, height, samples));
     }
 
-    /**
-     * Bakes the tiles that some tiles of one picture read.
-     *
-     * @param parts requests for tiles of the same picture
-     */
+    /** Bakes the tiles that some tiles of one picture read. */
     public void prepare(List<DrawRequest> parts) {
         sessions.forEach(session -> session.prepare(parts));
     }

@@ -20,11 +20,7 @@ public final class PatchStrokes {
 
     private PatchStrokes() {}
 
-    /**
-     * Draws the strokes over a picture and disposes of the graphics.
-     *
-     * @param session session of the picture's scene
-     */
+    /** Draws the strokes over a picture and disposes of the graphics. */
     public static void paint(Graphics2D graphics, SceneSession session, int width, int height) {
         float[] alongX = session.patchDirections(width, height);
         Scene scene = session.scene();

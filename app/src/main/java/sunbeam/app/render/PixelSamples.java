@@ -18,8 +18,6 @@ public final class PixelSamples {
      * Returns the number of samples along a pixel's side. Method {@code table} has 2, or more in a picture with fewer than 1280 x 720
      * pixels; methods whose samples are costly have 1.
      *
-     * @param width pixels per row
-     * @param height rows
      * @return 1 to {@link #MOST}
      */
     public static int alongSide(SceneMethod method, int width, int height) {

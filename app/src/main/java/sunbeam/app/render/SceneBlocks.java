@@ -8,8 +8,6 @@ import jrtr.Tile;
  * Division of a picture into blocks, one render target each: as few as possible and nearly equal, since each block costs a pass over all
  * vertices. Blocks depend on the picture's size alone, so that a pixel is equal bit for bit in any tile.
  *
- * @param width pixels per row of the picture
- * @param height rows of the picture
  * @param blockWidth pixels per row of a block; the rightmost blocks may have fewer
  * @param blockHeight rows of a block; the lowest blocks may have fewer
  */

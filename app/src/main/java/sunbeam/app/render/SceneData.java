@@ -23,11 +23,8 @@ import sunbeam.precompute.shader.ShaderTables;
  * Input of a {@link SceneSession}: a scene with its loaded and computed data, for one patch and one reflectance component. The data of a
  * scene's parts share mesh, sky and textures: the same objects.
  *
- * @param scene description
- * @param mesh the scene's triangles
  * @param sky visible share of the sky; computed on first use
  * @param region index of the patch in the scene; method and tables are for this patch
- * @param patch nanostructure
  * @param method plan of the method, for every pair of directions
  * @param tables textures and uniforms of the method's shader
  * @param bakers bakers of the color table's tiles; empty for methods without one

@@ -30,8 +30,6 @@ public final class SceneDisplay {
      * depends neither on the whole picture's size and samples nor on finer levels of a color table than the coarsest: a picture that is
      * refined level by level keeps its exposure.
      *
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
      * @param tiles division of the small picture into tiles by measured time
      * @param interrupted polled before each tile
      * @return empty if interrupted

@@ -7,8 +7,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 /**
  * A drawn scene, or a tile of one, in linear colors before exposure.
  *
- * @param width pixels per row
- * @param height rows
  * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity. A sample has opacity 1 on the
  *     mesh, below 1 on the ground, else 0; a {@link #reduced} pixel has the mesh's coverage from 0 to 1. Shared, not copied
  */

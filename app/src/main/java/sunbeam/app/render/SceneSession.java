@@ -211,13 +211,7 @@ public final class SceneSession implements AutoCloseable {
                 .toList();
     }
 
-    /**
-     * Returns the errors of the color table at some samples of a picture; empty for methods without table.
-     *
-     * @param width pixels per row
-     * @param height rows
-     * @param samples number of samples along a pixel's side
-     */
+    /** Returns the errors of the color table at some samples of a picture; empty for methods without table. */
     public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, int samples) {
         if (virtualTexture().isEmpty()) {
             return Optional.empty();
@@ -235,9 +229,6 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Requests all tiles that a picture reads, and the smaller picture that is metered for its exposure. May take seconds.
      *
-     * @param width pixels per row
-     * @param height rows
-     * @param samples number of samples along a pixel's side
      * @param interrupted polled before each part of the picture
      * @return true unless interrupted
      */
@@ -289,8 +280,6 @@ public final class SceneSession implements AutoCloseable {
      *
      * @param x column of the pixel, from 0 at the left
      * @param y row of the pixel, from 0 at the top
-     * @param width pixels per row of the whole picture
-     * @param height rows of the whole picture
      * @return empty for the background
      * @throws IllegalArgumentException if the pixel is outside
      */

@@ -9,7 +9,6 @@ import sunbeam.app.scene.texture.Body;
 /**
  * Data of a scene without its diffraction, whose data take longer to load.
  *
- * @param mesh the scene's triangles
  * @param sky visible share of the sky; computed on first use
  * @param bodies texture, scales and orientations of the mesh, each with the area of one patch
  */

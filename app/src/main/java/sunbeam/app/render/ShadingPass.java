@@ -3,7 +3,6 @@ package sunbeam.app.render;
 /**
  * Parameters of one draw with shaders/skin.frag.
  *
- * @param request picture that is drawn
  * @param draw index of this draw, below {@link SkinSurface#draws}; without colors that of the level, below {@link SkinSurface#levelsRead}
  * @param hasColors false to write footprints only
  */

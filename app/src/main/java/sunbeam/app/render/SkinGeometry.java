@@ -20,16 +20,9 @@ import sunbeam.app.scene.Viewpoint;
 /**
  * Input of the geometry pass of a picture; equal inputs draw equal attributes.
  *
- * @param mesh triangles
  * @param closed whether the triangles enclose a body
- * @param body textures
- * @param view camera
- * @param orientation rotation of the mesh
  * @param rotatePatch rotation of the patch about the normal, radians
- * @param shadows shadow maps of the mesh
  * @param shadowLight direction of the light whose shadows the attributes include; empty for none
- * @param width pixels per row of the whole picture
- * @param height rows of the whole picture
  */
 record SkinGeometry(
         VertexBuffer mesh,

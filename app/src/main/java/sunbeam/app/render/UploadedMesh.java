@@ -12,8 +12,6 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 /**
  * A mesh in graphics memory.
  *
- * @param mesh uploaded triangles
- * @param buffer the mesh's vertices in graphics memory
  * @param ground ground below the mesh; present if the mesh was uploaded with the visible share of the sky per vertex
  */
 record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {

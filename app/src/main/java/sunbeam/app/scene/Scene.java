@@ -38,11 +38,9 @@ import sunbeam.precompute.setting.Setting;
  *
  * @param settings values of all {@link SceneSettings} except those of patch, view and light; those not chosen have their defaults, if any
  * @param patches nanostructures and their areas
- * @param view camera
  * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
  * @param light the key light
  * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
- * @param method diffraction method
  */
 public record Scene(
         Choices settings,

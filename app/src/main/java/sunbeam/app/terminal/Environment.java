@@ -3,13 +3,7 @@ package sunbeam.app.terminal;
 import java.nio.file.Path;
 import java.util.Map;
 
-/**
- * Environment of the process: variables, home folder and progress display.
- *
- * @param variables environment variables
- * @param home the user's home folder
- * @param progress display of the progress of all tasks
- */
+/** Environment of the process: variables, home folder and progress display. */
 public record Environment(Map<String, String> variables, Path home, ProgressDisplay progress) {
     /** Variable that, set to 1, makes the program print stack traces as {@code --debug} does. */
     public static final String DEBUG_VARIABLE = "SUNBEAM_DEBUG";

@@ -26,7 +26,6 @@ final class ProgressLine implements ProgressBarConsumer {
      * Opens a line.
      *
      * @param terminal stream to draw on
-     * @param nanoseconds clock
      * @param lastPrinted time at which a line was last printed, shared by all tasks
      * @param open lines of all tasks, the newest last
      */

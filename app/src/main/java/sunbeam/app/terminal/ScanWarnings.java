@@ -12,12 +12,7 @@ public final class ScanWarnings {
 
     private ScanWarnings() {}
 
-    /**
-     * Prints a patch's notes, then its warnings.
-     *
-     * @param warnings warnings about the patch and its use
-     * @param explained whether the warnings are printed in full
-     */
+    /** Prints a patch's notes, then its warnings. */
     public static void print(Patch patch, List<String> warnings, boolean explained, PrintWriter err) {
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
         if (explained) {
@@ -30,7 +25,6 @@ public final class ScanWarnings {
     /**
      * Returns one line: a single short warning in full, else the beginnings of all warnings, up to the first colon.
      *
-     * @param name name of the scan
      * @param remedy command or option that prints them in full
      */
     public static Optional<String> line(String name, List<String> warnings, String remedy) {

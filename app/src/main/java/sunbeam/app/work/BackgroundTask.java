@@ -9,8 +9,6 @@ import java.util.function.Supplier;
  * Computation in a pool of threads, while the caller does something else. Two computations that are partly serial take less time in
  * parallel. The pool is not the common one, which on two processors has one thread: parallel streams of several other threads share its
  * queue, and in Java 17 those wait for each other in a loop that takes a whole processor.
- *
- * @param <T> type of the result
  */
 public final class BackgroundTask<T> {
     private static final ForkJoinPool POOL = new ForkJoinPool();

@@ -55,7 +55,6 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
      * Returns the cached bytes, or makes and caches them if they are missing.
      *
      * @param name text of all that determines the bytes besides the build; the command {@code cache} lists it
-     * @param most largest number of bytes
      */
     public byte[] get(String name, int most, Supplier<byte[]> maker) {
         Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::dropWarning));

@@ -206,7 +206,6 @@ public record CacheFolder(Path path, String allowed) {
      * Deletes files until the rest is within the limit; those used last stay. Processes that have a deleted file open can go on reading it.
      * A file that cannot be deleted stays.
      *
-     * @param limitBytes limit of the folder's size
      * @param inUse file that counts as the one used last
      * @return the deleted files, the one used longest ago first
      */

@@ -79,8 +79,6 @@ public final class TileFile implements CachedTiles {
      * Opens or creates a file. If that fails, no tile is cached.
      *
      * @param key text of all that determines the tiles
-     * @param numbers format of the coefficients
-     * @param mostBytes limit of the file's size
      * @param warning receives at most one line
      * @param closed action to run after the file is closed
      */

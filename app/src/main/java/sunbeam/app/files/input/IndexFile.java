@@ -101,7 +101,7 @@ public final class IndexFile {
         double last = 1e3 * values.lastKey();
         if (first > FIRST_NM || last < LAST_NM) {
             throw new InputException("cannot use " + file + ": its " + column + " reaches from " + Math.round(first)
-                    + " to " + Math.round(last) + " nm, but 380 to 780 nm are needed (wavelengths are micrometres)");
+                    + " to " + Math.round(last) + " nm, but 380 to 780 nm are needed (wavelengths are in micrometers)");
         }
     }
 

@@ -16,7 +16,6 @@ import java.util.zip.Deflater;
  * File in OpenEXR 2 format: one part, scan lines in blocks of 16, ZIP compression.
  *
  * @param channels names of the channels, one letter each, in the order of the samples
- * @param comments a text for the reader
  */
 public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
     private static final int MAGIC = 20000630;
@@ -46,7 +45,6 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
      * Returns a file of half floats.
      *
      * @param rgb red, green and blue as bits of half floats, row by row from the top
-     * @param comments text that describes the content
      */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
         return new ExrFile(width, height, "RGB", Type.HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
@@ -56,7 +54,6 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
      * Returns a file of floats.
      *
      * @param rgba red, green, blue and alpha, row by row from the top
-     * @param comments text that describes the content
      */
     public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
         return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);

@@ -83,7 +83,6 @@ public final class OutputFolder {
      * Creates the folder. If it exists and may not be used, creates the first free one of {@code folder-2}, {@code folder-3} and so on.
      *
      * @param mayUse whether an existing folder may be used
-     * @return the folder
      * @throws OutputException if no folder can be created
      */
     public static Path claim(Path folder, boolean mayUse) {

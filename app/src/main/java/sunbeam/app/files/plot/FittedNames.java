@@ -22,7 +22,6 @@ public final class FittedNames {
      * Returns the abbreviated names of one figure. Different names stay different: if only their middles differ, the later ones get a
      * number.
      *
-     * @param font font in which the names are drawn
      * @param widest largest width of a name, in pixels
      */
     public static List<String> of(List<String> names, Font font, double widest) {

@@ -51,10 +51,8 @@ public final class HeatMap {
     private final XYLineAndShapeRenderer rimRenderer = new XYLineAndShapeRenderer(true, false);
 
     /**
-     * Title, axis labels and size.
+     * Title, axis labels and size in pixels.
      *
-     * @param width width of the picture, pixels
-     * @param height height of the picture, pixels
      * @param equalScales whether a unit is as long along y as along x, unless the matrix is a thin strip
      */
     public record Frame(String title, String xLabel, String yLabel, int width, int height, boolean equalScales) {}
@@ -65,8 +63,6 @@ public final class HeatMap {
      * @param rows values, {@code [row][column]}, row 0 at the lowest y
      * @param xRange outer edges of the first and the last column
      * @param yRange outer edges of the first and the last row
-     * @param colors color scale of the values
-     * @param reduction choice among several values in one pixel
      */
     public record Values(double[][] rows, double[] xRange, double[] yRange, Colors colors, Reduction reduction) {
 

@@ -65,12 +65,7 @@ public final class Plot {
         }
     }
 
-    /**
-     * Title, axes and size of a plot.
-     *
-     * @param width width of the picture in pixels
-     * @param height height of the picture in pixels
-     */
+    /** Title, axes and size of a plot in pixels. */
     public record Frame(String title, Axis x, Axis y, int width, int height) {}
 
     public Plot(Frame frame) {

@@ -25,7 +25,6 @@ final class Scheduler implements AutoCloseable {
      * The tiles to bake next.
      *
      * @param priority index in {@link FrameRequest#byPriority()}
-     * @param missing missing tiles of that priority
      */
     private record DueJob(int priority, TileSet missing, CancellationToken token) {}
 
@@ -57,7 +56,6 @@ final class Scheduler implements AutoCloseable {
     /**
      * Creates a scheduler without request.
      *
-     * @param levels number of levels of the table
      * @param baker used, and closed in the end, by the executor alone
      * @param executor runs tasks one at a time, in order
      * @param onBakedTiles called by the executor when {@link #poll()} has tiles
@@ -220,11 +218,7 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /**
-     * Records a failure for the next {@link #poll}.
-     *
-     * @param givesUp whether the request is dropped
-     */
+    /** Records a failure for the next {@link #poll}. */
     private synchronized void fail(Throwable problem, boolean givesUp) {
         if (life == Life.OPEN) {
             failure = Optional.of(problem);

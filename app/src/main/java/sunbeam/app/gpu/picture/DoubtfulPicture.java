@@ -22,10 +22,7 @@ public final class DoubtfulPicture {
     /**
      * Warns if a picture is black.
      *
-     * @param patches patches of the picture
-     * @param black whether all pixels are black
      * @param picture name of the picture in the warning, such as "the map"
-     * @param automatic whether the exposure is automatic
      * @return exit code of the command if nothing else fails
      */
     public static ExitCode judge(

@@ -10,7 +10,6 @@ import sunbeam.precompute.text.Text;
 /**
  * Visible difference between two pictures, over pixels where either is not black.
  *
- * @param median median of CIEDE2000
  * @param high 95th percentile of CIEDE2000
  */
 public record PictureDifference(double median, double high) {

@@ -21,7 +21,6 @@ import sunbeam.precompute.text.Text;
  * @param quantity compared quantity: XYZ or power
  * @param relative relative errors of the pixels or rows that are bright enough
  * @param colorDifference CIEDE2000 of the same pixels after the picture's exposure; empty for a table
- * @param limits largest allowed errors
  */
 public record Certificate(
         String places,
@@ -36,9 +35,7 @@ public record Certificate(
     /**
      * Largest allowed errors; infinite for no limit.
      *
-     * @param median median of the relative errors
      * @param percentile95 95th percentile of the relative errors
-     * @param meanDifference mean CIEDE2000
      */
     public record Limits(double median, double percentile95, double meanDifference) {
         /** A CIEDE2000 of 1 is just visible. */
@@ -77,7 +74,6 @@ public record Certificate(
      *
      * @param count number of rows to evaluate, at most all
      * @param row function from a row's number, from 0, to its comparison
-     * @param quantity compared quantity: XYZ or power
      * @param tolerance relative error for which the table was made
      */
     public static Certificate ofRows(

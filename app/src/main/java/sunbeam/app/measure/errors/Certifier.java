@@ -17,7 +17,6 @@ import sunbeam.precompute.reference.ReferenceColor.Quadrature;
 /**
  * Compares random pixels of a BRDF map with the exact reference.
  *
- * @param reference exact reference for the patch and window of the map
  * @param pairs directions at a pixel's center, by the pixel's number, row by row from the top left
  * @param material reflectance of the material divided by that of the standard material
  */

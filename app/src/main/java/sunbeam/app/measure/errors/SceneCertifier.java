@@ -14,11 +14,9 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.text.Text;
 
 /**
- * Compares pixels of a scene with the mean of many points in each, which is the pixel of a picture drawn with that many samples. Only
- * pixels that the mesh fills are compared, since at edges the error depends only on the number of samples.
+ * Compares pixels of a scene's picture (size in pixels) with the mean of many points in each, which is the pixel of a picture drawn with
+ * that many samples. Only pixels that the mesh fills are compared, since at edges the error depends only on the number of samples.
  *
- * @param width width of the picture, pixels
- * @param height height of the picture, pixels
  * @param samples samples along a pixel's side in the picture to be compared
  */
 public record SceneCertifier(int width, int height, int samples) {

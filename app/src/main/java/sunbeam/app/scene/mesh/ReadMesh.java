@@ -10,7 +10,6 @@ import sunbeam.precompute.text.Quoted;
 /**
  * A loaded mesh, built in or from a file, with warnings.
  *
- * @param mesh complete mesh
  * @param warnings one line for each kind of data that the reader dropped, moved or computed
  */
 public record ReadMesh(Mesh mesh, List<String> warnings) {

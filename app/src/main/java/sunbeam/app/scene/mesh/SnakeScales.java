@@ -37,11 +37,7 @@ public final class SnakeScales {
         return BEGIN + (1 - BEGIN) * length / SNAKE.lengths[SAMPLES];
     }
 
-    /**
-     * Returns the number of scales in a row for u from 0 to 1.
-     *
-     * @param rows number of rows around the body
-     */
+    /** Returns the number of scales in a row for u from 0 to 1. */
     public static double perUnit(int rows) {
         // Width of a row in half widths of the body. The girth of the elliptic cross-section is about 5.8 half widths.
         double row = 5.8 * ScaleRelief.DORSAL / rows;

@@ -6,8 +6,6 @@ import sunbeam.app.files.cache.BlobCache;
 /**
  * Textures of a mesh: colors, scales, directions and places of its nanostructure. Arrays are shared, not copied.
  *
- * @param colors color texture
- * @param scales kind of the scales
  * @param relief relief of the scales, encoded by {@link ScaleRelief}
  * @param directions directions of the nanostructure, encoded by {@link OrientationMap}
  * @param patches map of the patches, encoded by {@link PatchMap}
@@ -34,7 +32,6 @@ public record Body(
     /**
      * Loads or generates the textures, with one patch everywhere.
      *
-     * @param cache cache of built-in textures
      * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
      */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {

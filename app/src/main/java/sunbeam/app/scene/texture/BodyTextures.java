@@ -39,7 +39,6 @@ public final class BodyTextures {
      * </ul>
      *
      * @param nameOrFile a name, or an image file in sRGB ({@link sunbeam.app.files.input.ImageFile})
-     * @param cache cache of the generated textures
      * @throws sunbeam.app.files.input.InputException if there is no such texture, or the file cannot be used
      */
     public static BodyTexture load(String nameOrFile, BlobCache cache) {

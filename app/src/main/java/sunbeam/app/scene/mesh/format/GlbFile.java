@@ -10,7 +10,6 @@ import sunbeam.app.files.input.InputException;
 /**
  * The parts of a glTF file: the chunks of a binary file (.glb), or the JSON text of a text file (.gltf).
  *
- * @param json JSON text, UTF-8
  * @param binary binary chunk, little-endian; empty in a text file
  */
 record GlbFile(byte[] json, ByteBuffer binary) {

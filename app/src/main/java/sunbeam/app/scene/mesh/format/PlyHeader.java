@@ -14,7 +14,6 @@ import sunbeam.precompute.text.Quoted;
 /**
  * Header of a PLY file.
  *
- * @param encoding encoding of numbers
  * @param elements elements in the order of the file
  */
 record PlyHeader(Encoding encoding, List<Element> elements) {
