@@ -33,8 +33,7 @@ final class GlSamplers {
 
     void bind(GL3 gl, GlDevice device, List<Binding> bindings, FloatTarget target) {
         Arrays.fill(boundUnits, false);
-        for (int index = 0; index < bindings.size(); index++) {
-            Binding binding = bindings.get(index);
+        for (Binding binding : bindings) {
             Texture texture = binding.texture();
             texture.requireUsableBy(device);
             texture.requireUploaded();

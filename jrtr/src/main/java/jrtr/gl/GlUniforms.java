@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import jrtr.ShaderException;
 
 /** Active uniforms of a linked program, and all names that its shaders declare. */
@@ -67,13 +68,8 @@ final class GlUniforms {
     /** Returns the uniform as {@link #find} does; throws if its type is none of the given ones. */
     GlUniform findOfType(String name, String value, int... types) {
         GlUniform uniform = find(name);
-        if (uniform == null) {
-            return null;
-        }
-        for (int type : types) {
-            if (uniform.type() == type) {
-                return uniform;
-            }
+        if (uniform == null || IntStream.of(types).anyMatch(type -> type == uniform.type())) {
+            return uniform;
         }
         String hint = uniform.isSampler() ? "; bind a texture to it in the draw" : "";
         throw new ShaderException(program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);

@@ -6,12 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
-import jrtr.Tile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,7 +26,6 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
 @NeedsDisplay
 class PartSumTest extends InAContext {
     private static final int SIZE = 48;
-    private static final Tile WHOLE = Tile.whole(SIZE, SIZE);
 
     @TempDir
     private Path folder;
@@ -43,15 +38,7 @@ class PartSumTest extends InAContext {
     }
 
     private ScenePicture draw(Scene scene) {
-        List<SceneSession> sessions = new ArrayList<>();
-        try {
-            loader.parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
-            PartSum sum = new PartSum(sessions);
-            sum.prepare(scene, SIZE, SIZE, 1);
-            return sum.draw(DrawRequest.ofPixels(scene, SIZE, SIZE, WHOLE, 1));
-        } finally {
-            sessions.forEach(SceneSession::close);
-        }
+        return WholePicture.ofParts(context, loader.parts(scene), SIZE, SIZE);
     }
 
     private SkinIndex file(String table) throws IOException {
@@ -86,11 +73,7 @@ class PartSumTest extends InAContext {
 
     /** The brightest pixel and two less bright ones. */
     private static int[] brightest(float[] rgba) {
-        int[] byLuminance = IntStream.range(0, SIZE * SIZE)
-                .boxed()
-                .sorted(Comparator.comparingDouble(i -> -rgba[4 * i + 1]))
-                .mapToInt(Integer::intValue)
-                .toArray();
+        int[] byLuminance = WholePicture.byLuminance(rgba);
         return new int[] {byLuminance[0], byLuminance[5], byLuminance[20]};
     }
 

@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import jrtr.Tile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -73,16 +72,8 @@ class PatchAtlasTest extends InAContext {
     }
 
     private float[] drawn(Scene scene) {
-        List<SceneSession> sessions = new ArrayList<>();
-        try {
-            loader().parts(scene).forEach(part -> sessions.add(new SceneSession(context, part)));
-            PartSum sum = new PartSum(sessions);
-            sum.prepare(scene, WIDTH, HEIGHT, 1);
-            return sum.draw(DrawRequest.ofPixels(scene, WIDTH, HEIGHT, Tile.whole(WIDTH, HEIGHT), 1))
-                    .rgba();
-        } finally {
-            sessions.forEach(SceneSession::close);
-        }
+        return WholePicture.ofParts(context, loader().parts(scene), WIDTH, HEIGHT)
+                .rgba();
     }
 
     private int regionAt(SceneSession session, int x, int y) {

@@ -10,9 +10,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import jrtr.Tile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,19 +57,11 @@ class SceneMethodsTest extends InAContext {
         }
     }
 
-    private static int[] byLuminance(float[] rgba) {
-        return IntStream.range(0, WIDTH * HEIGHT)
-                .boxed()
-                .sorted(Comparator.comparingDouble(i -> -rgba[4 * i + 1]))
-                .mapToInt(Integer::intValue)
-                .toArray();
-    }
-
     @Test
     void nmmHasTheColorsOfFull() {
         float[] full = draw(with(FullMethod.TYPE));
         float[] nmm = draw(with(NmmMethod.TYPE));
-        int[] brightest = Arrays.copyOf(byLuminance(full), 200);
+        int[] brightest = Arrays.copyOf(WholePicture.byLuminance(full), 200);
         double[] errors = Arrays.stream(brightest)
                 .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
                 .sorted()

@@ -85,19 +85,17 @@ final class ElapheColors implements BodyColors {
 
     /** Returns the depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
     private double saddle(double along, double side) {
-        double place = along * SADDLES;
-        int saddle = (int) place;
-        double middle = saddle + 0.5;
-        double size = saddleSizes[saddle];
-        return 1 - superellipse((place - middle) / (0.36 * size), side / (0.42 * size));
+        return depth(along * SADDLES, 0.36, side, 0.42, saddleSizes);
     }
 
     private double blotch(double along, double side) {
-        double place = along * SADDLES + 0.5;
-        int blotch = (int) place;
-        double middle = blotch + 0.5;
-        double size = blotchSizes[blotch];
-        return 1 - superellipse((place - middle) / (0.24 * size), (side - 0.56) / (0.13 * size));
+        return depth(along * SADDLES + 0.5, 0.24, side - 0.56, 0.13, blotchSizes);
+    }
+
+    private static double depth(double place, double halfLength, double beside, double halfWidth, double[] sizes) {
+        int number = (int) place;
+        double size = sizes[number];
+        return 1 - superellipse((place - (number + 0.5)) / (halfLength * size), beside / (halfWidth * size));
     }
 
     /**
