@@ -1,5 +1,7 @@
 package sunbeam.app.cli;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -22,6 +24,11 @@ public abstract class CommandLineFixture {
     protected final int sunbeam(String... arguments) {
         Environment environment = new Environment(Map.of(), folder);
         return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    }
+
+    /** Asserts that an exit code is 0; a failure shows standard error. */
+    protected final void assertSuccess(int exitCode) {
+        assertThat(exitCode).as("%s", err).isZero();
     }
 
     protected final void forgetOutput() {

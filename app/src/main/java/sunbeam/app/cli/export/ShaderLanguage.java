@@ -45,6 +45,8 @@ enum ShaderLanguage {
             new Rule("\\b(sunbeam(?:|Xyz|Mean|Power)\\()(?!sunbeamTable)", "$1sunbeamTable, sunbeamSampler, "));
 
     private final String title;
+
+    @SuppressWarnings("ImmutableEnumChecker") // an unmodifiable copy
     private final List<Rule> rules;
 
     ShaderLanguage(String title, Rule... rules) {

@@ -24,7 +24,7 @@ final class BenchmarkCommandTest extends CommandLineFixture {
     }
 
     private JsonNode json(String words) throws IOException {
-        assertThat(run("--json " + words + SMALL)).as("%s", err).isZero();
+        assertSuccess(run("--json " + words + SMALL));
         return new ObjectMapper().readTree(out.toString()).get("measured");
     }
 
@@ -50,7 +50,7 @@ final class BenchmarkCommandTest extends CommandLineFixture {
         Path page = folder.resolve("speed.md");
         String words = "--patch lamellar --tolerance 1e-1 --output " + page + SMALL;
 
-        assertThat(run(words)).as("%s", err).isZero();
+        assertSuccess(run(words));
 
         String text = Files.readString(page);
         assertThat(text).contains("\n## lamellar\n", "(speed/lamellar-methods.png)");

@@ -41,7 +41,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
     }
 
     private double exposure(String file, String... more) {
-        assertThat(draw(file, more)).as(err.toString()).isZero();
+        assertSuccess(draw(file, more));
         return Double.parseDouble(PngText.read(folder.resolve(file)).get("Exposure"));
     }
 
@@ -160,9 +160,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
                 List.of("--patch", "sinusoid", "--theta-i", "60", "--coherence-length", "4um", "--force", "--linear"));
         all.add(numbers.toString());
         all.addAll(List.of(more));
-        assertThat(draw("map.png", all.toArray(String[]::new)))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(draw("map.png", all.toArray(String[]::new)));
         byte[] bytes = Files.readAllBytes(numbers);
         float[] xyz = new float[3 * 24 * 24];
         ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)

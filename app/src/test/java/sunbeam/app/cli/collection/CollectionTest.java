@@ -72,7 +72,7 @@ final class CollectionTest extends CommandLineFixture {
     void aFolderBecomesOneTableAndOneSheet() throws IOException {
         scan(scans.resolve("other.txt"), x -> 40 * Math.sin(2 * Math.PI * x / (2 * PERIOD)));
 
-        assertThat(inspect(scans.toString())).as(err.toString()).isZero();
+        assertSuccess(inspect(scans.toString()));
 
         List<NamedCsvRecord> rows = table("table.csv");
         assertThat(rows)
@@ -124,9 +124,7 @@ final class CollectionTest extends CommandLineFixture {
         Files.copy(scans.resolve("grating.txt"), other.resolve("grating.txt"));
         Files.copy(scans.resolve("grating.txt"), other.resolve("two\nlines \"and\" blanks .txt "));
 
-        assertThat(inspect(scans.toString(), other.toString()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(inspect(scans.toString(), other.toString()));
 
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("file"))
@@ -145,14 +143,12 @@ final class CollectionTest extends CommandLineFixture {
         }
         List<NamedCsvRecord> parts = new ArrayList<>();
         for (String part : List.of("1", "2", "3")) {
-            assertThat(inspect(scans.toString(), "--task", part + "/3"))
-                    .as(err.toString())
-                    .isZero();
+            assertSuccess(inspect(scans.toString(), "--task", part + "/3"));
             parts.addAll(table("table-" + part + "-of-3.csv"));
         }
         FileTime drawn = time("c.png");
 
-        assertThat(inspect(scans.toString(), "--resume")).as(err.toString()).isZero();
+        assertSuccess(inspect(scans.toString(), "--resume"));
 
         assertThat(table("table.csv"))
                 .extracting(NamedCsvRecord::getFields)
@@ -173,7 +169,7 @@ final class CollectionTest extends CommandLineFixture {
         FileTime first = time("grating.png");
         FileTime second = time("later.png");
 
-        assertThat(inspect(scans.toString(), "--resume")).as(err.toString()).isZero();
+        assertSuccess(inspect(scans.toString(), "--resume"));
 
         assertThat(Files.readString(reports)).isEqualTo(whole);
         assertThat(time("grating.png")).isEqualTo(first);
@@ -186,9 +182,7 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void anAngleOfARangeIsARow() throws IOException {
-        assertThat(inspect("sinusoid", "--theta-i", "0:40:20", "--json"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(inspect("sinusoid", "--theta-i", "0:40:20", "--json"));
 
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("theta_i_deg"))
@@ -203,9 +197,7 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void colorsOfAFolderHaveTheirPurestColorInTheTable() throws IOException {
-        assertThat(run("color", scans.toString(), "blaze", "--angles", "-40:40:4", "--output", report.toString()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run("color", scans.toString(), "blaze", "--angles", "-40:40:4", "--output", report.toString()));
 
         List<NamedCsvRecord> rows = table("table.csv");
         assertThat(rows)
@@ -218,19 +210,17 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void mapsOfAFolderKeepTheOptionsOfTheCommandLine() throws IOException {
-        assertThat(run(
-                        "brdf-map",
-                        scans.toString(),
-                        "--periodic",
-                        "blaze",
-                        "--explain",
-                        "--size",
-                        "40",
-                        "--no-annotate",
-                        "--output",
-                        report.toString()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run(
+                "brdf-map",
+                scans.toString(),
+                "--periodic",
+                "blaze",
+                "--explain",
+                "--size",
+                "40",
+                "--no-annotate",
+                "--output",
+                report.toString()));
 
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("verdict_code"))

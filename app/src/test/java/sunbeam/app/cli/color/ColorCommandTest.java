@@ -33,7 +33,7 @@ class ColorCommandTest extends CommandLineFixture {
     }
 
     private JsonNode tell(String... more) throws IOException {
-        assertThat(run(more)).as(err.toString()).isZero();
+        assertSuccess(run(more));
         return written();
     }
 

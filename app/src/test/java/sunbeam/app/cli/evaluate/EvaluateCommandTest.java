@@ -71,9 +71,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @Test
     void aBlazedGratingHasItsPeriod() throws IOException {
-        assertThat(run("--patch", "blaze", "--wavelengths", "380:780:20", "--explain"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run("--patch", "blaze", "--wavelengths", "380:780:20", "--explain"));
         JsonNode report = report();
         // The slope of the relative radiance shifts the peaks by 1.4e-4.
         assertThat(1e9 * report.at("/peaks_interpolated/mean_m").doubleValue()).isCloseTo(2500.3, within(0.3));
@@ -98,10 +96,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void theMaximaOfABlazedGratingHaveTheThesissMeanAndVariance() throws IOException {
         String[] options = "--preset thesis --azimuth 0 --wavelengths 380:780:20 --angles=-56:-40:0.01".split(" ");
-        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--peaks", "maximum"), Stream.of(options))
-                        .toArray(String[]::new)))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run(Stream.concat(Stream.of("--patch", "blaze", "--peaks", "maximum"), Stream.of(options))
+                .toArray(String[]::new)));
         assertThat(out.toString()).contains("maxima      2.500");
         // The standard error of 21 samples is 0.09 nm.
         assertThat(1e9 * report().at("/peaks_at_maxima/mean_m").doubleValue()).isCloseTo(2500.34, within(0.3));
@@ -138,10 +134,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @ValueSource(strings = {"full", "nmm", "pq", "reference"})
     void everyMethodSeesTheGrating(String method) throws IOException {
         String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
-        assertThat(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
-                        .toArray(String[]::new)))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
+                .toArray(String[]::new)));
         double tolerance = method.equals("full") || method.equals("reference") ? 0.5 : 10;
         assertThat(1e9 * report().at("/peaks_interpolated/mean_m").doubleValue())
                 .isCloseTo(2500.3, within(tolerance));
@@ -161,9 +155,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @Test
     void theResponseIsWrittenWithItsAxes() throws IOException {
-        assertThat(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"));
         List<String> lines = Files.readAllLines(folder.resolve("result.csv"));
         assertThat(lines).hasSize(1 + 9);
         assertThat(lines.get(0))
@@ -228,13 +220,11 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void tooFewPeriodsAreAProbableAnswer() throws IOException {
         DoubleBinaryOperator lines = (column, row) -> 0.1 * column % 3.8 < 1.6 ? 100 : 0;
-        assertThat(runScan(lines, 11, "--no-periodic")).as(err.toString()).isZero();
+        assertSuccess(runScan(lines, 11, "--no-periodic"));
         assertThat(out.toString())
                 .containsPattern(
                         "Probably a grating of about 3\\.[23] um \\(3\\.[34] periods seen, too few for an interval\\)");
-        assertThat(runScan(lines, 11, "--no-periodic", "--azimuth", "0", "--period", "3.3um"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(runScan(lines, 11, "--no-periodic", "--azimuth", "0", "--period", "3.3um"));
         assertThat(out.toString()).contains("period      probably about 3.");
         assertThat(report().get("period_m").isNull()).isTrue();
         assertThat(report().get("period_not_told").textValue()).contains("too few for an interval");
@@ -245,9 +235,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void ordersThatLightDoesNotTellApartHaveNoRidge() throws IOException {
         String[] few = {"--wavelengths", "400:700:100", "--angles", "-80:-70:0.2", "--azimuth", "0"};
-        assertThat(runScan((column, row) -> 150 * Math.sin(2 * Math.PI * column * 10 / SAMPLES), 500, few))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(runScan((column, row) -> 150 * Math.sin(2 * Math.PI * column * 10 / SAMPLES), 500, few));
         assertThat(out.toString())
                 .contains(
                         "period      50",
@@ -278,13 +266,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     /** At 75 degrees the order of 291 nm is seen up to 572 nm. */
     @Test
     void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
-        assertThat(runScan(
-                        (column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0),
-                        6.4,
-                        "--wavelengths",
-                        "380:780:20"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(runScan(
+                (column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0), 6.4, "--wavelengths", "380:780:20"));
         assertThat(report().at("/peaks_interpolated/wavelengths").intValue()).isBetween(8, 13);
         assertThat(1e9 * report().at("/period_low_m").doubleValue()).isLessThan(291.1);
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isGreaterThan(290.9);
@@ -300,7 +283,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
             last[place] = row < 80 ? 40 * wave(column, row, 12.8, 30) + random.nextGaussian() : last[place];
             return last[place];
         };
-        assertThat(runScan(stopped, 10)).as(err.toString()).isZero();
+        assertSuccess(runScan(stopped, 10));
         assertThat(err.toString()).contains("rows 81 to 128 of 128");
         assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(980.0, 1000.0);
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1020.0);
@@ -310,11 +293,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void aSlipWidensTheInterval() throws IOException {
         SplittableRandom random = new SplittableRandom(4);
-        assertThat(runScan(
-                        (column, row) -> 40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(),
-                        10))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(runScan(
+                (column, row) -> 40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(), 10));
         assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(940.0, 1000.0);
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1060.0);
     }

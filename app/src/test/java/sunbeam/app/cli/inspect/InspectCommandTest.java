@@ -38,9 +38,7 @@ final class InspectCommandTest extends CommandLineFixture {
 
     @Test
     void aPatchIsTold() throws IOException {
-        assertThat(sunbeam("inspect", "disc", "--output", picture()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(sunbeam("inspect", "disc", "--output", picture()));
         assertThat(out.toString())
                 .startsWith("A grating of 1.6")
                 .containsPattern(" across (0|180) degrees: first-order colors at 14 to 26 degrees")
@@ -56,9 +54,7 @@ final class InspectCommandTest extends CommandLineFixture {
     @Test
     void lightThatTheModelAddsIsTold() {
         // Order 4 of 2.5 um lies flat at 620 nm under light from above.
-        assertThat(sunbeam("inspect", "blaze", "--output", picture()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(sunbeam("inspect", "blaze", "--output", picture()));
         assertThat(out.toString())
                 .containsPattern(
                         "energy    from above, at 620 nm the model reflects 1.1\\d times the light of a mirror");
@@ -66,9 +62,7 @@ final class InspectCommandTest extends CommandLineFixture {
 
     @Test
     void programsReadTheReportAsJson() throws IOException {
-        assertThat(sunbeam("inspect", "sinusoid", "--json", "--output", picture()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(sunbeam("inspect", "sinusoid", "--json", "--output", picture()));
 
         JsonNode report = new ObjectMapper().readTree(out.toString());
         assertThat(report.get("patch").textValue()).isEqualTo("sinusoid");
@@ -98,10 +92,8 @@ final class InspectCommandTest extends CommandLineFixture {
     @Test
     void noiseHasNoPeriodAndTheFigureSaysWhy() throws IOException {
         Path noise = image("noise.png", 300, 200, 256, 7);
-        assertThat(sunbeam(
-                        "inspect", noise.toString(), "--width", "60um", "--max-height", "100nm", "--output", picture()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(sunbeam(
+                "inspect", noise.toString(), "--width", "60um", "--max-height", "100nm", "--output", picture()));
         assertThat(out.toString()).startsWith("No order found: a white gloss without color");
         // Samples are 200 nm apart: the loader's warning and the table say so.
         assertThat(err.toString()).contains("sampling too coarse");

@@ -46,9 +46,7 @@ class OrdersCommandTest extends CommandLineFixture {
 
     @Test
     void writesDirectionAndEfficiencyOfEachOrder() throws IOException {
-        assertThat(run("sinusoid", "--theta-i", "0:40:20", "--wavelengths", "400:700:10"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run("sinusoid", "--theta-i", "0:40:20", "--wavelengths", "400:700:10"));
 
         JsonNode incidence = json().get("incidences").get(1);
         assertThat(incidence.get("theta_i_deg").asDouble()).isEqualTo(20);
@@ -76,9 +74,8 @@ class OrdersCommandTest extends CommandLineFixture {
 
     @Test
     void theTableIsAListOfDirectionsAndAddsUp() throws IOException {
-        assertThat(run("lamellar", "--theta-i", "30", "--phi-i", "90", "--wavelengths", "500", "--index", "0.97+6.5i"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(
+                run("lamellar", "--theta-i", "30", "--phi-i", "90", "--wavelengths", "500", "--index", "0.97+6.5i"));
 
         List<String> lines = Files.readAllLines(file("o.csv"));
         assertThat(lines.get(0)).isEqualTo("theta_i,phi_i,theta_r,phi_r,wavelength,m,n,efficiency,low,high,sum,mirror");
@@ -100,9 +97,7 @@ class OrdersCommandTest extends CommandLineFixture {
 
     @Test
     void anOrdersColorIsThatOfItsLight() throws IOException {
-        assertThat(run("sinusoid", "--wavelengths", "620:640:5"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run("sinusoid", "--wavelengths", "620:640:5"));
         String color = order(json().get("incidences").get(0), 1).get("srgb").asText();
         int rgb = Integer.parseInt(color.substring(1), 16);
         assertThat(rgb >> 16).as(color).isGreaterThan(3 * (rgb & 0xFF)).isGreaterThan(3 * (rgb >> 8 & 0xFF));

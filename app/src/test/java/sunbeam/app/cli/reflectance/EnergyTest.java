@@ -105,20 +105,18 @@ class EnergyTest extends CommandLineFixture {
         list("theta_i,phi_i,theta_r,phi_r,wavelength", rows);
         double[] sums = new double[2];
         for (String rule : List.of("scalar", "conserve")) {
-            assertThat(run(
-                            "reflectance",
-                            "DISC",
-                            "--average",
-                            "ensemble",
-                            "--directions",
-                            "@in.csv",
-                            "--output",
-                            "@out.csv",
-                            "--force",
-                            "--energy",
-                            rule))
-                    .as(err.toString())
-                    .isZero();
+            assertSuccess(run(
+                    "reflectance",
+                    "DISC",
+                    "--average",
+                    "ensemble",
+                    "--directions",
+                    "@in.csv",
+                    "--output",
+                    "@out.csv",
+                    "--force",
+                    "--energy",
+                    rule));
             // brdf cos theta_r d omega is brdf dx dy.
             sums[rule.equals("scalar") ? 0 : 1] =
                     Arrays.stream(column("out.csv", "brdf")).sum() * width / 6 * width / 4;
@@ -140,10 +138,8 @@ class EnergyTest extends CommandLineFixture {
         };
         assertThat(run(command)).isZero();
         double[] scalar = column("c.csv", "Y");
-        assertThat(run(Stream.concat(Arrays.stream(command), Stream.of("--energy", "conserve", "--certify", "30"))
-                        .toArray(String[]::new)))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(run(Stream.concat(Arrays.stream(command), Stream.of("--energy", "conserve", "--certify", "30"))
+                .toArray(String[]::new)));
         double[] conserved = column("c.csv", "Y");
         double least = 1;
         for (int i = 0; i < scalar.length; i++) {

@@ -27,7 +27,7 @@ class RotatePatchTest extends CommandLineFixture {
     private void run(String... arguments) {
         String[] all = Stream.concat(Arrays.stream(arguments), Stream.of("--coherence-length", "10um", "--force"))
                 .toArray(String[]::new);
-        assertThat(sunbeam(all)).as(err.toString()).isZero();
+        assertSuccess(sunbeam(all));
     }
 
     /** Returns X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */

@@ -59,9 +59,7 @@ class RenderCommandTest extends CommandLineFixture {
     void aPictureSaysHowItWasMadeAndIsNotOverwritten() {
         Path picture = folder.resolve("a.png");
         Path linear = folder.resolve("a.npy");
-        assertThat(render(picture, "--linear", linear.toString(), "--supersample", "2"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(render(picture, "--linear", linear.toString(), "--supersample", "2"));
         Map<String, String> text = PngText.read(picture);
         assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
         assertThat(text.get("Scene")).contains("\"blaze\"");
@@ -74,7 +72,7 @@ class RenderCommandTest extends CommandLineFixture {
     void aCertificateComparesAPictureWithPointsOfIt() throws IOException {
         Path picture = folder.resolve("a.png");
         Files.writeString(scene, SCENE.replaceFirst("\"method\": \"full\", ", ""));
-        assertThat(render(picture, "--certify", "6")).as(err.toString()).isZero();
+        assertSuccess(render(picture, "--certify", "6"));
         assertThat(PngText.read(picture).get("Plan"))
                 .as("a scene that names no method")
                 .startsWith("table:");
@@ -94,7 +92,7 @@ class RenderCommandTest extends CommandLineFixture {
     @Test
     void resumeDrawsWhatIsMissingOnly() throws IOException {
         Path frames = folder.resolve("turn");
-        assertThat(render(frames, "--turntable", "3")).as(err.toString()).isZero();
+        assertSuccess(render(frames, "--turntable", "3"));
         Path first = frames.resolve("frame-0001.png");
         Path second = frames.resolve("frame-0002.png");
         byte[] drawn = Files.readAllBytes(second);
@@ -103,9 +101,7 @@ class RenderCommandTest extends CommandLineFixture {
         Files.setLastModifiedTime(first, old);
 
         assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
-        assertThat(render(frames, "--turntable", "3", "--resume"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(render(frames, "--turntable", "3", "--resume"));
         assertThat(Files.getLastModifiedTime(first)).isEqualTo(old);
         assertThat(Files.readAllBytes(second)).isEqualTo(drawn);
 
@@ -126,30 +122,26 @@ class RenderCommandTest extends CommandLineFixture {
     @Test
     void theThesissPresetChoosesItsMethod() {
         Path picture = folder.resolve("thesis.png");
-        assertThat(sunbeam(
-                        "render",
-                        "elaphe",
-                        "--mesh",
-                        "plane",
-                        "--patch",
-                        "blaze",
-                        "--preset",
-                        "thesis",
-                        "--size",
-                        "16x12",
-                        "--output",
-                        picture.toString()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(sunbeam(
+                "render",
+                "elaphe",
+                "--mesh",
+                "plane",
+                "--patch",
+                "blaze",
+                "--preset",
+                "thesis",
+                "--size",
+                "16x12",
+                "--output",
+                picture.toString()));
         assertThat(PngText.read(picture)).containsEntry("Method", "full");
     }
 
     @Test
     void aSweepIsAlsoAnAnimation() throws IOException {
         Path frames = folder.resolve("sweep");
-        assertThat(render(frames, "--light-sweep", "-30:30", "--frames", "3"))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(render(frames, "--light-sweep", "-30:30", "--frames", "3"));
         try (ImageInputStream stream =
                 ImageIO.createImageInputStream(frames.resolve("animation.gif").toFile())) {
             ImageReader reader = ImageIO.getImageReaders(stream).next();
@@ -241,9 +233,7 @@ class RenderCommandTest extends CommandLineFixture {
         Path example = Files.writeString(folder.resolve("example.json"), exampleOfTheDocs());
         Path picture = folder.resolve("example.png");
 
-        assertThat(sunbeam("render", example.toString(), "--size", "64x48", "--output", picture.toString()))
-                .as(err.toString())
-                .isZero();
+        assertSuccess(sunbeam("render", example.toString(), "--size", "64x48", "--output", picture.toString()));
         BufferedImage image = ImageIO.read(picture.toFile());
         long colored = IntStream.range(0, 64 * 48)
                 .map(pixel -> image.getRGB(pixel % 64, pixel / 64))

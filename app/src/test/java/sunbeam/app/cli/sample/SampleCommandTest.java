@@ -41,7 +41,7 @@ class SampleCommandTest extends CommandLineFixture {
 
     @Test
     void thePartsAreTheWholeBitForBit() throws IOException {
-        assertThat(sample("whole.npz", "--count", "" + ROWS)).as(err.toString()).isZero();
+        assertSuccess(sample("whole.npz", "--count", "" + ROWS));
         for (int part = 1; part <= 2; part++) {
             assertThat(sample(part + ".npz", "--count", "" + ROWS, "--task", part + "/2"))
                     .isZero();
