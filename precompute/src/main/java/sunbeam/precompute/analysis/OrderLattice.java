@@ -131,7 +131,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         SpatialFrequency frequency = frequency(order);
         double x = -wi.x() + wavelength * frequency.x();
         double y = -wi.y() + wavelength * frequency.y();
-        double square = 1 - x * x - y * y;
-        return square > 0 ? Optional.of(new Direction(x, y, Math.sqrt(square))) : Optional.empty();
+        double cosine = Math.sqrt(1 - x * x - y * y);
+        return cosine > OrderSpectrum.GRAZING ? Optional.of(new Direction(x, y, cosine)) : Optional.empty();
     }
 }

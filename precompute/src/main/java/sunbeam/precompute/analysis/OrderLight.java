@@ -118,7 +118,7 @@ public record OrderLight(
             boolean sampled) {
         Map<Order, Field> fields = new HashMap<>();
         Field rest = new Field();
-        spectrum.forEach(wi, wavelength, (x, y, pair, real, imaginary) -> {
+        spectrum.forEach(wi, wavelength, sampled, (x, y, pair, real, imaginary) -> {
             double fresnel = Math.sqrt(index.reflectance(wavelength, pair.cosThetaD()));
             lattice.nearest(spectrum.frequency(x, y))
                     .map(order -> fields.computeIfAbsent(order, none -> new Field()))

@@ -25,6 +25,8 @@ public final class OrderSpectrum {
     // Root mean square error of the expansion of exp(i k w h); float32 rounds amplitudes to a tenth of it.
     private static final double TOLERANCE = 1e-6;
     private static final double LARGEST_W = 2;
+    // Least cosine of an order above the horizon; that of an order exactly on it is a rounding error of about 1e-8.
+    static final double GRAZING = 1e-6;
     // Square of an order's cosine in widths of its Gaussian, below which 1 / cosine varies over it by more than 1e-3.
     private static final double NEAR_HORIZON = 27;
     // Largest such square. Windows of 5 um or more have an error of at most 2 % from it.
@@ -102,13 +104,27 @@ public final class OrderSpectrum {
      *
      * @param wi direction to the light, in the patch's frame
      * @param wavelength wavelength in meters, within 380..780 nm
+     * @param sampled true for a scan, whose light fills each bin; false for a surface that repeats
      */
-    void forEach(Direction wi, double wavelength, Visitor visitor) {
+    void forEach(Direction wi, double wavelength, boolean sampled, Visitor visitor) {
         forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
-            if (square > 0) {
-                DirectionPair pair = new DirectionPair(wi, new Direction(outX, outY, Math.sqrt(square)));
+            double cosine = Math.sqrt(square);
+            double stretch = 1;
+            double share = 1;
+            double radius = Math.hypot(outX, outY);
+            if (sampled && radius > 0) {
+                // The mean of 1 / cosine over the bin: dr / cos alpha = d alpha.
+                double half = 0.5 * wavelength * radius / Math.hypot(outX * width, outY * height);
+                double low = Math.asin(Math.max(-1, Math.min(1, radius - half)));
+                double high = Math.asin(Math.min(1, radius + half));
+                cosine = Math.cos(0.5 * (low + high));
+                stretch = Math.sin(0.5 * (low + high)) / radius;
+                share = Math.sqrt(cosine * (high - low) / (2 * half));
+            }
+            if (cosine > GRAZING) {
+                DirectionPair pair = new DirectionPair(wi, new Direction(outX * stretch, outY * stretch, cosine));
                 double[] amplitude = amplitude(x, y, wavelength, pair);
-                visitor.visit(x, y, pair, amplitude[0], amplitude[1]);
+                visitor.visit(x, y, pair, share * amplitude[0], share * amplitude[1]);
             }
         });
     }
@@ -156,10 +172,10 @@ public final class OrderSpectrum {
         double blur = wavelength * sigmaFrequency;
         double[] sum = new double[1];
         forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
-            if (square > Math.min(FARTHEST, NEAR_HORIZON * blur)) {
+            if (square > Math.max(GRAZING * GRAZING, Math.min(FARTHEST, NEAR_HORIZON * blur))) {
                 Direction out = new Direction(outX, outY, Math.sqrt(square));
                 sum[0] += power(x, y, wavelength, new DirectionPair(wi, out));
-            } else if (square > -3 * REACH * blur) {
+            } else if (blur > 0 && square > -3 * REACH * blur) {
                 sum[0] += atHorizon(x, y, wavelength, wi, outX, outY, blur);
             }
         });

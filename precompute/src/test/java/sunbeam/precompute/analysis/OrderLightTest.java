@@ -219,6 +219,43 @@ class OrderLightTest {
         assertThat(widest).isLessThan(1);
     }
 
+    @Test
+    void anOrderOnTheHorizonIsBeyondIt() {
+        HeightMap blaze = grating((x, y) -> 400e-9 * x / PERIOD);
+        OrderSpectrum spectrum = new OrderSpectrum(blaze);
+        // At these wavelengths orders have a sine of 1, with a rounding error.
+        for (double sine = 0; sine < 0.9; sine += 0.01) {
+            Direction wi = Direction.ofDisc(sine, 0);
+            for (int order = -12; order < 0; order++) {
+                double wavelength = (1 - sine) * PERIOD / -order;
+                if (wavelength > 380e-9 && wavelength < 780e-9) {
+                    OrderLight light = light(blaze, wi, wavelength);
+                    assertThat(light.direction(new Order(order, 0))).isEmpty();
+                    assertThat(light.sum()).isLessThan(2 * light.mirror());
+                    assertThat(spectrum.sum(wi, wavelength, 0)).isLessThan(2);
+                }
+            }
+        }
+    }
+
+    @Test
+    void aScansBinOnTheHorizonLeavesOverItsWidth() {
+        HeightMap scan = Surfaces.of(480, 1, 50e-9, (x, y) -> 60e-9 * Math.sin(2 * Math.PI * x / 1.1e-6));
+        OrderSpectrum spectrum = new OrderSpectrum(scan);
+        OrderLattice lattice = new OrderLattice(new SpatialFrequency(1 / 1.1e-6, 0), Optional.empty());
+        Direction wi = Direction.ofDegrees(0, 0);
+        for (int bin = 32; bin < 63; bin++) {
+            double[] sums = new double[2];
+            for (int i = 0; i < 2; i++) {
+                double wavelength = 24e-6 / (bin + 1e-13 + 0.1 * i);
+                sums[i] = OrderLight.of(spectrum, lattice, RefractiveIndex.KERATIN, wi, wavelength, true)
+                        .sum();
+            }
+            // A bin near the horizon has at most 1 % of the light, but 1e4 times that at a point.
+            assertThat(sums[0]).as("bin %d", bin).isCloseTo(sums[1], within(0.01 * sums[1]));
+        }
+    }
+
     private static Efficiency efficiency(HeightMap map, OrderLattice lattice, Direction wi, Order order) {
         return OrderLight.of(new OrderSpectrum(map), lattice, RefractiveIndex.KERATIN, wi, 550e-9, true)
                 .efficiencies()
