@@ -42,6 +42,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.text.Text;
 
 /** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
@@ -160,8 +161,22 @@ public final class SceneLoader {
                         share -> progress.accept(HEIGHTS_READ + (1 - HEIGHTS_READ) * (before + share) / count);
                 loaded.add(withTables(scene, shape, region, patch, part, progressOfAll));
             }
+            warnOfSteps(loaded.get(loaded.size() - 1));
         }
         return List.copyOf(loaded);
+    }
+
+    private void warnOfSteps(SceneData data) {
+        double slopes = data.scene().slopeDeviation();
+        if (slopes > 0
+                && data.bakers()
+                        .map(bakers -> bakers.table().slopeDeviation() == 0)
+                        .orElse(false)) {
+            warning.accept(Text.format(
+                    "%s: roughness %.2g deg: method table averages over slopes from 1 deg on, of an ensemble average;"
+                            + " here highlights may have edges where their brightness jumps. Use 0 deg, 1 deg or more, or method full",
+                    data.patch().name(), Math.toDegrees(Math.atan(slopes))));
+        }
     }
 
     private static List<Optional<ReflectanceComponent>> reflectanceComponents(Scene scene) {

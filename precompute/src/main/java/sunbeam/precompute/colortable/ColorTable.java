@@ -38,6 +38,11 @@ public record ColorTable(
     // wide.
     private static final double SHALLOWEST = 0.5;
 
+    // Least standard deviation of slopes in a table: tan 1 degree. The power spectra of smaller ones, with the square
+    // of their reciprocal,
+    // take more than 1 GB.
+    private static final double LEAST_SLOPES = 0.01745;
+
     /** Largest |w|: light and view along the normal. */
     public static final double DEEPEST = 2;
 
@@ -79,13 +84,12 @@ public record ColorTable(
     }
 
     /**
-     * True if slopes blur, at the largest |w|, more than the coarsest level of a table without slopes; smaller slopes widen footprints
-     * instead. So the power spectra of a table with slopes need a few hundred MB at most.
+     * True if the levels of a table can average over slopes; smaller ones, 0 included, widen footprints instead.
      *
      * @param slopeDeviation standard deviation of the slopes along either axis
      */
-    public static boolean isBlurredByRelief(double slopeDeviation) {
-        return DEEPEST * slopeDeviation > WIDEST_SIGMA;
+    public static boolean averages(double slopeDeviation) {
+        return slopeDeviation >= LEAST_SLOPES;
     }
 
     public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean ordersIsolated) {

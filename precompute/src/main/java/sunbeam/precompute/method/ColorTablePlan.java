@@ -60,13 +60,13 @@ public record ColorTablePlan(
     }
 
     /**
-     * Returns the plan for a surface with relief finer than a pixel; this plan itself if the slopes blur no more than its coarsest level,
-     * or if the average is coherent, since no table has its mean over slopes.
+     * Returns the plan for a surface with relief finer than a pixel; this plan itself if the slopes are too small, or if the average is
+     * coherent, since no table has its mean over slopes.
      *
      * @param slopeDeviation standard deviation of the slopes along either axis; 0 for none
      */
     public ColorTablePlan onRelief(double slopeDeviation) {
-        if (!ColorTable.isBlurredByRelief(slopeDeviation) || table.area().average() == Average.COHERENT) {
+        if (!ColorTable.averages(slopeDeviation) || table.area().average() == Average.COHERENT) {
             return this;
         }
         ColorTable sloping = ColorTable.within(table.tolerance(), table.area(), relief, false, slopeDeviation);

@@ -101,8 +101,8 @@ class ColorTableTest {
     }
 
     @Test
-    void smallReliefNeedsNoTableOfItsOwn() {
-        assertThat(ColorTable.isBlurredByRelief(Math.tan(Math.toRadians(1.5)))).isFalse();
-        assertThat(ColorTable.isBlurredByRelief(Math.tan(Math.toRadians(2)))).isTrue();
+    void slopesOfOneDegreeAndMoreAreInTheTable() {
+        assertThat(ColorTable.averages(Math.tan(Math.toRadians(0.99)))).isFalse();
+        assertThat(ColorTable.averages(Math.tan(Math.toRadians(1)))).isTrue();
     }
 }

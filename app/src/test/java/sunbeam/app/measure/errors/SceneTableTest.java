@@ -120,9 +120,7 @@ class SceneTableTest extends InAContext {
         assertTableHasTheMeanOfPoints(SceneTableTest::grazing);
     }
 
-    /**
-     * Few pixels: each of their points is the mean of 96 slopes. A table's mean is that of Gaussians whose width grows with the wavelength.
-     */
+    /** Of few pixels' points, each of which is the mean of 96 slopes. */
     @Test
     @Tag("thorough")
     void reliefFinerThanAPixelHasTheMeanOfItsSlopes() {
