@@ -93,14 +93,17 @@ final class Ground implements AutoCloseable {
         Tile seen = new Tile(left, drawn.spec().height() - 1 - top, right - left + 1, top - bottom + 1);
         context.drawFullScreen(program, textures(geometry), drawn, seen);
         float[] ground = drawn.read(0, seen);
-        int columns = SceneBlocks.ceilDiv(part.width(), stride);
-        for (int i = 0; i < pixels.length; i += CHANNELS) {
-            if (pixels[i + 3] == 0) {
-                int x = (part.x() + stride * (i / CHANNELS % columns)) / samples - left;
-                int y = top - (highest - stride * (i / CHANNELS / columns)) / samples;
-                int from = CHANNELS * (y * seen.width() + x);
-                System.arraycopy(ground, from, pixels, i, CHANNELS);
-                pixels[i + 3] = Math.min(pixels[i + 3], MOST_OPAQUE);
+        int i = 0;
+        for (int row = 0; row < part.height(); row += stride) {
+            int y = top - (highest - row) / samples;
+            for (int column = 0; column < part.width(); column += stride, i += CHANNELS) {
+                if (pixels[i + 3] == 0) {
+                    int from = CHANNELS * (y * seen.width() + (part.x() + column) / samples - left);
+                    for (int c = 0; c < 3; c++) {
+                        pixels[i + c] = ground[from + c];
+                    }
+                    pixels[i + 3] = Math.min(ground[from + 3], MOST_OPAQUE);
+                }
             }
         }
     }

@@ -81,12 +81,21 @@ public final class SceneDisplay {
         IntStream.range(0, image.getHeight()).parallel().forEach(row -> {
             double[] light = new double[3];
             double[] sum = new double[3];
+            int last = -1;
             for (int column = 0; column < width; column++) {
                 sum[0] = sum[1] = sum[2] = 0;
                 for (int sample = 0; sample < factor * factor; sample++) {
                     int y = row * factor + sample / factor;
                     int x = column * factor + sample % factor;
-                    add(samples.rgba(), CHANNELS * (y * samples.width() + x), display, behind, light, sum);
+                    int from = CHANNELS * (y * samples.width() + x);
+                    // Samples of the ground in one pixel are equal.
+                    if (last < 0 || !areEqual(samples.rgba(), last, from)) {
+                        transform(samples.rgba(), from, display, behind, light);
+                        last = from;
+                    }
+                    for (int c = 0; c < 3; c++) {
+                        sum[c] += light[c];
+                    }
                 }
                 for (int c = 0; c < 3; c++) {
                     sum[c] /= factor * factor;
@@ -97,13 +106,19 @@ public final class SceneDisplay {
         return image;
     }
 
-    /** Adds a sample's display light over the background to a sum; the sample's light is premultiplied by coverage. */
-    private static void add(
-            float[] rgba, int from, DisplayTransform display, double[] behind, double[] light, double[] sum) {
+    private static boolean areEqual(float[] rgba, int one, int other) {
+        return rgba[one] == rgba[other]
+                && rgba[one + 1] == rgba[other + 1]
+                && rgba[one + 2] == rgba[other + 2]
+                && rgba[one + 3] == rgba[other + 3];
+    }
+
+    /** Computes a sample's display light over the background; the sample's light is premultiplied by coverage. */
+    private static void transform(float[] rgba, int from, DisplayTransform display, double[] behind, double[] light) {
         float uncovered = Math.max(0, 1 - rgba[from + 3]);
         display.light(rgba, from, light);
         for (int c = 0; c < 3; c++) {
-            sum[c] += Math.min(1, light[c] + uncovered * behind[c]);
+            light[c] = Math.min(1, light[c] + uncovered * behind[c]);
         }
     }
 }
