@@ -41,6 +41,7 @@ final class CachedBaker implements TileBaker {
     // Open bakers by level or POINTS. They stay open, since opening one takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> openBakers = new TreeMap<>();
     private CachedTiles cached;
+    private boolean hasBaked;
     private boolean warned;
 
     CachedBaker(LevelBakers bakers) {
@@ -95,6 +96,7 @@ final class CachedBaker implements TileBaker {
         BitSet missing = (BitSet) job.tiles().clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
+            hasBaked = true;
             Iterator<byte[]> coefficients =
                     bakings.get(level).bake(missing, baker(level), token).iterator();
             Map<Integer, byte[]> made = new TreeMap<>();
@@ -136,7 +138,7 @@ final class CachedBaker implements TileBaker {
      * if all tiles came from the cache.
      */
     void validate(FootprintSample.Tabulated sample, CancellationToken canceled) {
-        if (!openBakers.isEmpty() && !warned) {
+        if (hasBaked && !warned) {
             VirtualTexture.miss(errors(sample, canceled), table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
