@@ -236,18 +236,18 @@ public final class SceneSession implements AutoCloseable {
         if (virtualTexture().isEmpty()) {
             return true;
         }
-        // Starts before the feedback is known: the picture reads most prefetched tiles, and a whole level takes little
-        // longer than some of its tiles.
-        virtualTexture().get().prefetch();
-        if (!virtualTexture().get().hasCoarsest()
-                && !addFeedback(SceneDisplay.meterParts(scene(), width, height), interrupted)) {
+        VirtualTexture tiles = virtualTexture().get();
+        tiles.clearRequest();
+        if (tiles.requestWhole()) {
+            return true;
+        }
+        if (!tiles.hasCoarsest() && !addFeedback(SceneDisplay.meterParts(scene(), width, height), interrupted)) {
             return false;
         }
-        virtualTexture().get().drain();
-        if (!virtualTexture().get().isComplete() && !addFeedback(parts(scene(), width, height, samples), interrupted)) {
+        if (!addFeedback(parts(scene(), width, height, samples), interrupted)) {
             return false;
         }
-        virtualTexture().get().request();
+        tiles.request();
         return true;
     }
 

@@ -2,6 +2,7 @@ package sunbeam.app.gpu.colors;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import jrtr.GraphicsException;
 import jrtr.gl.Binding;
@@ -36,6 +37,8 @@ public final class VirtualTexture implements AutoCloseable {
     private final FootprintSample sample = new FootprintSample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
+    // True if the cache has all tiles of the table; checked by the scheduler's executor.
+    private CompletableFuture<Boolean> isCached = CompletableFuture.completedFuture(false);
 
     public VirtualTexture(RenderContext context, LevelBakers levels) {
         this.baker = new CachedBaker(levels);
@@ -52,17 +55,20 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * True if the table is small and all of its tiles are resident. Loads a small table from the cache at once, since that is faster than
-     * finding the tiles that footprints read.
+     * True if all tiles of the table are resident. Loads a table of few tiles from the cache at once, since that is faster than finding the
+     * tiles that footprints read.
      */
     public boolean isComplete() {
-        if (prefetchSet.allTilesIfSmall().isEmpty()) {
-            return false;
-        }
-        if (scheduler.isEmpty() && resident.isEmpty() && baker.missing(prefetchSet.allTilesIfSmall()) == 0) {
+        if (scheduler.isEmpty() && resident.isEmpty() && isWholeInCache()) {
+            feedback.add(prefetchSet.prefetched());
             bakeFeedback();
         }
-        return prefetchSet.allTilesIfSmall().without(resident).isEmpty();
+        return prefetchSet.isWhole()
+                && prefetchSet.prefetched().without(resident).isEmpty();
+    }
+
+    private boolean isWholeInCache() {
+        return prefetchSet.isWhole() && baker.missing(prefetchSet.prefetched()) == 0;
     }
 
     public ColorTable table() {
@@ -87,8 +93,8 @@ public final class VirtualTexture implements AutoCloseable {
      * @throws GraphicsException if memory does not suffice for the tiles
      */
     public void bakeFeedback() {
-        if (scheduler.isEmpty()) {
-            feedback.add(prefetchSet.allTilesIfSmall());
+        if (scheduler.isEmpty() && prefetchSet.isSmall()) {
+            feedback.add(prefetchSet.prefetched());
         }
         TileSet missing = feedback.without(resident);
         feedback.clear();
@@ -149,6 +155,8 @@ public final class VirtualTexture implements AutoCloseable {
     public void bakeOn(Executor executor, Runnable onBakedTiles) {
         if (scheduler.isEmpty()) {
             scheduler = Optional.of(new Scheduler(grids.size(), baker, executor, onBakedTiles));
+            isCached = CompletableFuture.supplyAsync(this::isWholeInCache, executor)
+                    .exceptionally(failure -> false);
         }
         if (coarsestShare() < 1) {
             schedule(none());
@@ -201,7 +209,28 @@ public final class VirtualTexture implements AutoCloseable {
         schedule(none());
     }
 
-    /** Requests tiles that the next picture may read, while its feedback is not known yet. Clears the feedback and the last request. */
+    /** Clears the feedback and the last request. */
+    public void clearRequest() {
+        clearFeedback();
+        requested = none();
+        schedule(none());
+    }
+
+    /**
+     * Requests all tiles if all are in the cache or resident, since reading them takes less time than finding those that footprints read.
+     *
+     * @return false if not all are
+     */
+    public boolean requestWhole() {
+        if (!isCached.getNow(false) && !isComplete()) {
+            return false;
+        }
+        feedback.add(prefetchSet.prefetched());
+        request();
+        return true;
+    }
+
+    /** Requests tiles that the next picture may read, in place of the last request. Clears the feedback. */
     public void prefetch() {
         clearFeedback();
         requested = none();
