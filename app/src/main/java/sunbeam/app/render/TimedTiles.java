@@ -27,7 +27,7 @@ public final class TimedTiles {
     private final LongSupplier clock;
     // Largest time per pixel of recent tiles; initially that of the thesis's shader on two processors.
     private double nanosecondsPerPixel = 120_000;
-    // Of the last picture, including its empty pixels.
+    // Mean time of the last picture, including its empty pixels.
     private double averagePerPixel = nanosecondsPerPixel;
 
     /** @param clock clock in nanoseconds; may exclude work that does not depend on a tile's size */

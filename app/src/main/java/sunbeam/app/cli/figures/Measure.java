@@ -146,9 +146,11 @@ enum Measure {
     private static IntStream pixels(BufferedImage image, Region region) {
         int width = image.getWidth();
         int height = image.getHeight();
-        return IntStream.range(0, width * height)
-                .filter(pixel ->
-                        region.contains(2 * (pixel % width + 0.5) / width - 1, 1 - 2 * (pixel / width + 0.5) / height));
+        return IntStream.range(0, width * height).filter(pixel -> {
+            int column = pixel % width;
+            int row = pixel / width;
+            return region.contains(2 * (column + 0.5) / width - 1, 1 - 2 * (row + 0.5) / height);
+        });
     }
 
     private static int rgb(BufferedImage image, int pixel) {

@@ -66,13 +66,13 @@ final class GifAnimation {
                 int at = 3 * (x + 1);
                 float[] wanted = new float[3];
                 for (int c = 0; c < 3; c++) {
-                    int code = image.getRGB(x, y) >> 16 - 8 * c & 255;
+                    int code = image.getRGB(x, y) >> (16 - 8 * c) & 255;
                     wanted[c] = Math.max(0, Math.min(255, code + errors[at + c]));
                 }
                 int nearest = nearest(palette, wanted);
                 dithered.getRaster().setSample(x, y, 0, nearest);
                 for (int c = 0; c < 3; c++) {
-                    float error = (wanted[c] - (palette.getRGB(nearest) >> 16 - 8 * c & 255)) / 16;
+                    float error = (wanted[c] - (palette.getRGB(nearest) >> (16 - 8 * c) & 255)) / 16;
                     errors[at + 3 + c] += 7 * error;
                     below[at - 3 + c] += 3 * error;
                     below[at + c] += 5 * error;

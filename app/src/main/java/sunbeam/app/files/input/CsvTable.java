@@ -39,8 +39,8 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
     /**
      * Reads a table.
      *
-     * @throws InputException if the file is missing, or has no header, no row, a missing or repeated requested column, a row of another
-     *     length, or a requested field that is no finite number within the limits
+     * @throws InputException if the file is missing, or lacks a header, a row, a requested column or a requested finite number within the
+     *     limits; also if a requested column occurs twice or a row has another length
      */
     public static CsvTable read(Path file, List<String> required, List<String> optional, Limits limits) {
         if (Files.isDirectory(file)) {
