@@ -36,8 +36,11 @@ public final class KeyControls {
         for (Action action : Action.values()) {
             boolean hasMenu = action.group().hasMenu();
             if (hasMenu) {
-                JMenu menu = menus.computeIfAbsent(action.group().title(), JMenu::new);
+                JMenu menu = menus.computeIfAbsent(action.group().title(), title -> new JMenu(title));
                 menu.add(item(viewer, action, menu));
+            }
+            if (action == Action.LOAD_TEXTURE) {
+                menus.get(Group.FILE.title()).add(recent(viewer));
             }
             for (KeyStroke stroke :
                     action.strokes().subList(hasMenu ? 1 : 0, action.strokes().size())) {
@@ -63,8 +66,6 @@ public final class KeyControls {
                 }
             }
         });
-        menus.get(Group.FILE.title())
-                .insert(recent(viewer), Action.LOAD_TEXTURE.ordinal() - Action.LOAD_SCENE.ordinal() + 1);
         JMenuBar bar = new Menus();
         menus.values().forEach(bar::add);
         bar.add(scenes(viewer), 1);

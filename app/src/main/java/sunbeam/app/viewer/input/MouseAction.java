@@ -42,12 +42,12 @@ enum MouseAction {
             Group.LIGHT,
             "right drag, Shift + left drag",
             "moves the light",
-            event -> isDrag(event)
+            event -> (isDrag(event)
                             && (SwingUtilities.isRightMouseButton(event)
-                                    || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown()))
-                    || event.getID() == MouseEvent.MOUSE_MOVED
+                                    || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown())))
+                    || (event.getID() == MouseEvent.MOUSE_MOVED
                             && event.getComponent() instanceof PictureView view
-                            && view.isLightHeld(),
+                            && view.isLightHeld()),
             MouseControls::moveLight),
     PAN(
             Group.CAMERA,
