@@ -53,8 +53,11 @@ class ShaderLanguageTest extends InAContext {
             }
             """;
 
-    private static final String FRAGMENT = "in vec4 gl_FragCoord;\nlayout(location = 0) out vec4 color;\n"
-            + "void main() { color = vec4(shown(gl_FragCoord.xy), 1.0); }\n";
+    private static final String FRAGMENT = """
+            in vec4 gl_FragCoord;
+            layout(location = 0) out vec4 color;
+            void main() { color = vec4(shown(gl_FragCoord.xy), 1.0); }
+            """;
 
     @TempDir
     Path folder;
