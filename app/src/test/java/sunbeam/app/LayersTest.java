@@ -14,7 +14,7 @@ import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 import java.util.Set;
 
-/** The layers of docs/design: app on top of precompute and jrtr, which do not know each other. */
+/** The layers of docs/architecture.md: app on top of precompute and jrtr, which do not know each other. */
 @AnalyzeClasses(
         packages = {"sunbeam", "jrtr"},
         importOptions = ImportOption.DoNotIncludeTests.class)

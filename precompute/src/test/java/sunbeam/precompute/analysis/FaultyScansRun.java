@@ -5,8 +5,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /**
- * Estimated periods of faulty scans and of surfaces without a grating: makes a table of
- * docs/evaluation.md. Not among the tests: {@code ./sunbeam test -Dtest=FaultyScansRun}, with {@code -Dsunbeam.seed=N} for
+ * Estimated periods of faulty scans and of surfaces without a grating, as a table. Not among the tests: {@code ./sunbeam test -Dtest=FaultyScansRun}, with {@code -Dsunbeam.seed=N} for
  * other draws, {@code -Dsunbeam.draws=N} for more of each kind and {@code -Dsunbeam.kind=K} for one kind.
  */
 class FaultyScansRun {

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.text.Text;
 
 /**
- * Makes the table of docs/evaluation.md. Not among the tests: {@code ./sunbeam test -Dtest=SimulatedGratingsRun}, with
+ * Estimated periods of simulated gratings, as a table. Not among the tests: {@code ./sunbeam test -Dtest=SimulatedGratingsRun}, with
  * {@code -Dsunbeam.seed=N} for other draws and {@code -Dsunbeam.draws=N} for more of each kind.
  */
 class SimulatedGratingsRun {
