@@ -19,6 +19,7 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
@@ -129,11 +130,8 @@ public final class SceneLoader {
                 samePlaces && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
                 && before.method().light().equals(scene.method().light())
-                && before.effectiveEnergy() == scene.effectiveEnergy()
                 && before.tabulatedSlopes() == scene.tabulatedSlopes();
-        if (samePatches
-                && sameMethod
-                && before.get(SceneSettings.INDEX).sharesSpectrum(scene.get(SceneSettings.INDEX))) {
+        if (samePatches && sameMethod && before.sharesReflectance(scene)) {
             return previous.stream()
                     .map(part -> part.with(scene, mesh, sky, bodies.get(part.region())))
                     .toList();
@@ -215,7 +213,8 @@ public final class SceneLoader {
     }
 
     private static RefractiveIndex index(Scene scene) {
-        return IndexFile.read(Path.of(scene.get(SceneSettings.INDEX).file()));
+        SkinIndex index = scene.get(SceneSettings.INDEX);
+        return index.constant().orElseGet(() -> IndexFile.read(Path.of(index.file())));
     }
 
     private ReadMesh mesh(Scene scene) {
@@ -273,7 +272,10 @@ public final class SceneLoader {
                 ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
                 : setup.tables(method, MethodUse.COLOR, GpuBaker::of, progressOfTables);
         ShaderTables tables = scene.effectiveEnergy()
-                .divisor(patch.heights(), scene.method().seeing(patch).choices())
+                .divisor(
+                        patch.heights(),
+                        index(scene),
+                        scene.method().seeing(patch).choices())
                 .map(divisor -> divisor.applyTo(made, setup.cie()))
                 .orElse(made);
         SceneShape shown = shape.get();

@@ -8,6 +8,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -31,7 +32,7 @@ public enum Energy {
      * @param choices choices of the method for this surface
      * @throws SettingException for a method, window or relief without a right divisor
      */
-    public Optional<EnergyDivisor> divisor(HeightMap map, Choices choices) {
+    public Optional<EnergyDivisor> divisor(HeightMap map, RefractiveIndex index, Choices choices) {
         if (this == SCALAR) {
             return Optional.empty();
         }
@@ -43,7 +44,7 @@ public enum Energy {
                 "is not for method " + choices.get(Methods.METHOD).label());
         require(window.coherenceLength() >= SHORTEST_WINDOW, "needs a coherence length of 5um at least");
         require(map.relief() <= DEEPEST, "is for a relief of at most 20 um");
-        return Optional.of(new EnergyDivisor(map, window));
+        return Optional.of(new EnergyDivisor(map, index, window));
     }
 
     private static void require(boolean condition, String problem) {

@@ -210,9 +210,15 @@ public record Scene(
                 && patches.equals(other.patches)
                 && sharesBody(other)
                 && method.method().equals(other.method.method())
-                && effectiveEnergy() == other.effectiveEnergy()
                 && tabulatedSlopes() == other.tabulatedSlopes()
-                && get(INDEX).sharesSpectrum(other.get(INDEX));
+                && sharesReflectance(other);
+    }
+
+    /** True if tables of both have the same factors: constant indices differ only in the divisor of conserved energy. */
+    public boolean sharesReflectance(Scene other) {
+        return effectiveEnergy() == other.effectiveEnergy()
+                && (get(INDEX).equals(other.get(INDEX))
+                        || (effectiveEnergy() == Energy.SCALAR && get(INDEX).sharesSpectrum(other.get(INDEX))));
     }
 
     public boolean sharesBody(Scene other) {
@@ -224,7 +230,7 @@ public record Scene(
     /** Returns this scene with the loaded parts of another, which both then share. */
     public Scene withPartsOf(Scene other) {
         Choices parts = other.settings.only(SceneSettings.PARTS);
-        Choices shared = get(INDEX).sharesSpectrum(other.get(INDEX)) ? parts.without(INDEX) : parts;
+        Choices shared = sharesReflectance(other) ? parts.without(INDEX) : parts;
         return new Scene(shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
     }
 

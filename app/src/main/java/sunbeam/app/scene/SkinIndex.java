@@ -35,7 +35,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
 
-    /** True if this index and another share tables: equal files, or any two constants, on which tables do not depend. */
+    /** True if this index and another share tables: equal files, or any two constants, on which tables of colors do not depend. */
     public boolean sharesSpectrum(SkinIndex other) {
         return equals(other) || (!isByWavelength() && !other.isByWavelength());
     }

@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -31,7 +32,7 @@ public record EnergyBalance(double ratio, double wavelength) {
      *
      * @param wi direction to the light, in the patch's frame
      */
-    public static Optional<EnergyBalance> largest(HeightMap map, Direction wi) {
+    public static Optional<EnergyBalance> largest(HeightMap map, RefractiveIndex index, Direction wi) {
         HeightMap middle = middle(map);
         if (middle.relief() > DEEPEST) {
             return Optional.empty();
@@ -41,7 +42,7 @@ public record EnergyBalance(double ratio, double wavelength) {
         return IntStream.rangeClosed(0, steps)
                 .parallel()
                 .mapToDouble(i -> CieTable.MINIMUM_WAVELENGTH + i * WAVELENGTH_STEP)
-                .mapToObj(wavelength -> new EnergyBalance(spectrum.sum(wi, wavelength, 0), wavelength))
+                .mapToObj(wavelength -> new EnergyBalance(spectrum.sum(index, wi, wavelength, 0), wavelength))
                 .max(Comparator.comparingDouble(EnergyBalance::ratio));
     }
 

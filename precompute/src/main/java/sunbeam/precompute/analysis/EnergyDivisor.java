@@ -5,12 +5,13 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
 /**
- * Divisor of radiance that conserves energy: the light of all orders relative to a mirror's where that exceeds 1, by direction of light and
+ * Divisor of radiance that conserves energy: the light of all orders relative to that of a mirror of the same material where it exceeds 1, by direction of light and
  * wavelength. It does not depend on the direction of view, so reciprocity is lost. Of larger maps only the middle 256 samples along a side
  * are evaluated. Thread-safe.
  */
@@ -26,10 +27,12 @@ public final class EnergyDivisor {
     private static final double LOWEST_LIGHT = 0.999;
 
     private final OrderSpectrum spectrum;
+    private final RefractiveIndex index;
     private final double sigmaFrequency;
     private final int cell;
 
-    public EnergyDivisor(HeightMap map, CoherenceWindow window) {
+    public EnergyDivisor(HeightMap map, RefractiveIndex index, CoherenceWindow window) {
+        this.index = index;
         HeightMap middle = EnergyBalance.middle(map);
         spectrum = new OrderSpectrum(middle);
         cell = OrderSpectrum.orders(middle) < FEW_ORDERS ? CELL_OF_FEW : CELL_OF_MANY;
@@ -38,7 +41,7 @@ public final class EnergyDivisor {
 
     /** Returns the divisor, at least 1, for a light in the patch's frame and a wavelength in meters. */
     public double at(Direction wi, double wavelength) {
-        return Math.max(1, spectrum.sum(wi, wavelength, sigmaFrequency));
+        return Math.max(1, spectrum.sum(index, wi, wavelength, sigmaFrequency));
     }
 
     /** Returns the weights over wavelength that divide colors under one direction of light. */
@@ -63,10 +66,11 @@ public final class EnergyDivisor {
                 moment += cie.weighted()[i][1] * i;
             }
             if (weight > 0) {
-                double ratio =
-                        spectrum.sum(wi, CieTable.MINIMUM_WAVELENGTH + moment / weight * NANOMETER, sigmaFrequency);
-                sent += weight * ratio;
-                conserved += weight * Math.min(1, ratio);
+                double wavelength = CieTable.MINIMUM_WAVELENGTH + moment / weight * NANOMETER;
+                double ratio = spectrum.sum(index, wi, wavelength, sigmaFrequency);
+                double mirror = weight * index.reflectance(wavelength, wi.z());
+                sent += mirror * ratio;
+                conserved += mirror * Math.min(1, ratio);
             }
         }
         return conserved > 0 ? sent / conserved : 1;

@@ -10,6 +10,7 @@ import sunbeam.precompute.numerics.GaussLegendre;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
@@ -157,33 +158,43 @@ public final class OrderSpectrum {
         return new double[] {geometry * real, geometry * imaginary};
     }
 
-    private double power(int x, int y, double wavelength, DirectionPair pair) {
+    private double power(RefractiveIndex index, int x, int y, double wavelength, DirectionPair pair) {
         double[] amplitude = amplitude(x, y, wavelength, pair);
-        return amplitude[0] * amplitude[0] + amplitude[1] * amplitude[1];
+        double overMirror =
+                index.reflectance(wavelength, pair.cosThetaD()) / index.reflectance(wavelength, pair.cosThetaI());
+        return overMirror * (amplitude[0] * amplitude[0] + amplitude[1] * amplitude[1]);
     }
 
     /**
-     * Returns the light of all orders under a coherence window, relative to the light of a mirror: 1 if the model conserves energy. Close
-     * to the horizon it is the integral over the order's Gaussian, with a part of it beyond.
+     * Returns the light of all orders under a coherence window, relative to the light of a mirror of the same material: 1 if the model
+     * conserves energy. Close to the horizon it is the integral over the order's Gaussian, with a part of it beyond.
      *
      * @param sigmaFrequency standard deviation of the window's amplitude spectrum, cycles per meter; 0 for an infinite window
      */
-    public double sum(Direction wi, double wavelength, double sigmaFrequency) {
+    public double sum(RefractiveIndex index, Direction wi, double wavelength, double sigmaFrequency) {
         double blur = wavelength * sigmaFrequency;
         double[] sum = new double[1];
         forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
             if (square > Math.max(GRAZING * GRAZING, Math.min(FARTHEST, NEAR_HORIZON * blur))) {
                 Direction out = new Direction(outX, outY, Math.sqrt(square));
-                sum[0] += power(x, y, wavelength, new DirectionPair(wi, out));
+                sum[0] += power(index, x, y, wavelength, new DirectionPair(wi, out));
             } else if (blur > 0 && square > -3 * REACH * blur) {
-                sum[0] += atHorizon(x, y, wavelength, wi, outX, outY, blur);
+                sum[0] += atHorizon(index, x, y, wavelength, wi, outX, outY, blur);
             }
         });
         return sum[0];
     }
 
     /** Integrates an order over its Gaussian along the radius r = sin alpha; dr / cos alpha = d alpha takes the pole at the horizon. */
-    private double atHorizon(int x, int y, double wavelength, Direction wi, double outX, double outY, double blur) {
+    private double atHorizon(
+            RefractiveIndex index,
+            int x,
+            int y,
+            double wavelength,
+            Direction wi,
+            double outX,
+            double outY,
+            double blur) {
         double radius = Math.hypot(outX, outY);
         double low = Math.asin(Math.max(0, Math.min(1, radius - REACH * blur)));
         double high = Math.asin(Math.min(1, radius + REACH * blur));
@@ -194,7 +205,7 @@ public final class OrderSpectrum {
             Direction out = new Direction(outX * sine / radius, outY * sine / radius, Math.cos(alpha));
             double off = (sine - radius) / blur;
             double weight = 0.5 * NODES.weights()[i] * (high - low) * Math.exp(-off * off) * Math.cos(alpha);
-            sum += weight * power(x, y, wavelength, new DirectionPair(wi, out));
+            sum += weight * power(index, x, y, wavelength, new DirectionPair(wi, out));
         }
         return sum / (Math.sqrt(Math.PI) * blur);
     }

@@ -73,7 +73,7 @@ final class MaterialMap {
         this.parts = ReflectionPart.of(index, setup.cie());
         Direction inPatch = light.turned(-turn);
         Optional<EnergyDivisor> divisor =
-                choices.get(ENERGY, Energy.SCALAR).divisor(setup.patch().heights(), choices);
+                choices.get(ENERGY, Energy.SCALAR).divisor(setup.patch().heights(), index, choices);
         for (ReflectionPart part : parts) {
             CieTable divided =
                     divisor.map(found -> found.under(inPatch, part.cie())).orElse(part.cie());

@@ -134,7 +134,8 @@ final class SurfaceColors {
     }
 
     Optional<EnergyBalance> energy() {
-        return EnergyBalance.largest(patch().scan(), views.get(0).pairs().get(0).wi());
+        return EnergyBalance.largest(
+                patch().scan(), index, views.get(0).pairs().get(0).wi());
     }
 
     MethodPlan plan() {

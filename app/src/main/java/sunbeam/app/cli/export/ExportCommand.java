@@ -33,6 +33,7 @@ import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
@@ -154,7 +155,7 @@ public final class ExportCommand extends ReportingCommand {
                 choices,
                 read,
                 errors(setup, baker, read, writer),
-                rule.divisor(setup.patch().heights(), choices.with(COHERENCE_LENGTH, width)));
+                rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
         List<Path> written = writer.write(output, force.overwrite(), grid, baker, metadata);
         PrintWriter out = out(output);
         PrintWriter text = json.text(out);

@@ -14,6 +14,7 @@ import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
@@ -88,7 +89,8 @@ record TableMetadata(
         fields.put("illuminant", choices.get(LightSettings.ILLUMINANT));
         fields.put("wavelengths", choices.get(LightSettings.WAVELENGTHS).toString());
         fields.put("observer", choices.get(LightSettings.OBSERVER).label());
-        Optional<EnergyBalance> energy = EnergyBalance.largest(setup.patch().scan(), new Direction(0, 0, 1));
+        Optional<EnergyBalance> energy =
+                EnergyBalance.largest(setup.patch().scan(), RefractiveIndex.KERATIN, new Direction(0, 0, 1));
         fields.put(
                 "light_sent_out_from_above_by_mirrors",
                 energy.map(EnergyBalance::ratio).orElse(null));

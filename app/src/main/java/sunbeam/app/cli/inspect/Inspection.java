@@ -18,6 +18,7 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.SamplingCheck;
@@ -76,7 +77,7 @@ record Inspection(
                 patch,
                 thetaI,
                 ModelError.of(patch.scan()),
-                EnergyBalance.largest(patch.scan(), FROM_ABOVE),
+                EnergyBalance.largest(patch.scan(), RefractiveIndex.KERATIN, FROM_ABOVE),
                 period,
                 HeightSpectrum.of(patch.scan(), edges),
                 limit,

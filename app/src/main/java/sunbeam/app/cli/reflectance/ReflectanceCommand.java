@@ -119,7 +119,7 @@ public final class ReflectanceCommand extends ReportingCommand {
                 .withLight(LightTable.of(asked));
         Choices choices = loaded.limitToScan(asked, err);
         Optional<EnergyDivisor> divisor =
-                turn.choices().get(ENERGY).divisor(loaded.patch().heights(), choices);
+                turn.choices().get(ENERGY).divisor(loaded.patch().heights(), material, choices);
         DiffractionSetup setup = divisor.isEmpty() || list.spectral()
                 ? loaded
                 : loaded.withLight(divisor.get().under(light(list), loaded.cie()));
