@@ -57,18 +57,18 @@ class VirtualTextureTest {
     /** Starts a background table; if its whole is requested, checks that all tiles arrive. */
     private boolean isRequestedWhole() {
         Deque<Runnable> tasks = new ArrayDeque<>();
+        boolean isWhole;
         try (RenderContext context = RenderContext.offscreen();
                 VirtualTexture texture = new VirtualTexture(context, bakers())) {
             texture.bakeOn(tasks::add, () -> {});
             tasks.remove().run();
-            boolean isWhole = texture.requestWhole();
+            isWhole = texture.requestWhole();
             runAll(tasks);
             assertThat(texture.drain()).isTrue();
             assertThat(texture.isComplete()).isEqualTo(isWhole);
-            texture.close();
-            runAll(tasks);
-            return isWhole;
         }
+        runAll(tasks);
+        return isWhole;
     }
 
     private static void runAll(Deque<Runnable> tasks) {
