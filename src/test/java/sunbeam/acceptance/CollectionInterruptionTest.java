@@ -24,7 +24,7 @@ class CollectionInterruptionTest extends InWorkplace {
         };
 
         try (RunningSunbeam running = workplace.command(command).start()) {
-            long deadline = System.nanoTime() + Duration.ofSeconds(120).toNanos();
+            long deadline = System.nanoTime() + Duration.ofMinutes(2).toNanos();
             while (!Files.exists(reports)) {
                 assertThat(System.nanoTime()).as("time until there is a report").isLessThan(deadline);
                 Thread.sleep(10);

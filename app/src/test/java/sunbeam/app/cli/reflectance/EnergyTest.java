@@ -84,7 +84,7 @@ class EnergyTest extends CommandLineFixture {
         int column = List.of(lines.get(0).split(",")).indexOf(name);
         return lines.stream()
                 .skip(1)
-                .mapToDouble(line -> Double.parseDouble(line.split(",")[column]))
+                .mapToDouble(line -> Double.parseDouble(line.split(",", -1)[column]))
                 .toArray();
     }
 

@@ -49,7 +49,7 @@ final class ReportSchemaTest extends CommandLineFixture {
     private JsonNode report(int expected, String words) throws IOException {
         forgetOutput();
         List<String> arguments = new ArrayList<>();
-        for (String word : words.split(" ")) {
+        for (String word : words.split(" ", -1)) {
             arguments.add(word.replace("@", folder + "/"));
         }
         int code = sunbeam(arguments.toArray(String[]::new));
