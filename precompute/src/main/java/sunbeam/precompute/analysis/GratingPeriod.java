@@ -115,7 +115,10 @@ public record GratingPeriod(
         }
         GratingPeriod piece = PeriodModel.of(scan, which).orElseGet(() -> nothing.none(none));
         if (periodic && exact.isPresent()) {
-            return piece.isSeen() && exact.get().period() > MANY_LINES * piece.period() ? piece : exact.get();
+            // A lattice's waves cross each other: only a sure piece holds more of them.
+            boolean found =
+                    piece.isSure() || (piece.isSeen() && exact.get().others().isEmpty());
+            return found && exact.get().period() > MANY_LINES * piece.period() ? piece : exact.get();
         }
         if (!piece.isSeen() && side < SHORTEST_SIDE) {
             return nothing.tooLittle(Text.format(

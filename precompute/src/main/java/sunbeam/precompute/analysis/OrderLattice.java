@@ -16,10 +16,6 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
     // Least share of the heights' variance in a frequency of a repeated patch that its lattice must contain: float
     // files round heights to 1e-7 of the relief.
     private static final double WEAKEST = 1e-9;
-    // Least length of a vector of a repeated patch's lattice, relative to the strongest wave. A patch with a shorter
-    // one
-    // holds many different lines; its orders are those of the wave.
-    private static final double SHORTEST = 0.24;
     // Least sine of the angle between the waves of a lattice.
     private static final double CROSSING = 0.3;
 
@@ -31,25 +27,22 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         }
     }
 
-    /** Returns the lattice of a period: all frequencies of a patch that repeats, or the strongest waves of a scan. */
+    /** Returns the lattice of all frequencies of a patch that repeats, or that of a scan's strongest waves. */
     public static OrderLattice of(Patch patch, GratingPeriod period) {
         SpatialFrequency wave = period.wave();
-        OrderLattice waves = new OrderLattice(
+        if (patch.repetition() == Patch.Repetition.PERIODIC) {
+            OrderLattice exact = generated(HeightSpectrum.of(patch.scan(), HeightSpectrum.Edges.PERIODIC));
+            return exact.second
+                    .filter(other -> other.sineTo(wave) < WEAKEST)
+                    .map(other -> new OrderLattice(other, Optional.of(exact.first)))
+                    .orElse(exact);
+        }
+        return new OrderLattice(
                 positive(wave),
                 period.others().stream()
                         .filter(other -> other.sineTo(wave) > CROSSING)
                         .findFirst()
                         .map(OrderLattice::positive));
-        if (!period.isExact() || patch.repetition() != Patch.Repetition.PERIODIC) {
-            return waves;
-        }
-        OrderLattice exact = generated(HeightSpectrum.of(patch.scan(), HeightSpectrum.Edges.PERIODIC));
-        if (exact.first.length() < SHORTEST * wave.length()) {
-            return waves;
-        }
-        return exact.second.filter(other -> other.sineTo(wave) < WEAKEST).isPresent()
-                ? new OrderLattice(exact.second.get(), Optional.of(exact.first))
-                : exact;
     }
 
     /** Returns the coarsest lattice that contains all frequencies of a surface, the shortest vector first. */

@@ -141,6 +141,35 @@ class OrderLightTest {
     }
 
     @Test
+    void aHexagonalPatchHasTheLatticeOfItsBins() {
+        double constant = 2e-6;
+        double height = Math.sqrt(3) * constant;
+        double depth = 30e-9;
+        int columns = 100;
+        int rows = 174;
+        double[] heights = new double[columns * rows];
+        for (int i = 0; i < heights.length; i++) {
+            double x = 2 * Math.PI * (i % columns) / columns;
+            double y = 2 * Math.PI * (i / columns) / rows;
+            heights[i] = depth * (Math.cos(2 * y) + Math.cos(x + y) + Math.cos(x - y));
+        }
+        HeightMap map = new HeightMap(columns, rows, constant / columns, height / rows, heights);
+        Direction wi = Direction.ofDegrees(45, 17);
+        OrderLight light = light(map, wi, 380e-9);
+
+        double reciprocal = 2 / height;
+        assertThat(light.lattice().first().length()).isCloseTo(reciprocal, within(1e-9 * reciprocal));
+        assertThat(light.lattice().second().orElseThrow().length()).isCloseTo(reciprocal, within(1e-9 * reciprocal));
+        // J_0^3 and, as three waves of one triangle add up to order 0, small terms of higher orders.
+        assertThat(light.at(new Order(0, 0)).value()).isCloseTo(0.0198, within(1e-4));
+        // Rounding errors beyond the horizon.
+        assertThat(light.between()).isLessThan(1e-20);
+        Patch patch = new Patch("p", map, "p", List.of());
+        assertThat(Verdict.of(patch, GratingPeriod.of(patch)).sentence())
+                .startsWith("A hexagonal lattice with a constant of 2.00 um");
+    }
+
+    @Test
     void grooveTwoOfAPatchMayDifferAndDoublesThePeriod() {
         HeightMap equal = Surfaces.sampled(64, 2, PERIOD / 32, (column, row) -> column % 32 < 16 ? 0 : 100e-9);
         HeightMap unequal = Surfaces.sampled(

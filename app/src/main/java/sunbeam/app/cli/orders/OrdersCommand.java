@@ -159,8 +159,12 @@ public final class OrdersCommand extends ReportingCommand {
         long lights = (long) thetas.count() * wavelengths.count();
         if (orders * lights > MOST_EVALUATIONS || lattice.most(CieTable.MINIMUM_WAVELENGTH) * lights > MOST_RESULTS) {
             throw new UsageException(Text.format(
-                    "%d angles of --theta-i and %d --wavelengths are too many for this patch; take larger steps",
-                    thetas.count(), wavelengths.count()));
+                    "%d angles of --theta-i and %d --wavelengths are too many for this patch; take larger steps%s",
+                    thetas.count(),
+                    wavelengths.count(),
+                    patch.repetition() == Patch.Repetition.PERIODIC
+                            ? ", or --no-periodic, which adds up the light around each order of its lines"
+                            : ""));
         }
         OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
         double phi = choices.find(PHI_I)

@@ -126,6 +126,7 @@ class OrdersCommandTest extends CommandLineFixture {
                 "blaze --wavelengths 300:500:10 | 2 | --wavelengths 300:500:10 leaves the range 380 to 780",
                 "blaze --wavelengths green | 2 | is not a range",
                 "blaze --theta-i 0:80:0.001 --wavelengths 380:780:0.001 | 2 | are too many for this patch",
+                "elaphe-like | 2 | are too many for this patch; take larger steps, or --no-periodic",
                 "blaze --index 0 | 2 | --index 0",
             })
     void mistakesAreOneLine(String arguments, int code, String start) {
