@@ -131,7 +131,7 @@ public final class EvaluateCommand extends ReportingCommand {
         grating.check();
         Methods.of(asked);
         if (output != null) {
-            files(stem(output)).checkWritable();
+            files(output).checkWritable();
         }
         PrintWriter out = json.text(out());
         Patch patch = patchOptions.load(asked);
@@ -139,7 +139,7 @@ public final class EvaluateCommand extends ReportingCommand {
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
         ScanWarnings.print(patch, warnings, methodOptions.explains(), err());
-        FileGroup files = files(output != null ? stem(output) : Path.of(patch.name() + "-evaluate"));
+        FileGroup files = files(output != null ? output : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();
         Choices choices = limit.choices();
         GaussianArea area = GaussianArea.of(choices);
@@ -165,17 +165,8 @@ public final class EvaluateCommand extends ReportingCommand {
         return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
-    private FileGroup files(Path stem) {
-        return new FileGroup(stem, ENDINGS, force.overwrite(output));
-    }
-
-    static Path stem(Path named) {
-        String name = String.valueOf(named.getFileName());
-        return ENDINGS.stream()
-                .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
-                .findFirst()
-                .map(ending -> named.resolveSibling(name.substring(0, name.length() - ending.length())))
-                .orElse(named);
+    private FileGroup files(Path name) {
+        return FileGroup.named(name, ENDINGS, force.overwrite(output));
     }
 
     private GratingPeriod period(Patch patch) {

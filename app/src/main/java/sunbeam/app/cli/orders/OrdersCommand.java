@@ -103,7 +103,8 @@ public final class OrdersCommand extends ReportingCommand {
     @Option(
             names = "--output",
             paramLabel = "NAME",
-            description = "Name of the files, without ending. Default: PATCH-orders.")
+            description = "Name of the files; an ending .png, .json or .csv is left out, as each file has its"
+                    + " own. Default: PATCH-orders.")
     private Path output;
 
     @Override
@@ -118,12 +119,12 @@ public final class OrdersCommand extends ReportingCommand {
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
         if (output != null) {
-            new FileGroup(output, ENDINGS, force.overwrite(output)).checkWritable();
+            FileGroup.named(output, ENDINGS, force.overwrite(output)).checkWritable();
         }
         Patch patch = patchOptions.load(Choices.none());
         ScanWarnings.line(patch.name(), patch.warnings(), "inspect").ifPresent(err()::println);
-        Path stem = output != null ? output : Path.of(patch.name() + "-orders");
-        FileGroup files = new FileGroup(stem, ENDINGS, force.overwrite(output));
+        Path name = output != null ? output : Path.of(patch.name() + "-orders");
+        FileGroup files = FileGroup.named(name, ENDINGS, force.overwrite(output));
         files.checkWritable();
         GratingPeriod period = GratingPeriod.of(patch);
         if (!period.isSeen()) {

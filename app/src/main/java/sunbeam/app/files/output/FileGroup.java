@@ -23,6 +23,24 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     }
 
     /**
+     * Creates the group of a name that the user may have given with one of the endings, which is left out.
+     *
+     * @throws UsageException for a path that names no file
+     */
+    public static FileGroup named(Path path, List<String> endings, Overwrite overwrite) {
+        String name = path.getFileName() == null ? "" : path.getFileName().toString();
+        if (name.isEmpty()) {
+            throw new UsageException("--output '" + path + "' names no file; give a name without ending");
+        }
+        String stem = endings.stream()
+                .filter(ending -> name.endsWith(ending) && name.length() > ending.length())
+                .findFirst()
+                .map(ending -> name.substring(0, name.length() - ending.length()))
+                .orElse(name);
+        return new FileGroup(path.resolveSibling(stem), endings, overwrite);
+    }
+
+    /**
      * Checks that all files can be written now.
      *
      * @throws OutputException if a file cannot be written

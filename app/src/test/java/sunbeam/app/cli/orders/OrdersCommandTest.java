@@ -117,6 +117,25 @@ class OrdersCommandTest extends CommandLineFixture {
         assertThat(incidence.get("between_orders").get(0).asDouble()).isPositive();
     }
 
+    @Test
+    void theNameOfTheFilesHasNoEnding() {
+        assertThat(sunbeam(
+                        "orders",
+                        "blaze",
+                        "--wavelengths",
+                        "500",
+                        "--output",
+                        file("a.csv").toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(file("a.csv")).exists();
+        assertThat(file("a.png")).exists();
+        assertThat(file("a.csv.csv")).doesNotExist();
+        assertThat(sunbeam("orders", "blaze", "--wavelengths", "500", "--output", ""))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("--output '' names no file");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
