@@ -137,7 +137,7 @@ final class PackedShading implements AutoCloseable {
     private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
         for (int level = 0; level < skin.levelsRead(request.scene()); level++) {
             skin.shade(context, buffer, sources, target, packing.used(), new ShadingPass(request, level, false));
-            skin.virtualTexture().orElseThrow().addFeedback(footprints(packing));
+            skin.virtualTexture().orElseThrow().addFeedback(footprints(packing), !request.isCoarsest());
         }
     }
 

@@ -75,9 +75,15 @@ public final class VirtualTexture implements AutoCloseable {
         return baker.table();
     }
 
-    /** Adds the tiles of some footprints to the feedback, for {@link #bakeFeedback} or {@link #request}. */
-    public void addFeedback(Footprints footprints) {
-        sample.add(footprints);
+    /**
+     * Adds the tiles of some footprints to the feedback, for {@link #bakeFeedback} or {@link #request}.
+     *
+     * @param ofPicture whether the table is validated at them: false for the footprints of metering, which read too coarse a level
+     */
+    public void addFeedback(Footprints footprints, boolean ofPicture) {
+        if (ofPicture) {
+            sample.add(footprints);
+        }
         feedback.add(footprints.tiles(grids));
     }
 
@@ -107,7 +113,9 @@ public final class VirtualTexture implements AutoCloseable {
         }
         expect(missing);
         baker.bakeAll(missing).forEach(this::add);
-        baker.validate(tabulated(), new CancellationToken());
+        if (!sample.isEmpty()) {
+            baker.validate(tabulated(), new CancellationToken());
+        }
     }
 
     /** Starts a new sample. */
