@@ -149,8 +149,9 @@ class OrderLightTest {
         int rows = 174;
         double[] heights = new double[columns * rows];
         for (int i = 0; i < heights.length; i++) {
+            int row = i / columns;
             double x = 2 * Math.PI * (i % columns) / columns;
-            double y = 2 * Math.PI * (i / columns) / rows;
+            double y = 2 * Math.PI * row / rows;
             heights[i] = depth * (Math.cos(2 * y) + Math.cos(x + y) + Math.cos(x - y));
         }
         HeightMap map = new HeightMap(columns, rows, constant / columns, height / rows, heights);
