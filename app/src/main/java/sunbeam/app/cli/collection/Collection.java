@@ -301,7 +301,8 @@ public final class Collection {
             JsonOption.print(out, report);
             return;
         }
-        out.println(rows.size() + " surfaces: "
+        out.println(rows.size()
+                + (rows.size() == 1 ? " surface: " : " surfaces: ")
                 + verdicts.entrySet().stream()
                         .map(entry -> entry.getValue() + " " + entry.getKey())
                         .collect(Collectors.joining(", ")));

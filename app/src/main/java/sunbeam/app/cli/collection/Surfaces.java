@@ -37,9 +37,8 @@ final class Surfaces {
     static List<String> of(List<String> names) {
         for (String name : names) {
             if (!BuiltInPatches.names().contains(name) && !new File(name).exists()) {
-                throw new UsageException(
-                        "'" + name + "' is neither a built-in patch nor an existing file; values follow"
-                                + " options, without blanks or in quotes");
+                throw new UsageException("'" + name
+                        + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
             }
         }
         return names.stream()

@@ -77,7 +77,7 @@ public final class ExportCommand extends ReportingCommand {
             paramLabel = "FORMAT",
             required = true,
             description =
-                    "npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page with a map and a sphere under a light that the mouse moves."
+                    "One of npz, bsdf, html, glsl, osl. npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page with a map and a sphere under a light that the mouse moves."
                             + " glsl: a folder with a function in GLSL, HLSL and WGSL, its table as KTX2 and EXR, and a page that uses it."
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
     private ExportFormat format;
