@@ -33,8 +33,8 @@ public final class SceneSettings {
     public static final Setting<String> TITLE =
             new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
 
-    public static final Setting<String> MESH =
-            new Setting<>("mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, or a file: OBJ, PLY, glTF.");
+    public static final Setting<String> MESH = new Setting<>(
+            "mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, disc, or a file: OBJ, PLY, glTF.");
 
     public static final Setting<MeshUnit> MESH_UNIT = new Setting<>(
                     "meshUnit",
