@@ -20,7 +20,7 @@ public final class SceneDisplay {
     /** Longer side, in pixels, of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
-    /** Samples along a pixel's side of the metered picture. */
+    /** Samples along a pixel's side of the metered picture by method table; other methods take one. */
     public static final int TABLE_SAMPLES = 2;
 
     private SceneDisplay() {}
@@ -88,7 +88,8 @@ public final class SceneDisplay {
                     int y = row * factor + sample / factor;
                     int x = column * factor + sample % factor;
                     int from = CHANNELS * (y * samples.width() + x);
-                    // Samples of the ground in one pixel are equal.
+                    // All samples of a pixel that show the ground below the mesh are equal, so that one transform
+                    // serves them.
                     if (last < 0 || !areEqual(samples.rgba(), last, from)) {
                         transform(samples.rgba(), from, display, behind, light);
                         last = from;

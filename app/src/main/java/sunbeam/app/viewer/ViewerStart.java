@@ -71,7 +71,7 @@ public final class ViewerStart {
                     // Messages before the window exists go to the terminal.
                     Optional.ofNullable(viewer.get()).ifPresent(shown -> shown.message(line));
                 },
-                // The panel shows them beside the patch's name.
+                // Drops remarks about patches: the panel shows them beside the patch's name.
                 line -> {});
         // Loads the scene on another thread while Swing starts, since Swing's start uses one processor only.
         BackgroundTask<LoadedScene> first =

@@ -65,7 +65,9 @@ public final class LevelBaking {
     public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
-        // Batches are wedges: few rays cross two of them.
+        // Tiles are sorted by angle around the grid's center, so that a batch is a wedge: few of the rays of (u, v)
+        // along which bakers
+        // compute cross two batches.
         BitSet missing = new BitSet();
         missingTexels.keySet().forEach(missing::set);
         int[] byAngle = grid.byAngle(missing).toArray();
@@ -99,7 +101,10 @@ public final class LevelBaking {
             return first + Arrays.stream(texels).mapToInt(BitSet::cardinality).sum();
         }
 
-        /** All slices of one (u, v), then the next (u, v) in Morton order, whose spectra nearly coincide. */
+        /**
+         * Visits the samples of all slices at one (u, v), then those at the next (u, v) in Morton order: successive samples read nearly the
+         * same frequencies of the surface's spectrum.
+         */
         void forEach(SampleVisitor visitor) {
             int sample = first;
             for (int i = 0; i < SIDE * SIDE; i++) {

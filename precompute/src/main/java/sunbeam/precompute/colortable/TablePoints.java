@@ -25,7 +25,7 @@ public record TablePoints(Reach reach) {
 
     public TablePoints {
         if (reach instanceof Reach.Everything) {
-            throw new IllegalArgumentException("all points");
+            throw new IllegalArgumentException("a table for all directions is not limited to points");
         }
     }
 

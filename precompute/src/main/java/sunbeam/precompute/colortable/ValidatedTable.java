@@ -18,8 +18,8 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The
- * laws of {@link TableDesign} are too coarse for some surfaces: between the tails of sharp orders, under a coherent average, roots of
- * colors have lines of kinks.
+ * laws of {@link TableDesign} are too coarse for some surfaces: under a coherent average, the square roots of colors, which the table
+ * stores, have kinks along lines between the tails of sharp orders.
  *
  * @param errors relative errors of the table against its source
  */
@@ -169,14 +169,14 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
                 ? steps + ", not checked: all directions are dark"
                 : Text.format(
                         "%s, checked at %d directions: errors relative to its source of %.2g in the median, %.2g at the 95th and %.2g at the 98th percentile"
-                                + " (limits for both together: %.2g in the median, %.2g at the 95th)",
+                                + " (limits for the table and its source together: %.2g in the median, %.2g at the 95th)",
                         steps,
                         errors.count(),
                         errors.median(),
                         errors.percentile95(),
                         errors.percentile98(),
                         tolerance,
-                        ErrorStatistics.PROMISED_PERCENTILE * tolerance);
+                        ErrorStatistics.PERCENTILE_95_LIMIT * tolerance);
     }
 
     /** Adds the table to the arrays of shaders/method/table.glsl. */

@@ -7,8 +7,8 @@ import sunbeam.precompute.text.Text;
 /** Statistics of a set of errors; all but the count are NaN for an empty set. */
 public record ErrorStatistics(
         int count, double median, double percentile95, double percentile98, double maximum, double mean) {
-    /** Tolerances that the 95th percentile may have. */
-    public static final double PROMISED_PERCENTILE = 3;
+    /** Limit of the 95th percentile, as a multiple of the tolerance. */
+    public static final double PERCENTILE_95_LIMIT = 3;
 
     /** A NaN counts as an infinite error. */
     public static ErrorStatistics of(double... errors) {
@@ -24,9 +24,9 @@ public record ErrorStatistics(
                 Arrays.stream(counted).average().orElse(Double.NaN));
     }
 
-    /** True if the median is within a tolerance and the 95th percentile within {@link #PROMISED_PERCENTILE} times it. */
+    /** True if the median is within a tolerance and the 95th percentile within {@link #PERCENTILE_95_LIMIT} times it. */
     public boolean keep(double tolerance) {
-        return count == 0 || (median <= tolerance && percentile95 <= PROMISED_PERCENTILE * tolerance);
+        return count == 0 || (median <= tolerance && percentile95 <= PERCENTILE_95_LIMIT * tolerance);
     }
 
     /** Returns a remark on too few errors for a 95th percentile: all of n random errors lie below it with probability 0.95^n. */

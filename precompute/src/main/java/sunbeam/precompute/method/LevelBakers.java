@@ -43,7 +43,7 @@ public final class LevelBakers {
         return sources.tiles(plan);
     }
 
-    /** Computes the data that all bakers share, unless tiles are cached; otherwise the first baker computes it. */
+    /** Computes the data that all bakers share. If tiles are cached, it is left to the first baker that is opened. */
     public void prepare() {
         if (plan.spectrum().isPresent() && !sources.hasTiles(plan)) {
             spectrum.get();

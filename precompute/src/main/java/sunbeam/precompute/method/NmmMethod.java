@@ -32,7 +32,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     // of the narrowest color matching function's.
     private static final double WIDEST_ORDER = 7e4;
     private static final double LARGEST_UV = 2;
-    // Power, relative to an order on the ray, below which an order beside it is ignored.
+    // Power of an order beside the ray of all (u, v) / lambda, relative to that on the ray, below which the order is
+    // ignored.
     private static final double FAINTEST = 1e-3;
     // Deviation of the window's spectrum, in bins, above which orders overlap: neighbors interfere by exp(-1 / (4
     // sigma^2)).
@@ -110,7 +111,9 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         double width = surface.map().width();
         double height = surface.map().height();
         double sigma = plan.window().sigmaFrequency();
-        // Distance, in bins, from an obliquely crossed column at which orders still count.
+        // Largest distance, in bins along a column, from where the ray crosses it, at which an order still counts; for
+        // the most oblique
+        // ray.
         double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
         ShaderTables.Builder tables = new ShaderTables.Builder(weighted ? "nmm" : "nmm_thesis")
                 .all(bins)

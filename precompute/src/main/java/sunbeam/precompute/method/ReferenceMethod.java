@@ -21,7 +21,7 @@ import sunbeam.precompute.setting.SettingException;
 /**
  * Exact method: direct sums over the surface in double precision.
  *
- * @param area window, or replicas
+ * @param area Gaussian coherence window, or evenly lit repetitions of the patch (replicas)
  */
 public record ReferenceMethod(CoherenceArea area) implements Method {
     /** For this type the preset determines the window's origin only. */

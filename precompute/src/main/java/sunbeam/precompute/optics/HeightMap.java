@@ -114,7 +114,7 @@ public final class HeightMap {
         return range().high() - range().low();
     }
 
-    /** True if no sample is NaN. */
+    /** True if no sample is missing. */
     public boolean isComplete() {
         return range().complete();
     }
@@ -125,7 +125,7 @@ public final class HeightMap {
             double high = Double.NEGATIVE_INFINITY;
             boolean complete = true;
             for (double height : heights) {
-                complete &= !Double.isNaN(height);
+                complete &= Double.isFinite(height);
                 // False for NaN.
                 if (height < low && height > Double.NEGATIVE_INFINITY) {
                     low = height;

@@ -38,7 +38,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         }
     }
 
-    /** The window resolves every order of so small a patch: the nearest bin suffices. */
+    /** Returns the sampling for a patch so small that the window resolves each of its orders: the bin nearest to a frequency suffices. */
     static OrderSampling resolved(OrderNodes nodes, BandRule band) {
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }

@@ -80,7 +80,10 @@ public record Planner(
         throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
     }
 
-    /** Returns the roughness of the patch if a grid is interpolated; otherwise {@link Roughness#NONE}. */
+    /**
+     * Returns the roughness of the patch if the plan may interpolate the spectrum on a grid of frequencies; otherwise {@link
+     * Roughness#NONE}.
+     */
     public Roughness roughness(TableChoices choices, GaussianArea area, VisibleRange range) {
         return !choices.fixesBins() && SamplingPlanner.interpolates(map, area.window())
                 ? Roughness.measure(map, area.window(), area.origin(), range, statistics)

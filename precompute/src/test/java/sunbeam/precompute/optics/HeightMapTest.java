@@ -41,4 +41,15 @@ class HeightMapTest {
                 .doesNotHaveDuplicates()
                 .allMatch(digest -> digest.matches("[0-9a-f]{64}"));
     }
+
+    @Test
+    void samplesThatAreNotNumbersOrInfiniteAreMissing() {
+        assertThat(new HeightMap(2, 1, 1e-9, 1e-9, new double[] {0, 1e-9}).isComplete())
+                .isTrue();
+        for (double missing : new double[] {Double.NaN, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY}) {
+            assertThat(new HeightMap(2, 1, 1e-9, 1e-9, new double[] {0, missing}).isComplete())
+                    .as("" + missing)
+                    .isFalse();
+        }
+    }
 }

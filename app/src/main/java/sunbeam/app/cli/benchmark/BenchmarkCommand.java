@@ -27,7 +27,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
-/** {@code sunbeam benchmark}: error and time of the methods, as a ratio to the thesis's shader in the same run. */
+/** {@code sunbeam benchmark}: error of the methods, and their time as a ratio to that of the thesis's shader in the same run. */
 @Command(
         name = "benchmark",
         header = "Measure error and time of the methods.",
@@ -50,7 +50,7 @@ public final class BenchmarkCommand extends ReportingCommand {
     private List<String> names = new ArrayList<>();
 
     @Mixin
-    private final PatchOptions patchOptions = PatchOptions.ofSeveral();
+    private final PatchOptions patchOptions = PatchOptions.withoutPatch();
 
     @Mixin
     private LightOptions light;

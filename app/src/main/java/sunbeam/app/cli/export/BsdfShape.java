@@ -11,8 +11,9 @@ import sunbeam.precompute.colortable.ColorTable;
  * @param thetas number of the first direction's angles to the normal, from 0 to {@code largest}
  * @param largest largest angle of the first direction to the normal, radians
  * @param side number of samples along each side of the unit square that holds the second direction
- * @param rows number of azimuths of the half vector at which the square's density is stored
- * @param columns number of the half vector's angles to the normal at which the square's density is stored
+ * @param rows number of azimuths of the half vector at which the density that maps the square to half vectors ({@link HalfVectors}) is
+ *     stored
+ * @param columns number of the half vector's angles to the normal at which that density is stored
  * @param bands wavelength bands of the spectra
  */
 record BsdfShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {

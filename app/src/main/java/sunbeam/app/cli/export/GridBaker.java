@@ -82,7 +82,10 @@ final class GridBaker {
         return bake(wider, grid.shape().coarser(1 << doublings));
     }
 
-    /** Returns grids with the same texels, whose three channels are {@link SpectralBands#TOGETHER} spectral bands each. */
+    /**
+     * Returns grids with the same texels that hold spectral bands in place of X, Y, Z: {@link SpectralBands#TOGETHER} in each grid, one per
+     * channel.
+     */
     List<ColorGrid> bands(ColorGrid grid, SpectralBands bands) {
         return IntStream.range(0, bands.tables())
                 .mapToObj(number -> under(bands.table(number), grid))

@@ -46,7 +46,7 @@ public final class PatchOptions extends SettingOptions {
     }
 
     /** Returns options without {@code --patch}: the command declares its own argument for it. */
-    public static PatchOptions ofSeveral() {
+    public static PatchOptions withoutPatch() {
         return new PatchOptions(
                 PatchSettings.ALL.stream()
                         .filter(setting -> !setting.equals(PATCH))

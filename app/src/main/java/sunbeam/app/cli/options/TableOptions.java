@@ -21,7 +21,7 @@ public final class TableOptions extends SettingOptions {
     private String patch;
 
     @Mixin
-    private final PatchOptions surface = PatchOptions.ofSeveral();
+    private final PatchOptions surface = PatchOptions.withoutPatch();
 
     /**
      * Makes the options.

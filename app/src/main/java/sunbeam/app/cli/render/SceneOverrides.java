@@ -82,7 +82,7 @@ public final class SceneOverrides {
 
     /**
      * Refuses a chosen method without the ensemble average if the scene has this average, unless another average is chosen too. Method gem,
-     * which has no tolerance, has no average to lose.
+     * told by its lack of a tolerance, is not refused: averages do not apply to its formula.
      */
     private static void checkAverage(Scene scene, Choices given) {
         boolean lost = given.has(METHOD)

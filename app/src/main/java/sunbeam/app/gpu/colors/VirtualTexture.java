@@ -118,7 +118,7 @@ public final class VirtualTexture implements AutoCloseable {
         }
     }
 
-    /** Starts a new sample. */
+    /** Returns the sample's bright footprints with their colors in the table, and starts a new sample. */
     private FootprintSample.Tabulated tabulated() {
         FootprintSample.Tabulated tabulated = sample.tabulated(table(), atlas.lookUp(grids));
         sample.clear();
@@ -136,7 +136,7 @@ public final class VirtualTexture implements AutoCloseable {
                         errors.percentile95(),
                         errors.count(),
                         tolerance,
-                        ErrorStatistics.PROMISED_PERCENTILE * tolerance));
+                        ErrorStatistics.PERCENTILE_95_LIMIT * tolerance));
     }
 
     /** Returns the errors of the table at a sample of the feedback's footprints, whose tiles must be resident. Clears the feedback. */

@@ -43,7 +43,7 @@ public record Certificate(
 
         /** Returns the limits of a tolerance: the median may reach it, the 95th percentile three times it. */
         public static Limits of(double tolerance) {
-            return new Limits(tolerance, ErrorStatistics.PROMISED_PERCENTILE * tolerance, Double.POSITIVE_INFINITY);
+            return new Limits(tolerance, ErrorStatistics.PERCENTILE_95_LIMIT * tolerance, Double.POSITIVE_INFINITY);
         }
 
         /**
