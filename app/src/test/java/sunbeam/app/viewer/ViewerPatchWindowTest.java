@@ -52,7 +52,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         load(file);
         awaitPatch(file.toString());
         assertThat(onEvents(() -> caption().getText())).isEqualTo("Patch (i)");
-        assertThat(onEvents(() -> caption().getToolTipText())).contains("coarse: ", "heights");
+        assertThat(onEvents(() -> caption().getToolTipText())).contains("coarse: ", "slopes");
         assertThat(message()).isBlank();
         onEvents(() -> {
             JLabel caption = caption();
@@ -60,7 +60,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                     new MouseEvent(caption, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 1, 1, 1, false));
             return null;
         });
-        assertThat(message()).contains("coarse: ", "heights");
+        assertThat(message()).contains("coarse: ", "slopes");
     }
 
     private JLabel caption() {
