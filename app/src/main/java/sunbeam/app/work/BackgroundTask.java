@@ -7,8 +7,8 @@ import java.util.function.Supplier;
 
 /**
  * Computation in a pool of threads, while the caller does something else. Two computations that are partly serial take less time in
- * parallel. The pool is not the common one, which on two processors has one thread: several threads outside of that pool that run parallel
- * streams share a queue of it, and in Java 17 these threads wait for each other in a loop that takes a whole processor.
+ * parallel. The pool is not the common one, which on two processors has one thread. Threads outside of that pool that run parallel
+ * streams share one of its queues. In Java 17 they wait for each other in a loop that takes a whole processor.
  */
 public final class BackgroundTask<T> {
     private static final ForkJoinPool POOL = new ForkJoinPool();

@@ -11,9 +11,9 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
 /**
- * Divisor of radiance that conserves energy: the light of all orders relative to that of a mirror of the same material where it exceeds 1, by direction of light and
- * wavelength. It does not depend on the direction of view, so reciprocity is lost. Of larger maps only the middle 256 samples along a side
- * are evaluated. Thread-safe.
+ * Divisor of radiance that conserves energy: the light of all orders relative to that of a mirror of the same material where it exceeds 1,
+ * by direction of light and wavelength. It does not depend on the direction of view, so reciprocity is lost. Maps with more than 256
+ * samples along a side are represented by their middle 256. Thread-safe.
  */
 public final class EnergyDivisor {
     // Directions of light along each axis of a table.

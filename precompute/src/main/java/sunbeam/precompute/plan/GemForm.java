@@ -4,6 +4,6 @@ package sunbeam.precompute.plan;
 public enum GemForm {
     /** J. Stam's, GPU Gems, chapter 8: colors in all directions, as linear sRGB. */
     STAM,
-    /** That of the thesis's program for maps: colors as XYZ, a tenth as bright, along the grating alone, fading away from the mirror. */
+    /** Form of the thesis's program for maps: colors as XYZ, a tenth as bright, along the grating alone, fading away from the mirror. */
     THESIS
 }
