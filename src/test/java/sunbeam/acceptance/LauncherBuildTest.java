@@ -143,7 +143,7 @@ class LauncherBuildTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"archive", "fuzz", "test"})
+    @ValueSource(strings = {"archive", "test"})
     void helpOfTheLaunchersOwnCommandsBuildsNothing(String command) throws Exception {
         SunbeamResult result = sandbox.command(command, "--help").run();
 

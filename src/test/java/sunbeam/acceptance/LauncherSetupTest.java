@@ -58,7 +58,7 @@ class LauncherSetupTest {
                 .run();
 
         assertThat(result.exitCode()).as("%s", result).isZero();
-        assertThat(result.stderr()).contains("apt-get will now install", "maven              Maven, to build");
+        assertThat(result.stderr()).contains("apt-get will now install", "maven (Maven, to build)");
         assertThat(result.stdout()).startsWith("screen none");
         assertThat(Files.readAllLines(calls))
                 .satisfiesExactly(

@@ -43,7 +43,6 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         "",
         "In a clone, also (each with --help):",
         "  ./sunbeam test        builds everything and runs all tests",
-        "  ./sunbeam fuzz        tries damaged files on a reader",
         "  ./sunbeam archive     packs the program for other systems",
         "",
         "Environment:",

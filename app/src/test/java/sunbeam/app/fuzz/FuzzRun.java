@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * What {@code ./sunbeam fuzz READER --minutes N} runs: Jazzer, guided by the coverage of the readers, in a process of the
+ * Runs Jazzer on one reader ({@code ./sunbeam test -Dtest=FuzzRun -Dsunbeam.fuzz.reader=READER}), guided by the coverage of the readers, in a process of the
  * budget's memory. Not among the tests. Jazzer's integration with JUnit is made for JUnit 5; its driver needs no JUnit.
  */
 final class FuzzRun {
@@ -24,9 +24,9 @@ final class FuzzRun {
 
     @Test
     void run() throws Exception {
-        assumeTrue(System.getProperty(FuzzTarget.READER) != null, "skipped: run ./sunbeam fuzz READER");
+        assumeTrue(System.getProperty(FuzzTarget.READER) != null, "skipped: needs -Dsunbeam.fuzz.reader=READER");
         FuzzedReader reader = FuzzedReader.of(System.getProperty(FuzzTarget.READER));
-        double minutes = Double.parseDouble(System.getProperty("sunbeam.fuzz.minutes"));
+        double minutes = Double.parseDouble(System.getProperty("sunbeam.fuzz.minutes", "1"));
         Path work = Path.of("target", "fuzz", reader.label());
         Path corpus = Files.createDirectories(work.resolve("corpus"));
         Path findings = Files.createDirectories(work.resolve("findings"));

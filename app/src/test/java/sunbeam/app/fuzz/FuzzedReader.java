@@ -139,12 +139,7 @@ enum FuzzedReader {
     }
 
     static FuzzedReader of(String label) {
-        for (FuzzedReader reader : values()) {
-            if (reader.label().equals(label)) {
-                return reader;
-            }
-        }
-        throw new IllegalArgumentException("no reader '" + label + "'");
+        return valueOf(label.toUpperCase(Locale.ROOT).replace('-', '_'));
     }
 
     /** What the file is called; only JSON and CSV go by their names. */
