@@ -55,7 +55,7 @@ class SharedReferenceTest {
             double largest =
                     Math.max(exact.at(row, "exact_X"), Math.max(exact.at(row, "exact_Y"), exact.at(row, "exact_Z")));
             for (String column : List.of("X", "Y", "Z")) {
-                // Refined until 1e-9 (ReferenceColor); measured against these files 1e-12 in the median, 4e-8 at most.
+                // Refined until 1e-9 (WindowLight); measured against these files 1e-12 in the median, 4e-8 at most.
                 assertThat(ours.at(row, column))
                         .as("row %d, %s", row, column)
                         .isCloseTo(exact.at(row, "exact_" + column), within(Math.max(1e-7 * largest, 1e-20)));

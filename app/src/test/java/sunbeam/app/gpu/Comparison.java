@@ -14,8 +14,9 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.WindowLight;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
@@ -90,11 +91,10 @@ final class Comparison {
     /** Errors of the colors as vectors, where there is any power. */
     Errors colorErrors(List<DirectionPair> pairs) {
         List<float[]> computed = colors(pairs);
-        ReferenceColor color =
-                new ReferenceColor(reference, full.area().window(), cie, ReferenceColor.Quadrature.INTEGRATED);
+        ExactLight light = new WindowLight(reference, cie, ensemble());
         double[] errors = IntStream.range(0, pairs.size())
                 .parallel()
-                .mapToDouble(i -> relative(computed.get(i), color.xyz(pairs.get(i), ensemble())))
+                .mapToDouble(i -> relative(computed.get(i), light.xyz(pairs.get(i), ExactLight.Quadrature.INTEGRATED)))
                 .filter(error -> !(error < 0))
                 .toArray();
         return Errors.of(errors);

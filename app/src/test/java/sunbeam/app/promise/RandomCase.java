@@ -23,8 +23,7 @@ import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.reference.ReferenceColor;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableBuilder;
@@ -163,18 +162,11 @@ record RandomCase(
 
     /** X, Y, Z, or the power of the average alone, of each query. */
     double[][] exact() {
-        ReferenceEvaluator evaluator = new ReferenceEvaluator(map, area.window(), area.origin());
-        ReferenceColor color =
-                new ReferenceColor(evaluator, area.window(), surface().cie(), ReferenceColor.Quadrature.INTEGRATED);
-        boolean ensemble = area.average() == Average.ENSEMBLE;
+        ExactLight light = area.over(map, surface().cie());
         return queries.parallelStream()
-                .map(query -> {
-                    if (colors) {
-                        return color.xyz(query.pair(), ensemble);
-                    }
-                    ReferenceEvaluator.Power power = evaluator.powers(query.pair(), query.wavelength());
-                    return new double[] {ensemble ? power.ensemble() : power.coherent()};
-                })
+                .map(query -> colors
+                        ? light.xyz(query.pair(), ExactLight.Quadrature.INTEGRATED)
+                        : new double[] {light.power(query.pair(), query.wavelength())})
                 .toArray(double[][]::new);
     }
 

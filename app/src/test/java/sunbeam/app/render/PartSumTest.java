@@ -19,8 +19,7 @@ import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.reference.ReferenceColor;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.ExactLight;
 
 /** The light of a skin with an index file is the sum of two parts, over one body. */
 @NeedsDisplay
@@ -83,11 +82,7 @@ class PartSumTest extends InAContext {
             var area = part.scene().method().area();
             ReflectionPart reflection =
                     part.reflectanceComponent().orElseThrow().reflection();
-            double[] xyz = new ReferenceColor(
-                            new ReferenceEvaluator(part.patch().heights(), area.window(), area.origin()),
-                            area.window(),
-                            reflection.cie())
-                    .xyz(pair, true);
+            double[] xyz = area.over(part.patch().heights(), reflection.cie()).xyz(pair, ExactLight.Quadrature.EXACT);
             for (int c = 0; c < 3; c++) {
                 sum[c] += reflection.gain(pair) * xyz[c];
             }

@@ -29,8 +29,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.reference.ReferenceColor;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 
 @NeedsDisplay
@@ -67,13 +66,7 @@ class SceneSessionTest extends InAContext {
     void aPixelHasTheExactColorOfItsDirection() {
         ScenePicture picture = WholePicture.of(session, WIDTH, HEIGHT);
         SceneData data = session.data();
-        ReferenceColor reference = new ReferenceColor(
-                new ReferenceEvaluator(
-                        data.patch().heights(),
-                        data.scene().method().area().window(),
-                        data.scene().method().area().origin()),
-                data.scene().method().area().window(),
-                CieTable.load());
+        ExactLight reference = data.scene().method().area().over(data.patch().heights(), CieTable.load());
         int[] byLuminance = IntStream.range(0, WIDTH * HEIGHT)
                 .boxed()
                 .sorted(Comparator.comparingDouble(i -> -picture.rgba()[4 * i + 1]))
@@ -84,7 +77,7 @@ class SceneSessionTest extends InAContext {
             int[] at = {byLuminance[rank] % WIDTH, byLuminance[rank] / WIDTH};
             Pick pick = session.pick(at[0], at[1], WIDTH, HEIGHT).orElseThrow();
             DirectionPair pair = new DirectionPair(pick.wi(), pick.wr());
-            double[] exact = reference.xyz(pair, true);
+            double[] exact = reference.xyz(pair, ExactLight.Quadrature.EXACT);
             float[] drawn = pixel(picture, at[0], at[1]);
             double gain = Gain.relativeRadiance(pair);
             brightest = Math.max(brightest, gain * exact[1]);

@@ -2,7 +2,6 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
@@ -27,7 +26,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
      * @param widestStep largest step in 1 / lambda, 1 / meters, that resolves the diffracted power
      */
     static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
-        return new BinSampling(neighborhood, IntegratedNodes.of(cie, widestStep), true);
+        return new BinSampling(neighborhood, WavelengthNodes.integrated(cie, widestStep), true);
     }
 
     /** Returns the sum that the user chose; by default with the thesis's wavelength step and all bins that count. */

@@ -47,7 +47,7 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
 
     @Override
     public ExactLight over(HeightMap map, CieTable cie) {
-        return new WindowLight(new ReferenceEvaluator(map, window, origin), window, cie, average == Average.ENSEMBLE);
+        return new WindowLight(new ReferenceEvaluator(map, window, origin), cie, average == Average.ENSEMBLE);
     }
 
     public GaussianArea with(CoherenceWindow other) {

@@ -4,14 +4,12 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReplicaEvaluator;
 import sunbeam.precompute.reference.ReplicaLight;
 
 /** Coherence area with sharp edges: replicas of the patch side by side, evenly lit. */
 public record ReplicatedArea(Replicas replicas) implements CoherenceArea {
     @Override
     public ExactLight over(HeightMap map, CieTable cie) {
-        return new ReplicaLight(
-                new ReplicaEvaluator(map, replicas), replicas.equalAreaWindow(map.width(), map.height()), cie);
+        return new ReplicaLight(map, replicas, cie);
     }
 }

@@ -11,7 +11,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.reference.CoherentSamples;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /**
  * Statistics of the power that a patch diffracts in random directions, measured with the exact reference. A rough patch, which scatters
@@ -60,7 +60,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         double[] numbers = statistics.get(
                 map,
                 name,
-                () -> of(sample(new CoherentSamples(map, window, origin), range), deviations)
+                () -> of(sample(new ReferenceEvaluator(map, window, origin), range), deviations)
                         .numbers());
         return new Roughness(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]);
     }
@@ -70,33 +70,33 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     }
 
     /** Samples random directions, until too many are dark. */
-    private static List<CoherentSamples.Sample> sample(CoherentSamples source, VisibleRange range) {
+    private static List<ReferenceEvaluator.Sample> sample(ReferenceEvaluator source, VisibleRange range) {
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
         Arrays.setAll(drawn, i -> draw(random, range));
-        List<CoherentSamples.Sample> samples = new ArrayList<>();
+        List<ReferenceEvaluator.Sample> samples = new ArrayList<>();
         while (samples.size() < DIRECTIONS && !isTooDark(samples)) {
             Arrays.stream(drawn, samples.size(), Math.min(samples.size() + AT_ONCE, DIRECTIONS))
                     .parallel()
-                    .map(query -> source.at(query.pair(), query.wavelength()))
+                    .map(query -> source.sample(query.pair(), query.wavelength()))
                     .forEachOrdered(samples::add);
         }
         return samples;
     }
 
-    private static boolean isTooDark(List<CoherentSamples.Sample> samples) {
+    private static boolean isTooDark(List<ReferenceEvaluator.Sample> samples) {
         long dark = samples.stream().filter(sample -> !isBright(sample)).count();
         return dark > (1 - FEWEST_BRIGHT) * DIRECTIONS;
     }
 
-    private static boolean isBright(CoherentSamples.Sample sample) {
+    private static boolean isBright(ReferenceEvaluator.Sample sample) {
         return sample.coherent() >= ErrorBudget.DARKEST_POWER;
     }
 
-    private static Roughness of(List<CoherentSamples.Sample> samples, double deviations) {
+    private static Roughness of(List<ReferenceEvaluator.Sample> samples, double deviations) {
         double[] powers = samples.stream()
                 .filter(Roughness::isBright)
-                .mapToDouble(CoherentSamples.Sample::coherent)
+                .mapToDouble(ReferenceEvaluator.Sample::coherent)
                 .sorted()
                 .toArray();
         double bright = (double) powers.length / samples.size();

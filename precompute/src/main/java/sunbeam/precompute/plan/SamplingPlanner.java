@@ -7,7 +7,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.reference.ReferenceColor;
+import sunbeam.precompute.reference.WindowLight;
 import sunbeam.precompute.resample.InterpolationDesign;
 
 /** Planner of the sampling of the windowed spectrum: single orders if the window resolves them, sums over bins or a grid otherwise. */
@@ -42,7 +42,7 @@ record SamplingPlanner(
     List<Supplier<Sampling>> choices() {
         if (!cie.isSmooth()) {
             // Half of the reference's step, whose error of a millionth of an order's maximum is too much on its flanks.
-            double step = 0.5 * ReferenceColor.step(window(), heights, range.longestUv(), range.maximumW());
+            double step = 0.5 * WindowLight.step(window(), heights, range.longestUv(), range.maximumW());
             return List.of(() -> BinSampling.exact(bins(), cie, step));
         }
         // The next order is at least half a bin away. It must vanish there, so that the valley between orders is dark.

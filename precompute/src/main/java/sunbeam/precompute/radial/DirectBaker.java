@@ -3,7 +3,6 @@ package sunbeam.precompute.radial;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -70,7 +69,7 @@ final class DirectBaker implements ColorBaker {
         WavelengthNodes known = nodes.get(halvings);
         if (known == null) {
             // Two threads may compute the same nodes; neither waits.
-            known = IntegratedNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings));
+            known = WavelengthNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings), 0);
             nodes.put(halvings, known);
         }
         return known;

@@ -1,7 +1,6 @@
 package sunbeam.precompute.radial;
 
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
@@ -75,7 +74,7 @@ final class LogRadialBand {
         private static Positions of(CieTable cie, double step, double wavelengthStep) {
             int stride = (int) Math.max(LEAST_STRIDE, Math.ceil(step / wavelengthStep));
             double covered = Math.log(2 * cie.longestWavelength() / cie.shortestWavelength());
-            return new Positions(IntegratedNodes.logarithmic(cie, step / stride), stride, covered);
+            return new Positions(WavelengthNodes.logarithmic(cie, step / stride, 0), stride, covered);
         }
 
         /** Returns a power of two, which may be slightly too short. */

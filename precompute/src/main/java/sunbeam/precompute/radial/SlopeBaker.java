@@ -4,7 +4,6 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.IntegratedNodes;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -78,7 +77,7 @@ public final class SlopeBaker implements ColorBaker {
                 Nodes ofStep = nodes.get(halvings);
                 if (ofStep == null) {
                     double step = WIDEST_STEP / (1 << halvings);
-                    ofStep = new Nodes(IntegratedNodes.logarithmic(cie, step, LEAST_WEIGHT), new ConcurrentHashMap<>());
+                    ofStep = new Nodes(WavelengthNodes.logarithmic(cie, step, LEAST_WEIGHT), new ConcurrentHashMap<>());
                     nodes.put(halvings, ofStep);
                 }
                 bake(ofStep, uvw, first, end, xyz);

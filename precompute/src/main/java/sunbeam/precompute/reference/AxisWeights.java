@@ -1,17 +1,61 @@
 package sunbeam.precompute.reference;
 
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
+
 /** Complex weights of the samples along one axis. N is the number of samples and f a frequency in cycles per meter. */
 record AxisWeights(double[] real, double[] imaginary) {
+    /**
+     * Sample positions along one axis, relative to the sample under the window's maximum.
+     *
+     * @param step signed distance of neighboring samples in meters; negative along y, because rows run downwards
+     * @param origin index of the sample at position 0
+     */
+    record Axis(int count, double step, int origin) {
+        static Axis x(HeightMap map, WindowOrigin origin) {
+            return new Axis(map.columns(), map.pitchX(), origin.sample(map.columns()));
+        }
+
+        static Axis y(HeightMap map, WindowOrigin origin) {
+            return new Axis(map.rows(), -map.pitchY(), origin.sample(map.rows()));
+        }
+
+        double period() {
+            return count * Math.abs(step);
+        }
+
+        /**
+         * Returns the amplitudes of the coherence window at each distance, in samples, from its maximum; those of all samples add up to 1.
+         *
+         * @param reach standard deviations up to which the window is sampled
+         */
+        double[] window(double sigma, double reach) {
+            int extent = (int) Math.floor(reach * sigma / Math.abs(step));
+            double[] amplitudes = new double[extent + 1];
+            double total = 0;
+            for (int i = extent; i >= 0; i--) {
+                double deviations = i * step / sigma;
+                amplitudes[i] = Math.exp(-0.5 * deviations * deviations);
+                total += i == 0 ? amplitudes[i] : 2 * amplitudes[i];
+            }
+            for (int i = 0; i <= extent; i++) {
+                amplitudes[i] /= total;
+            }
+            return amplitudes;
+        }
+    }
+
+    private AxisWeights(Axis axis) {
+        this(new double[axis.count], new double[axis.count]);
+    }
 
     /** Returns exp(+2 pi i f_j x) / N, where f_j is the frequency of a DFT bin. */
     static AxisWeights ofBin(int bin, Axis axis) {
-        AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
-        int direction = axis.step() < 0 ? -1 : 1;
-        for (int i = 0; i < axis.count(); i++) {
-            long steps = Math.floorMod((long) bin * (i - axis.origin()) * direction, (long) axis.count());
-            double angle = angle((double) steps / axis.count());
-            weights.real[i] = Math.cos(angle) / axis.count();
-            weights.imaginary[i] = Math.sin(angle) / axis.count();
+        AxisWeights weights = new AxisWeights(axis);
+        int direction = axis.step < 0 ? -1 : 1;
+        for (int i = 0; i < axis.count; i++) {
+            long steps = Math.floorMod((long) bin * (i - axis.origin) * direction, (long) axis.count);
+            weights.add(i, 1.0 / axis.count, angle((double) steps / axis.count));
         }
         return weights;
     }
@@ -19,47 +63,49 @@ record AxisWeights(double[] real, double[] imaginary) {
     /**
      * Returns g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch under the window. The phase factor is that of the sample
      * times that of the replica: one sine for each, instead of one for each pair.
+     *
+     * @param window amplitudes of {@link Axis#window}
      */
-    static AxisWeights ofWindow(double frequency, Axis axis, WindowSamples window) {
-        AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
-        long extent = window.extent();
-        long firstReplica = Math.floorDiv(axis.origin() - extent, (long) axis.count());
-        long lastReplica = Math.floorDiv(axis.origin() + extent, (long) axis.count());
+    static AxisWeights ofWindow(double frequency, Axis axis, double[] window) {
+        AxisWeights weights = new AxisWeights(axis);
+        long extent = window.length - 1L;
+        long firstReplica = Math.floorDiv(axis.origin - extent, (long) axis.count);
+        long lastReplica = Math.floorDiv(axis.origin + extent, (long) axis.count);
         for (long replica = firstReplica; replica <= lastReplica; replica++) {
-            long shift = replica * axis.count() - axis.origin();
+            long shift = replica * axis.count - axis.origin;
             int first = (int) Math.max(0, -extent - shift);
-            int last = (int) Math.min(axis.count() - 1, extent - shift);
-            double angle = angle(frequency * axis.step() * axis.count() * replica);
+            int last = (int) Math.min(axis.count - 1, extent - shift);
+            double angle = angle(frequency * axis.step * axis.count * replica);
             double cosine = Math.cos(angle);
             double sine = Math.sin(angle);
             for (int i = first; i <= last; i++) {
-                double gauss = window.at(shift + i);
+                double gauss = window[(int) Math.abs(shift + i)];
                 weights.real[i] += gauss * cosine;
                 weights.imaginary[i] += gauss * sine;
             }
         }
-        for (int i = 0; i < axis.count(); i++) {
-            weights.turn(i, angle(frequency * axis.step() * (i - axis.origin())));
+        for (int i = 0; i < axis.count; i++) {
+            weights.turn(i, angle(frequency * axis.step * (i - axis.origin)));
         }
         return weights;
     }
 
     /** Returns exp(+2 pi i f x) / (N Q), summed over Q adjacent replicas of the patch. */
     static AxisWeights ofReplicas(double frequency, Axis axis, int replicas) {
-        AxisWeights weights = new AxisWeights(new double[axis.count()], new double[axis.count()]);
-        double amount = 1.0 / axis.count() / replicas;
+        AxisWeights weights = new AxisWeights(axis);
+        double amount = 1.0 / axis.count / replicas;
         for (int replica = 0; replica < replicas; replica++) {
-            for (int i = 0; i < axis.count(); i++) {
-                double position = ((double) replica * axis.count() + i) * axis.step();
-                weights.add(i, amount, frequency * position);
+            for (int i = 0; i < axis.count; i++) {
+                double position = ((double) replica * axis.count + i) * axis.step;
+                weights.add(i, amount, angle(frequency * position));
             }
         }
         return weights;
     }
 
-    private void add(int index, double amount, double turns) {
-        real[index] += amount * Math.cos(angle(turns));
-        imaginary[index] += amount * Math.sin(angle(turns));
+    private void add(int index, double amount, double angle) {
+        real[index] += amount * Math.cos(angle);
+        imaginary[index] += amount * Math.sin(angle);
     }
 
     private void turn(int index, double angle) {

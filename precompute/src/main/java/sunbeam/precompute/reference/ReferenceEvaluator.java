@@ -7,6 +7,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.reference.AxisWeights.Axis;
 
 /**
  * Diffracted power of a patch by direct summation in double precision (docs/theory.md):
@@ -22,15 +23,15 @@ import sunbeam.precompute.patch.HeightLevels;
 public final class ReferenceEvaluator {
     // Standard deviations sigma and sigma_f: beyond, the amplitude is below exp(-9^2 / 2) = 3e-18 and the power below
     // exp(-6.8^2) = 8e-21.
-    static final double AMPLITUDE_REACH = 9;
+    private static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
     private final SurfaceSums surface;
     private final CoherenceWindow window;
     private final Axis axisX;
     private final Axis axisY;
-    private final WindowSamples windowX;
-    private final WindowSamples windowY;
+    private final double[] windowX;
+    private final double[] windowY;
 
     /** @throws IllegalArgumentException when samples are missing */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
@@ -38,12 +39,24 @@ public final class ReferenceEvaluator {
         this.window = window;
         this.axisX = Axis.x(map, origin);
         this.axisY = Axis.y(map, origin);
-        this.windowX = WindowSamples.of(axisX, window.sigmaMeters(), AMPLITUDE_REACH);
-        this.windowY = WindowSamples.of(axisY, window.sigmaMeters(), AMPLITUDE_REACH);
+        this.windowX = axisX.window(window.sigmaMeters(), AMPLITUDE_REACH);
+        this.windowY = axisY.window(window.sigmaMeters(), AMPLITUDE_REACH);
     }
 
     /** Power of one coherence area, and its mean over all positions of the window. */
     public record Power(double coherent, double ensemble) {}
+
+    /**
+     * Coherent light in one direction.
+     *
+     * @param specular squared magnitude of the mean of exp(i k w h) over all samples: in the mirror direction, the share of light in the
+     *     specular order
+     */
+    public record Sample(double coherent, double specular) {}
+
+    public CoherenceWindow window() {
+        return window;
+    }
 
     public HeightLevels heights() {
         return surface.heights();
@@ -51,15 +64,24 @@ public final class ReferenceEvaluator {
 
     /** Returns the power of one coherence area at a wavelength in meters; 1 for a flat mirror in specular direction. */
     public double coherent(DirectionPair pair, double wavelength) {
-        AxisSums sums =
+        SurfaceSums.Sums sums =
                 surface.overRows(pair.w(), wavelength, AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY));
         return sums.power(0, AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX));
+    }
+
+    /** Returns the light at a wavelength in meters without {@link #heights()}, faster for a few directions of a scan of many levels. */
+    public Sample sample(DirectionPair pair, double wavelength) {
+        AxisWeights alongY = AxisWeights.ofWindow(pair.v() / wavelength, axisY, windowY);
+        SurfaceSums.Sums sums = surface.overSamples(pair.w(), wavelength, alongY, AxisWeights.ofBin(0, axisY));
+        return new Sample(
+                sums.power(0, AxisWeights.ofWindow(pair.u() / wavelength, axisX, windowX)),
+                sums.power(1, AxisWeights.ofBin(0, axisX)));
     }
 
     /** Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of {@link #heights()}'s levels; fx, fy in 1 / m. */
     public Complex windowed(double[] real, double[] imaginary, double fx, double fy) {
         AxisWeights alongY = AxisWeights.ofWindow(fy, axisY, windowY);
-        AxisSums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
+        SurfaceSums.Sums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
         return sums.sum(0, AxisWeights.ofWindow(fx, axisX, windowX));
     }
 
@@ -75,7 +97,7 @@ public final class ReferenceEvaluator {
         int[] binsY = binsNear(fy, axisY);
         AxisWeights[] alongY = Arrays.copyOf(ofBins(binsY, axisY), binsY.length + 1);
         alongY[binsY.length] = AxisWeights.ofWindow(fy, axisY, windowY);
-        AxisSums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
+        SurfaceSums.Sums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
         double ensemble = 0;
         for (int jx : binsX) {
             AxisWeights alongX = AxisWeights.ofBin(jx, axisX);

@@ -1,22 +1,47 @@
 package sunbeam.precompute.reference;
 
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.ExactIntegral;
+import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.reference.AxisWeights.Axis;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /**
- * Exact light of replicas with sharp edges.
+ * Exact light of evenly lit replicas of a patch with sharp edges, by direct summation in double precision:
  *
- * @param window Gaussian window with the area of all replicas
+ * <pre>|1/(Qx Qy N M) sum over all samples of all replicas of exp(i k w h) exp(i k (u x + v y))|^2</pre>
+ *
+ * for N x M samples and Qx x Qy replicas. Method {@code pq} has this sum in closed form, as an array factor (thesis section 2.4.1).
  */
-public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, CieTable cie) implements ExactLight {
+public final class ReplicaLight implements ExactLight {
     // With all replicas a long and b wide, the power has at most |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
-    // Cycles per meter, as in ReferenceColor.
-    private static final double WIDEST_STEP = 12e3;
+
+    private final SurfaceSums surface;
+    private final Axis x;
+    private final Axis y;
+    private final Replicas replicas;
+    private final CieTable cie;
+
+    /** @throws IllegalArgumentException when samples are missing */
+    public ReplicaLight(HeightMap map, Replicas replicas, CieTable cie) {
+        this.surface = new SurfaceSums(map);
+        this.x = Axis.x(map, WindowOrigin.CORNER);
+        this.y = Axis.y(map, WindowOrigin.CORNER);
+        this.replicas = replicas;
+        this.cie = cie;
+    }
+
+    @Override
+    public double power(DirectionPair pair, double wavelength) {
+        AxisWeights alongX = AxisWeights.ofReplicas(pair.u() / wavelength, x, replicas.alongX());
+        AxisWeights alongY = AxisWeights.ofReplicas(pair.v() / wavelength, y, replicas.alongY());
+        return surface.overRows(pair.w(), wavelength, alongY).power(0, alongX);
+    }
 
     @Override
     public Power powers(DirectionPair pair, double wavelength) {
@@ -30,23 +55,24 @@ public record ReplicaLight(ReplicaEvaluator evaluator, CoherenceWindow window, C
     }
 
     @Override
-    public double power(DirectionPair pair, double wavelength) {
-        return evaluator.power(pair, wavelength);
+    public CoherenceWindow window() {
+        return replicas.equalAreaWindow(x.period(), y.period());
     }
 
     /** Nine digits with either quadrature, since that is fast enough. */
     @Override
     public double[] xyz(DirectionPair pair, Quadrature quadrature) {
-        return ExactIntegral.xyz(cie, wavelength -> evaluator.power(pair, wavelength), step(pair));
+        return WavelengthNodes.exact(cie, wavelength -> power(pair, wavelength), step(pair));
     }
 
     @Override
     public double products(DirectionPair pair) {
-        return CieTable.BAND_WIDTH / step(pair) * evaluator.samples();
+        return CieTable.BAND_WIDTH / step(pair) * x.count() * y.count();
     }
 
     private double step(DirectionPair pair) {
-        double cycles = Math.abs(pair.u()) * evaluator.width() + Math.abs(pair.v()) * evaluator.height();
-        return 1 / (NODES_PER_CYCLE * cycles + 1 / WIDEST_STEP);
+        double cycles = Math.abs(pair.u()) * replicas.alongX() * x.period()
+                + Math.abs(pair.v()) * replicas.alongY() * y.period();
+        return 1 / (NODES_PER_CYCLE * cycles + 1 / WindowLight.WIDEST_STEP);
     }
 }

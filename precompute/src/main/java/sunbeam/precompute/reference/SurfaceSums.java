@@ -1,77 +1,78 @@
 package sunbeam.precompute.reference;
 
+import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
 final class SurfaceSums {
-    // Above this share of distinct heights a table of p by height is slower than computing p at each sample.
-    private static final double MOST_DISTINCT = 0.2;
-
     private final HeightMap map;
     private final HeightLevels heights;
+    private final boolean tabulates;
 
+    /** @throws IllegalArgumentException when samples are missing */
     SurfaceSums(HeightMap map) {
         this.map = map;
         this.heights = HeightLevels.of(map);
+        this.tabulates = !heights.areTooManyToTabulate();
     }
 
     HeightLevels heights() {
         return heights;
     }
 
-    AxisSums overRows(double w, double wavelength, AxisWeights... alongY) {
-        return heights.count() < MOST_DISTINCT * map.columns() * map.rows()
-                ? overRows(phases(w, wavelength), alongY)
-                : overSamples(w, wavelength, alongY);
+    Sums overRows(double w, double wavelength, AxisWeights... alongY) {
+        return tabulates ? overRows(phases(w, wavelength), alongY) : overSamples(w, wavelength, alongY);
     }
 
     /** Without a table of p by height; reads memory sequentially. */
-    private AxisSums overSamples(double w, double wavelength, AxisWeights... alongY) {
-        int columns = map.columns();
+    Sums overSamples(double w, double wavelength, AxisWeights... alongY) {
         double phasePerMeter = 2 * Math.PI / wavelength * w;
-        AxisSums sums = new AxisSums(columns, alongY.length);
-        double[] cosines = new double[columns];
-        double[] sines = new double[columns];
-        for (int row = 0; row < map.rows(); row++) {
-            if (!hasWeight(row, alongY)) {
-                continue;
-            }
-            for (int column = 0; column < columns; column++) {
-                sines[column] = phasePerMeter * (map.at(column, row) - phaseZero());
-            }
-            // Replaces the phases in sines by their sines.
-            UnitCircle.points(sines, cosines);
-            for (int b = 0; b < alongY.length; b++) {
-                sums.add(b, cosines, sines, alongY[b].real()[row], alongY[b].imaginary()[row]);
-            }
-        }
-        return sums;
+        return overRows(
+                (row, real, imaginary) -> {
+                    for (int column = 0; column < imaginary.length; column++) {
+                        imaginary[column] = phasePerMeter * (map.at(column, row) - phaseZero());
+                    }
+                    // Replaces the phases by their sines.
+                    UnitCircle.points(imaginary, real);
+                },
+                alongY);
     }
 
-    /** Meters. */
+    /** Heights with an offset of millimeters would lose digits of the phase; meters. */
     private double phaseZero() {
         return 0.5 * (heights.minimum() + heights.maximum());
     }
 
     /** Sums any complex function of the height, given at each of {@link #heights()}'s levels. */
-    AxisSums overRows(double[][] values, AxisWeights... alongY) {
-        int columns = map.columns();
-        AxisSums sums = new AxisSums(columns, alongY.length);
-        double[] real = new double[columns];
-        double[] imaginary = new double[columns];
+    Sums overRows(double[][] values, AxisWeights... alongY) {
         int[] index = heights.index();
+        return overRows(
+                (row, real, imaginary) -> {
+                    for (int column = 0, i = row * real.length; column < real.length; column++, i++) {
+                        real[column] = values[0][index[i]];
+                        imaginary[column] = values[1][index[i]];
+                    }
+                },
+                alongY);
+    }
+
+    private interface RowValues {
+        void fill(int row, double[] real, double[] imaginary);
+    }
+
+    private Sums overRows(RowValues values, AxisWeights... alongY) {
+        Sums sums = new Sums(new double[alongY.length][map.columns()], new double[alongY.length][map.columns()]);
+        double[] real = new double[map.columns()];
+        double[] imaginary = new double[map.columns()];
         for (int row = 0; row < map.rows(); row++) {
-            if (!hasWeight(row, alongY)) {
-                continue;
-            }
-            for (int column = 0, i = row * columns; column < columns; column++, i++) {
-                real[column] = values[0][index[i]];
-                imaginary[column] = values[1][index[i]];
-            }
-            for (int b = 0; b < alongY.length; b++) {
-                sums.add(b, real, imaginary, alongY[b].real()[row], alongY[b].imaginary()[row]);
+            if (hasWeight(row, alongY)) {
+                values.fill(row, real, imaginary);
+                for (int b = 0; b < alongY.length; b++) {
+                    sums.add(
+                            b, real, imaginary, alongY[b].real()[row], alongY[b].imaginary()[row]);
+                }
             }
         }
         return sums;
@@ -98,5 +99,35 @@ final class SurfaceSums {
         // Replaces the phases in sines by their sines.
         UnitCircle.points(sines, cosines);
         return new double[][] {cosines, sines};
+    }
+
+    /** Complex sums over rows, {@code [weighting][column]}. */
+    record Sums(double[][] real, double[][] imaginary) {
+        private void add(int weighting, double[] re, double[] im, double weightReal, double weightImaginary) {
+            double[] sumReal = real[weighting];
+            double[] sumImaginary = imaginary[weighting];
+            for (int i = 0; i < sumReal.length; i++) {
+                sumReal[i] += re[i] * weightReal - im[i] * weightImaginary;
+                sumImaginary[i] += re[i] * weightImaginary + im[i] * weightReal;
+            }
+        }
+
+        /** |sum over columns|^2 with the columns' weights. */
+        double power(int weighting, AxisWeights alongX) {
+            Complex sum = sum(weighting, alongX);
+            return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
+        }
+
+        Complex sum(int weighting, AxisWeights alongX) {
+            double sumReal = 0;
+            double sumImaginary = 0;
+            for (int i = 0; i < real[weighting].length; i++) {
+                double a = real[weighting][i];
+                double b = imaginary[weighting][i];
+                sumReal += a * alongX.real()[i] - b * alongX.imaginary()[i];
+                sumImaginary += a * alongX.imaginary()[i] + b * alongX.real()[i];
+            }
+            return new Complex(sumReal, sumImaginary);
+        }
     }
 }

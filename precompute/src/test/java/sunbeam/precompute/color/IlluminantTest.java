@@ -48,7 +48,7 @@ class IlluminantTest {
     void aLineHasTheColorOfItsWavelengthAndItsPower() {
         CieTable laser = CieTable.of(Observer.CIE1931, Illuminant.of("D65"), WavelengthBand.parse("532nm"));
 
-        double[] xyz = IntegratedNodes.of(laser, 5e3).sum(wavelength -> wavelength == 0 ? 0 : 0.3);
+        double[] xyz = WavelengthNodes.integrated(laser, 5e3).sum(wavelength -> wavelength == 0 ? 0 : 0.3);
 
         assertThat(xyz[1]).isCloseTo(0.3, within(1e-12));
         // Color matching functions bend by less than 1e-3 within a nanometer.
@@ -66,13 +66,14 @@ class IlluminantTest {
         assertThat(CieTable.load().shortestWavelength()).isEqualTo(CieTable.MINIMUM_WAVELENGTH);
         assertThat(CieTable.load().longestWavelength()).isCloseTo(CieTable.MAXIMUM_WAVELENGTH, within(1e-18));
 
-        WavelengthNodes all = IntegratedNodes.logarithmic(CieTable.load(), 0.003);
-        WavelengthNodes some = IntegratedNodes.logarithmic(filter, 0.003);
+        WavelengthNodes all = WavelengthNodes.logarithmic(CieTable.load(), 0.003, 0);
+        WavelengthNodes some = WavelengthNodes.logarithmic(filter, 0.003, 0);
         // 0.19 of 0.72 in the logarithm, and five nodes beside either end.
         assertThat(some.count()).isLessThan(all.count() / 2);
         // Both integrate such a smooth function exactly but for rounding.
         assertThat(some.sum(wavelength -> 1e-6 / wavelength))
-                .containsExactly(IntegratedNodes.of(filter, 5e3).sum(wavelength -> 1e-6 / wavelength), within(1e-9));
+                .containsExactly(
+                        WavelengthNodes.integrated(filter, 5e3).sum(wavelength -> 1e-6 / wavelength), within(1e-9));
     }
 
     @Test
@@ -83,14 +84,14 @@ class IlluminantTest {
         for (String band : new String[] {"380nm..541.3nm", "541.3nm..780nm"}) {
             CieTable half = CieTable.of(Observer.CIE1931, light, WavelengthBand.parse(band));
             // An order of 20 nm.
-            double[] xyz = IntegratedNodes.of(half, 20e3)
+            double[] xyz = WavelengthNodes.integrated(half, 20e3)
                     .sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
             for (int c = 0; c < 3; c++) {
                 sum[c] += xyz[c] * half.integralOfY() / whole.integralOfY();
             }
         }
 
-        double[] expected = IntegratedNodes.of(whole, 20e3)
+        double[] expected = WavelengthNodes.integrated(whole, 20e3)
                 .sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
 
         // Weights are linear in the light: rounding.

@@ -19,15 +19,13 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.reference.ReferenceColor;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
@@ -90,17 +88,13 @@ class RadialBakerTest {
         AtomicLong done = new AtomicLong();
         float[] xyz = baker(spectrum, area, step, 0.15).bake(places, done::addAndGet);
         assertThat(done.get()).isEqualTo(places.length / 3);
-        ReferenceColor reference = new ReferenceColor(
-                new ReferenceEvaluator(map, area.window(), WindowOrigin.CENTRE),
-                area.window(),
-                CieTable.load(),
-                ReferenceColor.Quadrature.INTEGRATED);
+        ExactLight reference = area.over(map, CieTable.load());
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
             // Only the sum of both directions counts.
             DirectionPair pair = new DirectionPair(
                     new Direction(-places[3 * i], -places[3 * i + 1], -places[3 * i + 2]), new Direction(0, 0, 0));
-            double[] exact = reference.xyz(pair, true);
+            double[] exact = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
             double largest = Math.max(exact[0], Math.max(exact[1], exact[2]));
             double difference = 0;
             for (int c = 0; c < 3; c++) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.reference.AxisWeights.Axis;
 
 class AxisWeightsTest {
     private static final double REACH = 9;
@@ -22,7 +23,7 @@ class AxisWeightsTest {
     void foldedReplicasAreTheSumOverEverySampleUnderTheWindow(
             int count, double step, int origin, double sigma, double frequency) {
         Axis axis = new Axis(count, step, origin);
-        AxisWeights folded = AxisWeights.ofWindow(frequency, axis, WindowSamples.of(axis, sigma, REACH));
+        AxisWeights folded = AxisWeights.ofWindow(frequency, axis, axis.window(sigma, REACH));
 
         double[][] expected = sampleBySample(count, step, origin, sigma, frequency);
 

@@ -108,34 +108,4 @@ class WindowPositionsTest {
         // Over positions at samples alone it is another mean.
         assertThat(largest).isGreaterThan(1e-3);
     }
-
-    @Test
-    void meanOverRandomPositionsConvergesToTheEnsembleAverage() {
-        DirectionPair pair = DirectionPairs.seeing(20, 1.1e6, -0.7e6, WAVELENGTH);
-        double expected = ensemble(pair);
-        double sum = 0;
-        double squares = 0;
-        int drawn = 0;
-        double firstError = Double.NaN;
-        for (int count : new int[] {25, 2500}) {
-            for (; drawn < count; drawn++) {
-                double power = coherent(random.nextInt(COLUMNS), random.nextInt(ROWS), pair);
-                sum += power;
-                squares += power * power;
-            }
-            double mean = sum / count;
-            double standardError = Math.sqrt((squares / count - mean * mean) / count);
-            // Four standard errors: one seed in 16,000 fails.
-            assertThat(mean).as("mean of %d", count).isCloseTo(expected, within(4 * standardError));
-            if (Double.isNaN(firstError)) {
-                firstError = standardError;
-            } else {
-                assertThat(standardError)
-                        .as("a hundred times as many positions")
-                        .isLessThan(0.15 * firstError);
-            }
-        }
-        // One position alone is speckle, far from the mean.
-        assertThat(firstError / expected).isGreaterThan(0.05);
-    }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.fourier.Band;
@@ -14,7 +15,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.reference.ReplicaEvaluator;
+import sunbeam.precompute.reference.ReplicaLight;
 
 /** One period's interpolated spectrum against the exact sum over its samples. */
 class PeriodSpectrumTest {
@@ -26,7 +27,7 @@ class PeriodSpectrumTest {
     // Rough, with odd and even sides: neighboring bins are independent.
     private final HeightMap map = Surfaces.random(37, 24, 100e-9, 300e-9, 5);
     private final HeightLevels heights = HeightLevels.of(map);
-    private final ReplicaEvaluator exact = new ReplicaEvaluator(map, new Replicas(1, 1));
+    private final ReplicaLight exact = new ReplicaLight(map, new Replicas(1, 1), CieTable.load());
 
     private double largestError(PeriodInterpolation interpolation, boolean onBins) {
         SpectrumReader reader = new SpectrumReader(interpolation);

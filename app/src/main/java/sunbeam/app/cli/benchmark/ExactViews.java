@@ -21,7 +21,7 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 /**
  * Random views of one light with their exact colors: half of them uniform on the hemisphere, half aimed at orders. Views

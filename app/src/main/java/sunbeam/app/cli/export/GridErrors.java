@@ -18,7 +18,7 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 /**
  * Errors of a color grid at random pairs of directions, half of them uniform on the hemisphere and half aimed at orders. An error is the

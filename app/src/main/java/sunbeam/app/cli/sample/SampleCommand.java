@@ -42,7 +42,7 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.Choices;
 
 /** Command {@code sunbeam sample}: writes random rows of light, view and color. */

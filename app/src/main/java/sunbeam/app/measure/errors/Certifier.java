@@ -12,7 +12,7 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 /**
  * Compares random pixels of a BRDF map with the exact reference.

@@ -15,7 +15,6 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
@@ -55,7 +54,7 @@ class LightTest {
             brightest = Math.max(brightest, color[1]);
         }
         for (int i = 0; i < colors.size(); i++) {
-            double[] expected = exact.xyz(pairs.get(i), ReferenceColor.Quadrature.INTEGRATED);
+            double[] expected = exact.xyz(pairs.get(i), ExactLight.Quadrature.INTEGRATED);
             float[] rounded = {(float) expected[0], (float) expected[1], (float) expected[2]};
             double error = MethodProbe.relativeError(colors.get(i), rounded);
             // Three times the tolerance, relative to at least a thousandth of the brightest color.

@@ -15,13 +15,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.reference.ReferenceColor;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.SettingException;
 
 @EnabledIfEnvironmentVariable(
@@ -77,14 +75,11 @@ class NmmMethodTest {
     @Test
     void agreesWithTheReference() {
         MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
-        ReferenceEvaluator evaluator =
-                new ReferenceEvaluator(probe.setup().patch().heights(), window, WindowOrigin.CENTRE);
-        ReferenceColor color =
-                new ReferenceColor(evaluator, window, probe.setup().cie());
+        ExactLight light = GaussianArea.STANDARD.over(
+                probe.setup().patch().heights(), probe.setup().cie());
         List<DirectionPair> plane = MethodProbe.gratingPlane(9);
         List<float[]> expected = plane.parallelStream()
-                .map(pair -> color.xyz(pair, false))
+                .map(pair -> light.xyz(pair, ExactLight.Quadrature.EXACT))
                 .map(xyz -> new float[] {(float) xyz[0], (float) xyz[1], (float) xyz[2]})
                 .toList();
         List<Double> errors = errors(probe.colors(plane, "--method", "nmm"), expected);

@@ -19,8 +19,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
-import sunbeam.precompute.reference.ReplicaEvaluator;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 @EnabledIfEnvironmentVariable(
         named = "DISPLAY",
@@ -41,7 +40,8 @@ class PqMethodTest {
     }
 
     private double exact(DirectionPair pair, int replicas) {
-        return new ReplicaEvaluator(blaze.setup().patch().heights(), new Replicas(replicas, replicas))
+        return new ReplicatedArea(new Replicas(replicas, replicas))
+                .over(blaze.setup().patch().heights(), blaze.setup().cie())
                 .power(pair, WAVELENGTH);
     }
 

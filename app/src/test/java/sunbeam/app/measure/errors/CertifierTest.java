@@ -17,7 +17,7 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceColor.Quadrature;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 /** On a picture of one row: the plane of incidence of a sawtooth, where its orders lie. */
 final class CertifierTest {
