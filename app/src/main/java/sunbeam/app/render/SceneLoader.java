@@ -21,7 +21,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -101,7 +101,7 @@ public final class SceneLoader {
     SceneShape shape(Scene scene) {
         BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
         try {
-            ReadMesh read = mesh(scene);
+            MeshSource.Loaded read = mesh(scene);
             return new SceneShape(read.mesh(), sky(scene, read.mesh()), bodies.get());
         } finally {
             bodies.settle();
@@ -217,8 +217,8 @@ public final class SceneLoader {
         return index.constant().orElseGet(() -> IndexFile.read(Path.of(index.file())));
     }
 
-    private ReadMesh mesh(Scene scene) {
-        ReadMesh read = ReadMesh.load(scene.mesh());
+    private MeshSource.Loaded mesh(Scene scene) {
+        MeshSource.Loaded read = scene.mesh().load();
         read.warnings().forEach(warning);
         return read;
     }

@@ -13,7 +13,7 @@ import jrtr.gl.ImageTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.Material;
-import sunbeam.app.scene.mesh.SnakeScales;
+import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
@@ -72,7 +72,7 @@ final class SkinTextures implements AutoCloseable {
         }
         Map<String, Float> uniforms = new HashMap<>(Material.tangentsTurned(rotatePatch));
         boolean hasScales = body.scales() != Scales.NONE;
-        double scalesPerUnit = hasScales ? SnakeScales.perUnit(body.scales().rows()) : 0;
+        double scalesPerUnit = hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
         uniforms.put("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
         uniforms.put("reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0));
         uniforms.put("reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0));

@@ -19,7 +19,6 @@ import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshFiles;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -82,7 +81,7 @@ enum FuzzedReader {
     MESH("mesh", "mesh") {
         @Override
         void read(Path file) {
-            ReadMesh.load(MeshSource.of(file.toString()));
+            MeshSource.of(file.toString()).load();
         }
     },
     TEXTURE("texture", "texture") {

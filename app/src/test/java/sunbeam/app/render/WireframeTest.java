@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.precompute.setting.Choices;
 
 class WireframeTest {
@@ -27,7 +26,7 @@ class WireframeTest {
     }
 
     private static double width(Scene scene, boolean normals) {
-        BufferedImage image = Wireframe.draw(scene, ReadMesh.load(scene.mesh()).mesh(), normals, SIDE, SIDE);
+        BufferedImage image = Wireframe.draw(scene, scene.mesh().load().mesh(), normals, SIDE, SIDE);
         int[] columns = IntStream.range(0, SIDE)
                 .filter(x -> IntStream.range(0, SIDE).anyMatch(y -> image.getRGB(x, y) != image.getRGB(0, 0)))
                 .toArray();

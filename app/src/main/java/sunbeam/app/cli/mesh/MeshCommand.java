@@ -24,7 +24,6 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.scene.mesh.output.GltfWriter;
 import sunbeam.app.scene.mesh.output.ObjWriter;
 import sunbeam.app.scene.mesh.output.PlyWriter;
@@ -93,13 +92,18 @@ public final class MeshCommand extends ReportingCommand {
         boolean isGltf = name.endsWith(".glb");
         check(choices, isGltf);
         AtomicFile.checkWritable(target, overwrite);
-        ReadMesh read = ReadMesh.load(new MeshSource(mesh, choices.get(MESH_UNIT)));
+        MeshSource.Loaded read = new MeshSource(mesh, choices.get(MESH_UNIT)).load();
         read.warnings().forEach(warning -> err().println(Messages.warning(warning)));
-        Path written = isGltf
-                ? GltfWriter.write(target, overwrite, read.mesh(), skinMaps(choices))
-                : name.endsWith(".ply")
-                        ? PlyWriter.write(target, overwrite, read.mesh())
-                        : ObjWriter.write(target, overwrite, read.mesh());
+        Optional<SkinMaps> maps = isGltf ? skinMaps(choices) : Optional.empty();
+        Path written = AtomicFile.write(target, overwrite, stream -> {
+            if (isGltf) {
+                GltfWriter.write(stream, read.mesh(), maps);
+            } else if (name.endsWith(".ply")) {
+                PlyWriter.write(stream, read.mesh());
+            } else {
+                ObjWriter.write(stream, read.mesh());
+            }
+        });
         int vertices = read.mesh().vertices();
         int triangles = read.mesh().triangles();
         if (json.isGiven()) {

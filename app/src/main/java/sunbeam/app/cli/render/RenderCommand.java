@@ -45,7 +45,7 @@ import sunbeam.app.render.Wireframe;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.scene.mesh.ReadMesh;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
@@ -228,7 +228,7 @@ public final class RenderCommand extends ReportingCommand {
         }
         Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
         AtomicFile.checkWritable(file, force.overwrite(output));
-        ReadMesh mesh = ReadMesh.load(scene.mesh());
+        MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         BufferedImage image = Wireframe.draw(scene, mesh.mesh(), overlays.hasStrokes(), size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));

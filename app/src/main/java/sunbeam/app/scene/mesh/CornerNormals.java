@@ -40,13 +40,13 @@ final class CornerNormals {
     private void shareMeans() {
         Map<Vector3d, Vector3d> means = new HashMap<>();
         for (int i = 0; i < sums.length / 3; i++) {
-            Vector3d own = RawMesh.vector(sums, i);
+            Vector3d own = Mesh.vector(sums, i);
             // Unit vectors: the mean must not depend on how faces are divided into triangles.
             means.computeIfAbsent(position(i), place -> new Vector3d()).fma(1 / Math.max(1e-300, own.length()), own);
         }
         for (int i = 0; i < sums.length / 3; i++) {
             Vector3d mean = means.get(position(i));
-            Vector3d own = RawMesh.vector(sums, i);
+            Vector3d own = Mesh.vector(sums, i);
             if (mean.dot(own) > LEAST_COSINE * mean.length() * own.length()) {
                 sums[3 * i] = (float) mean.x;
                 sums[3 * i + 1] = (float) mean.y;
@@ -67,10 +67,10 @@ final class CornerNormals {
      */
     int key(int corner) {
         int given = mesh.normal(corner);
-        if (given >= 0 && RawMesh.vector(mesh.normals(), given).length() > 0) {
+        if (given >= 0 && Mesh.vector(mesh.normals(), given).length() > 0) {
             return given;
         }
-        Vector3d mean = RawMesh.vector(sums, mesh.position(corner));
+        Vector3d mean = Mesh.vector(sums, mesh.position(corner));
         Vector3d own = mesh.areaNormal(corner - corner % 3);
         // Where triangles lie back to back the mean is zero or faces the back of some; these use their own normal.
         return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
@@ -78,9 +78,9 @@ final class CornerNormals {
 
     Vector3d normal(int position, int key) {
         if (key >= 0) {
-            return RawMesh.vector(mesh.normals(), key).normalize();
+            return Mesh.vector(mesh.normals(), key).normalize();
         }
-        Vector3d normal = key == -1 ? RawMesh.vector(sums, position) : mesh.areaNormal(3 * (-2 - key));
+        Vector3d normal = key == -1 ? Mesh.vector(sums, position) : mesh.areaNormal(3 * (-2 - key));
         return normal.normalize();
     }
 }

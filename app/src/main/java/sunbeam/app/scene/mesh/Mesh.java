@@ -1,6 +1,7 @@
 package sunbeam.app.scene.mesh;
 
 import jrtr.VertexData;
+import org.joml.Vector3d;
 
 /**
  * Triangle mesh with normals, tangents and texture coordinates. Arrays are shared, not copied; they must not be changed.
@@ -27,6 +28,11 @@ public record Mesh(
 
     public int triangles() {
         return indices.length / 3;
+    }
+
+    /** Returns a vector of an array with three numbers for each. */
+    static Vector3d vector(float[] values, int index) {
+        return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
     /**

@@ -12,22 +12,25 @@ final class MeshBuilder {
     private final FloatList textureCoordinates = new FloatList();
     private final IntStream.Builder indices = IntStream.builder();
 
-    /** Adds a vertex and returns its index; normal and tangent are orthonormal. */
-    int vertex(Vector3dc position, Vector3dc normal, Vector3dc tangent, double u, double v) {
+    /** Position in meters, outward unit normal, and unit tangent orthogonal to it. */
+    record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
+
+    /** Adds a vertex and returns its index. */
+    int vertex(Point point, double u, double v) {
         int number = positions.size() / 3;
-        add(positions, position);
-        add(normals, normal);
-        add(tangents, tangent);
+        add(positions, point.position);
+        add(normals, point.normal);
+        add(tangents, point.tangent);
         tangents.add(1);
-        textureCoordinates.add((float) u);
-        textureCoordinates.add((float) v);
+        textureCoordinates.add(u);
+        textureCoordinates.add(v);
         return number;
     }
 
     private static void add(FloatList list, Vector3dc vector) {
-        list.add((float) vector.x());
-        list.add((float) vector.y());
-        list.add((float) vector.z());
+        list.add(vector.x());
+        list.add(vector.y());
+        list.add(vector.z());
     }
 
     void triangle(int first, int second, int third) {
@@ -35,8 +38,6 @@ final class MeshBuilder {
         indices.add(second);
         indices.add(third);
     }
-
-    record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
 
     /** Parametric surface over (u, v) in [0, 1]; normal = tangent x (direction of growing v), so that the grid is right-handed. */
     interface Surface {
@@ -53,7 +54,7 @@ final class MeshBuilder {
                 double v = (double) row / rows;
                 Point point = surface.at(u, v);
                 points[row][column] = point.position();
-                vertices[row][column] = vertex(point.position(), point.normal(), point.tangent(), u, v);
+                vertices[row][column] = vertex(point, u, v);
             }
         }
         for (int row = 0; row < rows; row++) {

@@ -3,14 +3,17 @@ package sunbeam.app.scene.mesh;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshFormat;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.format.RawMesh;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
 
 /**
  * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of 3 to 1000 corners. Lines and points are
@@ -30,11 +33,19 @@ import sunbeam.precompute.text.Text;
  * </ul>
  */
 public final class MeshReader {
+    // Longest side in meters: a smaller mesh is hardly wider than the coherence area of sunlight (65 um), so that a
+    // pixel
+    // does not average many such areas; a larger one has more than a centimeter per pixel in a picture 1000 pixels
+    // wide,
+    // and its unit is most likely wrong.
+    private static final double LEAST = 100e-6;
+    private static final double MOST = 10;
+
     private MeshReader() {}
 
     /** Reads a file of at most 512 MiB, 2 million positions and 2 million triangles. */
-    static ReadMesh read(Path file, MeshUnit unit) {
-        RawMesh raw = MeshFormat.of(file).read(file).inMeters(unit);
+    static MeshSource.Loaded read(Path file, MeshUnit unit) {
+        RawMesh raw = MeshFormat.read(file).inMeters(unit);
         List<String> warnings = new ArrayList<>();
         RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
@@ -54,14 +65,14 @@ public final class MeshReader {
         return complete(file, unit, far.map(mesh::centered).orElse(mesh), warnings);
     }
 
-    private static ReadMesh complete(Path file, MeshUnit unit, RawMesh mesh, List<String> warnings) {
+    private static MeshSource.Loaded complete(Path file, MeshUnit unit, RawMesh mesh, List<String> warnings) {
         boolean planar = IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
         if (planar) {
             warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
         }
         VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
         Mesh result = assembly.assemble();
-        MeshSize.warning(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
+        sizeWarning(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
         if (assembly.computedNormals() > 0) {
             warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
                     + count(result.vertices(), "vertex"));
@@ -70,11 +81,45 @@ public final class MeshReader {
             warnings.add(file + ": the texture gives no direction at " + count(assembly.undirected(), "vertex")
                     + "; the tangent follows x there");
         }
-        return new ReadMesh(result, warnings);
+        return new MeshSource.Loaded(result, warnings);
     }
 
     public static String count(int number, String noun) {
         String plural = noun.equals("vertex") ? "vertices" : noun + "s";
         return number + " " + (number == 1 ? noun : plural);
+    }
+
+    private static Optional<String> sizeWarning(Mesh mesh, MeshUnit unit) {
+        double side = longestSide(mesh);
+        if (isPlausible(side)) {
+            return Optional.empty();
+        }
+        String remedy = Stream.of(MeshUnit.MM, MeshUnit.CM, MeshUnit.IN, MeshUnit.M, MeshUnit.UM)
+                .filter(other -> isPlausible(side / unit.meters() * other.meters()))
+                .findFirst()
+                .map(other -> other.name().toLowerCase(Locale.ROOT))
+                .map(word -> "if its numbers are in " + word + ", give --mesh-unit " + word
+                        + ", in a scene \"meshUnit\": \"" + word + "\"")
+                .orElse("scale it");
+        return Optional.of("the mesh is " + Lengths.rounded(side, 3) + " wide, where " + Lengths.format(LEAST) + " to "
+                + Lengths.format(MOST) + " make sense; " + remedy);
+    }
+
+    private static boolean isPlausible(double side) {
+        return side >= LEAST && side <= MOST;
+    }
+
+    private static double longestSide(Mesh mesh) {
+        double longest = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double least = Double.POSITIVE_INFINITY;
+            double most = Double.NEGATIVE_INFINITY;
+            for (int i = axis; i < mesh.positions().length; i += 3) {
+                least = Math.min(least, mesh.positions()[i]);
+                most = Math.max(most, mesh.positions()[i]);
+            }
+            longest = Math.max(longest, most - least);
+        }
+        return longest;
     }
 }

@@ -2,8 +2,11 @@ package sunbeam.app.scene.mesh;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import jrtr.BoundingSphere;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
@@ -38,7 +41,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
 
     private static SkyVisibility compute(Mesh mesh) {
         BoundingSphere bounds = mesh.toVertexData().bounds();
-        return new SkyDepthMaps(mesh, new Vector3d(bounds.center()), bounds.radius()).visibility();
+        return new DepthMaps(mesh, new Vector3d(bounds.center()), bounds.radius()).visibility();
     }
 
     private byte[] toBytes(int length) {
@@ -54,5 +57,151 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             lowest = Math.min(lowest, mesh.positions()[i]);
         }
         return lowest;
+    }
+
+    /** Computes the visibility by depth maps of the mesh from many directions. */
+    private static final class DepthMaps {
+        private static final int DIRECTIONS = 64;
+        private static final int FEW_DIRECTIONS = 12;
+        // Number of triangles beyond which fewer directions are used.
+        private static final int MANY_TRIANGLES = 200_000;
+        private static final int TEXELS = 384;
+        // Least height of an occluder above a point, in radii of the mesh: about two texels of a depth map, so that a
+        // surface does not occlude itself.
+        private static final double MARGIN = 0.012;
+        // Golden angle in radians: successive directions of a spiral turn by it and cover the sky evenly.
+        private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
+
+        private final Mesh mesh;
+        private final Vector3d middle;
+        private final double radius;
+        private final double groundHeight;
+        private final float[] vertexShares;
+        private final float[] groundShares = new float[GROUND_SIDE * GROUND_SIDE];
+
+        /** @param radius radius of a sphere about the middle that contains the mesh, meters */
+        DepthMaps(Mesh mesh, Vector3dc middle, double radius) {
+            this.mesh = mesh;
+            this.middle = new Vector3d(middle);
+            this.radius = radius;
+            this.groundHeight = ground(mesh);
+            this.vertexShares = new float[mesh.vertices()];
+            int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
+            float[] cosineSums = new float[mesh.vertices()];
+            double sum = 0;
+            for (int i = 0; i < directions; i++) {
+                Vector3d direction = direction(i, directions);
+                sum += direction.z;
+            }
+            double zSum = sum;
+            IntStream.range(0, directions)
+                    .parallel()
+                    .mapToObj(i -> new DepthMap(direction(i, directions)))
+                    // The order is fixed, because rounded sums of floats depend on it.
+                    .forEachOrdered(map -> map.addVisibility(cosineSums, zSum));
+            for (int i = 0; i < cosineSums.length; i++) {
+                vertexShares[i] = cosineSums[i] > 0 ? vertexShares[i] / cosineSums[i] : 0;
+            }
+        }
+
+        private static Vector3d direction(int number, int count) {
+            double z = (number + 0.5) / count;
+            double across = Math.sqrt(1 - z * z);
+            return new Vector3d(across * Math.cos(GOLDEN_ANGLE * number), across * Math.sin(GOLDEN_ANGLE * number), z);
+        }
+
+        SkyVisibility visibility() {
+            return new SkyVisibility(vertexShares, groundShares);
+        }
+
+        /** Depth map of the mesh; depth grows towards the sky, in meters from the middle. */
+        private final class DepthMap {
+            private final Vector3d direction;
+            private final Vector3d right;
+            private final Vector3d up;
+            private final float[] depths = new float[TEXELS * TEXELS];
+
+            DepthMap(Vector3d direction) {
+                this.direction = direction;
+                this.right = new Vector3d(-direction.y, direction.x, 0).normalize();
+                this.up = direction.cross(right, new Vector3d());
+                Arrays.fill(depths, Float.NEGATIVE_INFINITY);
+                double[] x = new double[mesh.vertices()];
+                double[] y = new double[mesh.vertices()];
+                double[] z = new double[mesh.vertices()];
+                for (int i = 0; i < x.length; i++) {
+                    Vector3d at = Mesh.vector(mesh.positions(), i).sub(middle);
+                    x[i] = texel(at.dot(right));
+                    y[i] = texel(at.dot(up));
+                    z[i] = at.dot(direction);
+                }
+                int[] indices = mesh.indices();
+                for (int i = 0; i < indices.length; i += 3) {
+                    rasterize(x, y, z, indices[i], indices[i + 1], indices[i + 2]);
+                }
+            }
+
+            private double texel(double distance) {
+                return (0.5 + 0.49 * distance / radius) * TEXELS;
+            }
+
+            /** Draws a triangle; a texel stores the largest depth. */
+            private void rasterize(double[] x, double[] y, double[] z, int a, int b, int c) {
+                double area = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
+                if (area == 0) {
+                    return;
+                }
+                int left = (int) Math.ceil(Math.min(x[a], Math.min(x[b], x[c])) - 0.5);
+                int right = (int) Math.floor(Math.max(x[a], Math.max(x[b], x[c])) - 0.5);
+                int low = (int) Math.ceil(Math.min(y[a], Math.min(y[b], y[c])) - 0.5);
+                int high = (int) Math.floor(Math.max(y[a], Math.max(y[b], y[c])) - 0.5);
+                for (int row = low; row <= high; row++) {
+                    for (int column = left; column <= right; column++) {
+                        double px = column + 0.5;
+                        double py = row + 0.5;
+                        double weightA = ((x[b] - px) * (y[c] - py) - (x[c] - px) * (y[b] - py)) / area;
+                        double weightB = ((x[c] - px) * (y[a] - py) - (x[a] - px) * (y[c] - py)) / area;
+                        double weightC = 1 - weightA - weightB;
+                        if (weightA >= 0 && weightB >= 0 && weightC >= 0) {
+                            int at = row * TEXELS + column;
+                            depths[at] =
+                                    Math.max(depths[at], (float) (weightA * z[a] + weightB * z[b] + weightC * z[c]));
+                        }
+                    }
+                }
+            }
+
+            private boolean sees(Vector3d at) {
+                at.sub(middle);
+                int column = (int) texel(at.dot(right));
+                int row = (int) texel(at.dot(up));
+                boolean inside = column >= 0 && column < TEXELS && row >= 0 && row < TEXELS;
+                return !inside || depths[row * TEXELS + column] < at.dot(direction) + MARGIN * radius;
+            }
+
+            /** @param zSum sum over all directions of their cosine with the ground's normal */
+            private void addVisibility(float[] cosineSums, double zSum) {
+                for (int i = 0; i < cosineSums.length; i++) {
+                    Vector3d normal = Mesh.vector(mesh.normals(), i);
+                    float cosine = (float) Math.max(0, normal.dot(direction));
+                    cosineSums[i] += cosine;
+                    if (cosine > 0 && sees(Mesh.vector(mesh.positions(), i).fma(MARGIN * radius, normal))) {
+                        vertexShares[i] += cosine;
+                    }
+                }
+                int side = GROUND_SIDE;
+                double step = 2 * GROUND_REACH * radius / side;
+                for (int i = 0; i < groundShares.length; i++) {
+                    int row = i / side;
+                    Vector3d at = new Vector3d(
+                            middle.x + step * (i % side + 0.5 - side / 2.0),
+                            middle.y + step * (row + 0.5 - side / 2.0),
+                            groundHeight);
+                    if (sees(at)) {
+                        groundShares[i] += (float) (direction.z / zSum);
+                    }
+                }
+            }
+        }
     }
 }

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 /**
  * The built-in snake, generated deterministically: a coiled body 1.1 m long with head, neck and tapering tail, lying on z = 0. It has about
  * 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the snout (0) to the tip of the tail (1), with equal steps from
- * scale to scale ({@link SnakeScales}); v runs once around the body, from the middle of the belly (0) over the back (0.5) to the belly
+ * scale to scale ({@link SnakeBody}); v runs once around the body, from the middle of the belly (0) over the back (0.5) to the belly
  * again (1), proportional to the angle about the center line. Tangents follow the body towards the tail: the direction field of the
  * nanostructure.
  */
@@ -15,7 +15,6 @@ public final class SnakeMesh {
     private static final int RINGS = 340;
 
     private final MeshBuilder builder = new MeshBuilder();
-    private final SnakeSurface surface = new SnakeSurface();
     private final double[] places = ringPlaces();
 
     private SnakeMesh() {}
@@ -41,9 +40,9 @@ public final class SnakeMesh {
         double[] weight = new double[samples + 1];
         for (int i = 1; i <= samples; i++) {
             double place = (i - 0.5) / samples;
-            double relative = surface.halfWidth(place) / SnakeProfile.RADIUS;
+            double relative = SnakeBody.halfWidth(place) / SnakeBody.RADIUS;
             double spacing = 0.3 + 0.7 * relative;
-            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeProfile.NECK ? 5 : 0);
+            weight[i] = weight[i - 1] + 1 / spacing + (place < SnakeBody.NECK ? 5 : 0);
         }
         double[] result = new double[RINGS];
         int at = 0;
@@ -70,10 +69,9 @@ public final class SnakeMesh {
         for (int column = 0; column <= COLUMNS; column++) {
             // Both sides of the seam have bitwise equal points.
             double angle = angle(column % COLUMNS);
-            SnakeSurface.Frame frame = surface.frame(place, angle);
+            MeshBuilder.Point frame = SnakeBody.frame(place, angle);
             double v = angle(column) / (2 * Math.PI);
-            vertices[column] =
-                    builder.vertex(frame.position(), frame.normal(), frame.tangent(), SnakeScales.u(place), v);
+            vertices[column] = builder.vertex(frame, SnakeBody.u(place), v);
         }
         return vertices;
     }
@@ -98,23 +96,25 @@ public final class SnakeMesh {
      * triangle.
      */
     private void closeSnout(int[] ring) {
-        Vector3d forwards = surface.direction(0).negate();
-        Vector3d tip = surface.point(0, 0);
+        Vector3d forwards = SnakeBody.direction(0).negate();
+        Vector3d tip = SnakeBody.point(0, 0);
         for (int column = 0; column < COLUMNS; column++) {
             double angle = angle(column + 0.5);
-            Vector3d outward = surface.point(places[0], angle).sub(tip);
-            int vertex = builder.vertex(tip, forwards, orthogonal(outward, forwards), 0, angle / (2 * Math.PI));
+            Vector3d outward = SnakeBody.point(places[0], angle).sub(tip);
+            int vertex = builder.vertex(
+                    new MeshBuilder.Point(tip, forwards, orthogonal(outward, forwards)), 0, angle / (2 * Math.PI));
             builder.triangle(ring[column], ring[column + 1], vertex);
         }
     }
 
     /** Closes the conical tail. Each triangle has its own vertex at the tip, whose normal is that of its side of the cone. */
     private void closeTail(int[] ring) {
-        Vector3d tip = surface.point(1, 0);
+        Vector3d tip = SnakeBody.point(1, 0);
         for (int column = 0; column < COLUMNS; column++) {
             double angle = angle(column + 0.5);
-            SnakeSurface.Frame side = surface.frame(places[RINGS - 1], angle);
-            int vertex = builder.vertex(tip, side.normal(), side.tangent(), 1, angle / (2 * Math.PI));
+            MeshBuilder.Point side = SnakeBody.frame(places[RINGS - 1], angle);
+            int vertex =
+                    builder.vertex(new MeshBuilder.Point(tip, side.normal(), side.tangent()), 1, angle / (2 * Math.PI));
             builder.triangle(ring[column], vertex, ring[column + 1]);
         }
     }

@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.ReadMesh;
 import sunbeam.app.terminal.ExitCode;
 
 class MeshCommandTest extends CommandLineFixture {
@@ -21,7 +20,7 @@ class MeshCommandTest extends CommandLineFixture {
 
             assertThat(sunbeam("mesh", name, "--output", file.toString())).isZero();
 
-            assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
+            assertThat(MeshSource.of(file.toString()).load().mesh().triangles())
                     .isEqualTo(BuiltInMeshes.create(name).triangles());
         }
         assertThat(err.toString()).isEmpty();
@@ -36,8 +35,7 @@ class MeshCommandTest extends CommandLineFixture {
         assertThat(file).hasContent("mine");
         assertThat(sunbeam("mesh", "plane", "--output", file.toString(), "--force"))
                 .isZero();
-        assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
-                .isPositive();
+        assertThat(MeshSource.of(file.toString()).load().mesh().triangles()).isPositive();
     }
 
     @Test
@@ -51,7 +49,7 @@ class MeshCommandTest extends CommandLineFixture {
         assertThat(err.toString().lines())
                 .hasSize(3)
                 .allMatch(line -> line.startsWith("sunbeam: warning: ") && line.contains("in.obj"));
-        assertThat(ReadMesh.load(MeshSource.of(file.toString())).warnings()).isEmpty();
+        assertThat(MeshSource.of(file.toString()).load().warnings()).isEmpty();
     }
 
     @Test
@@ -82,7 +80,7 @@ class MeshCommandTest extends CommandLineFixture {
 
             assertThat(sunbeam("mesh", "plane", "--output", file.toString())).isZero();
 
-            assertThat(ReadMesh.load(MeshSource.of(file.toString())).mesh().triangles())
+            assertThat(MeshSource.of(file.toString()).load().mesh().triangles())
                     .isEqualTo(BuiltInMeshes.create("plane").triangles());
         }
         String obj = folder.resolve("worn.obj").toString();
@@ -114,7 +112,7 @@ class MeshCommandTest extends CommandLineFixture {
                 .hasSize(3)
                 .satisfies(lines -> assertThat(lines.get(0)).contains("\"torus\"", "snake"))
                 .satisfies(lines -> assertThat(lines.get(1)).contains("none.obj: there is no such file"))
-                .satisfies(lines -> assertThat(lines.get(2)).contains("bad.obj, line 1: \"nan\""));
+                .satisfies(lines -> assertThat(lines.get(2)).contains("bad.obj: line 1: \"nan\""));
         assertThat(folder.resolve("out.obj")).doesNotExist();
     }
 }

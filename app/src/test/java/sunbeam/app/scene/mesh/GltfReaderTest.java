@@ -10,30 +10,20 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.JsonVariants;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 
 /** Properties of glTF alone: extensions, quantized numbers, JSON documents without a mesh. */
-class GltfReaderTest {
+class GltfReaderTest extends MeshReading {
     private static final Mesh PLANE = BuiltInMeshes.plane(1, 1);
     private static final String GOOD = MeshFiles.gltf(PLANE, MeshFiles.dataUri(MeshFiles.buffer(PLANE)));
-
-    @TempDir
-    private Path folder;
-
-    private Mesh read(String json) throws IOException {
-        return MeshReader.read(Files.writeString(folder.resolve("mesh.gltf"), json), MeshUnit.M)
-                .mesh();
-    }
 
     private String refusal(String json) {
         try {
@@ -56,7 +46,8 @@ class GltfReaderTest {
                 + transform + "}}}}";
     }
 
-    private static float[] bounds(Mesh mesh) {
+    private float[] bounds(String json) throws IOException {
+        Mesh mesh = read(json).mesh();
         float[] bounds = {Float.MAX_VALUE, Float.MAX_VALUE, -Float.MAX_VALUE, -Float.MAX_VALUE};
         for (int i = 0; i < mesh.textureCoordinates().length; i++) {
             bounds[i % 2] = Math.min(bounds[i % 2], mesh.textureCoordinates()[i]);
@@ -81,7 +72,7 @@ class GltfReaderTest {
             })
     void textureTransformsAreApplied(String transform, float u, float v, float toU, float toV) throws IOException {
         // Float32 angles and coordinates.
-        assertThat(bounds(read(textured(transformed(transform)))))
+        assertThat(bounds(textured(transformed(transform))))
                 .containsExactly(new float[] {u, v, toU, toV}, within(1e-6f));
     }
 
@@ -89,11 +80,11 @@ class GltfReaderTest {
     void aTransformMayNameOtherCoordinates() throws IOException {
         String other = textured(transformed("\"texCoord\":1,\"scale\":[2,2]"))
                 .replace("\"TEXCOORD_0\":3", "\"TEXCOORD_0\":9,\"TEXCOORD_1\":3");
-        assertThat(bounds(read(other))[2]).isEqualTo(2);
-        assertThat(bounds(read(other.replace("baseColorTexture", "metallicRoughnessTexture")))[2])
+        assertThat(bounds(other)[2]).isEqualTo(2);
+        assertThat(bounds(other.replace("baseColorTexture", "metallicRoughnessTexture"))[2])
                 .isEqualTo(2);
-        assertThat(bounds(read(textured("\"normalTexture\":{\"index\":0,\"texCoord\":1}")
-                        .replace("\"TEXCOORD_0\":3", "\"TEXCOORD_1\":3")))[2])
+        assertThat(bounds(textured("\"normalTexture\":{\"index\":0,\"texCoord\":1}")
+                        .replace("\"TEXCOORD_0\":3", "\"TEXCOORD_1\":3"))[2])
                 .isEqualTo(1);
     }
 
@@ -129,7 +120,8 @@ class GltfReaderTest {
                 "nodes":[{"mesh":0,"scale":[2,1,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
                 "accessors":[{"bufferView":0,"componentType":%d,"normalized":%b,"count":3,"type":"VEC3"}],
                 "bufferViews":[{"buffer":0,"byteLength":24,"byteStride":%d}],"buffers":[{"uri":"%s","byteLength":24}]}
-                """.formatted(type, normalized, 4 * size, MeshFiles.dataUri(bytes.array())));
+                """.formatted(type, normalized, 4 * size, MeshFiles.dataUri(bytes.array())))
+                .mesh();
         assertThat(MeshChecks.areaNormal(mesh, 0).length()).isCloseTo(2, within(1e-6));
     }
 
@@ -181,10 +173,7 @@ class GltfReaderTest {
     /** 60,000 nodes that place 60,000 primitives without triangles; reading all of them would take hours. */
     @Test
     void manyNodesTimesManyPrimitivesAreRefused() {
-        StringBuilder roots = new StringBuilder("0");
-        for (int i = 1; i < 60_000; i++) {
-            roots.append(',').append(i);
-        }
+        String roots = IntStream.range(0, 60_000).mapToObj(Integer::toString).collect(Collectors.joining(","));
         String json = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[" + roots
                 + "]}],\"nodes\":[{\"mesh\":0}"
                 + ",{\"mesh\":0}".repeat(59_999) + "],\"meshes\":[{\"primitives\":[{\"attributes\":{},\"mode\":0}"
@@ -199,27 +188,16 @@ class GltfReaderTest {
             quoteCharacter = '`',
             value = {
                 "/meshes/0/primitives/0/indices | \"x\"",
-                "/meshes/0/primitives/0/indices | true",
-                "/meshes/0/primitives/0/indices | 1e99",
                 "/meshes/0/primitives/0/indices | null",
-                "/meshes/0/primitives/0/attributes/POSITION | \"x\"",
                 "/meshes/0/primitives | [null]",
-                "/bufferViews/1/byteOffset | \"x\"",
-                "/bufferViews/1/byteOffset | 1e99",
                 "/bufferViews/1/byteOffset | null",
                 "/accessors/0/byteOffset | -1",
                 "/accessors/0/count | 2147483648",
-                "/accessors/0/count | -1",
-                "/accessors/0/count | null",
                 "/accessors/0/max | [1,\"x\",0]",
                 "/nodes/0/scale | [2,3]",
                 "/nodes/0/scale | []",
-                "/nodes/0/scale | 2",
-                "/nodes/0/rotation | [0,0,0]",
                 "/nodes/0/matrix | [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0]",
                 "/nodes/0/mesh | 0.5",
-                "/scene | 1e99",
-                "/buffers/0/byteLength | 1e99",
             })
     void aWrongValueIsRefusedByItsPath(String path, String value) throws IOException {
         ObjectMapper mapper = new ObjectMapper();
@@ -243,6 +221,6 @@ class GltfReaderTest {
         String odd = textured("\"emissiveFactor\":[2,2,2]")
                 .replaceFirst("\\{", "{\"animations\":[],\"cameras\":[null],\"extras\":{\"a\":null},")
                 .replace("{\"mesh\":0}", "{\"mesh\":0.0,\"children\":[],\"extras\":{\"a\":null}}");
-        assertThat(read(odd).indices()).hasSameSizeAs(PLANE.indices());
+        assertThat(read(odd).mesh().indices()).hasSameSizeAs(PLANE.indices());
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
 /** Assertions that hold for every mesh. */
@@ -14,21 +15,17 @@ public final class MeshChecks {
 
     private MeshChecks() {}
 
-    static Vector3d vector(float[] values, int perVertex, int vertex) {
-        int at = perVertex * vertex;
-        return new Vector3d(values[at], values[at + 1], values[at + 2]);
-    }
-
     public static Vector3d position(Mesh mesh, int vertex) {
-        return vector(mesh.positions(), 3, vertex);
+        return Mesh.vector(mesh.positions(), vertex);
     }
 
     public static Vector3d normal(Mesh mesh, int vertex) {
-        return vector(mesh.normals(), 3, vertex);
+        return Mesh.vector(mesh.normals(), vertex);
     }
 
     public static Vector3d tangent(Mesh mesh, int vertex) {
-        return vector(mesh.tangents(), 4, vertex);
+        float[] values = mesh.tangents();
+        return new Vector3d(values[4 * vertex], values[4 * vertex + 1], values[4 * vertex + 2]);
     }
 
     /** Normal of a triangle, with twice its area as its length. */
@@ -38,6 +35,12 @@ public final class MeshChecks {
         Vector3d b = position(mesh, indices[3 * triangle + 1]).sub(a);
         Vector3d c = position(mesh, indices[3 * triangle + 2]).sub(a);
         return b.cross(c);
+    }
+
+    static double area(Mesh mesh) {
+        return IntStream.range(0, mesh.triangles())
+                .mapToDouble(triangle -> areaNormal(mesh, triangle).length() / 2)
+                .sum();
     }
 
     static void assertOrthonormalFrames(Mesh mesh) {

@@ -1,9 +1,9 @@
 package sunbeam.app.scene.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -13,51 +13,26 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import org.assertj.core.api.AbstractThrowableAssert;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.InputException;
-import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.output.ObjWriter;
 
 /** PLY and glTF beside OBJ. */
-class MeshFormatsTest {
+class MeshFormatsTest extends MeshReading {
     private static final Mesh SURFACE = BuiltInMeshes.cylinder(0.1, 0.2, 12, 3);
-
-    @TempDir
-    private Path folder;
-
-    private ReadMesh read(String name, byte[] content) throws IOException {
-        return MeshReader.read(Files.write(folder.resolve(name), content), MeshUnit.M);
-    }
-
-    private ReadMesh gltf(String json) throws IOException {
-        return read("mesh.gltf", json.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String name, String content) {
-        return assertRefused(name, content.getBytes(StandardCharsets.ISO_8859_1));
-    }
-
-    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String name, byte[] content) {
-        return assertThatThrownBy(() -> read(name, content))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining(name)
-                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
-    }
 
     @Test
     void theSameSurfaceIsReadFromEveryFormat() throws IOException {
-        Path obj = folder.resolve("mesh.obj");
-        ObjWriter.write(obj, Overwrite.REFUSE, SURFACE);
-        Mesh expected = ReadMesh.load(MeshSource.of(obj.toString())).mesh();
+        ByteArrayOutputStream obj = new ByteArrayOutputStream();
+        ObjWriter.write(obj, SURFACE);
+        Mesh expected = read(obj.toByteArray()).mesh();
         byte[] buffer = MeshFiles.buffer(SURFACE);
         Files.write(folder.resolve("a b.bin"), buffer);
 
         for (String encoding : List.of("ascii", "binary_little_endian", "binary_big_endian")) {
-            ReadMesh ply = read("mesh.ply", MeshFiles.ply(SURFACE, encoding));
+            MeshSource.Loaded ply = read(MeshFiles.ply(SURFACE, encoding));
             assertThat(ply.warnings()).isEmpty();
             assertSame(ply.mesh(), expected);
             // The file's numbers are floats; those of OBJ have more digits.
@@ -65,10 +40,10 @@ class MeshFormatsTest {
                     .as("from the same texture")
                     .containsExactly(expected.tangents(), within(1e-6f));
         }
-        for (ReadMesh gltf : List.of(
-                read("mesh.glb", MeshFiles.glb(SURFACE)),
-                gltf(MeshFiles.gltf(SURFACE, "a%20b.bin")),
-                gltf(MeshFiles.gltf(SURFACE, MeshFiles.dataUri(buffer))))) {
+        for (MeshSource.Loaded gltf : List.of(
+                read(MeshFiles.glb(SURFACE)),
+                read(MeshFiles.gltf(SURFACE, "a%20b.bin")),
+                read(MeshFiles.gltf(SURFACE, MeshFiles.dataUri(buffer))))) {
             assertThat(gltf.warnings()).isEmpty();
             assertSame(gltf.mesh(), expected);
         }
@@ -110,7 +85,7 @@ class MeshFormatsTest {
                 SURFACE.indices(),
                 false);
 
-        Mesh mesh = read("mesh.glb", MeshFiles.glb(turned)).mesh();
+        Mesh mesh = read(MeshFiles.glb(turned)).mesh();
 
         MeshChecks.assertOrthonormalFrames(mesh);
         for (int i = 0; i < mesh.indices().length; i++) {
@@ -131,7 +106,7 @@ class MeshFormatsTest {
                         {"mesh":0,"rotation":[0,0.70710678,0,0.70710678],"translation":[0,3,0]}]
                         """);
 
-        Mesh mesh = gltf(json).mesh();
+        Mesh mesh = read(json).mesh();
 
         // glTF's (x, y, z) is (x, -z, y): moved by 5 along y; doubled and mirrored in y; turned about z by a quarter
         // and lifted.
@@ -155,10 +130,10 @@ class MeshFormatsTest {
     void stripsFansAndMissingIndicesAreTriangles() throws IOException {
         // A unit square in glTF's x and y, which faces its z: our -y.
         String square = "0,0,0, 1,0,0, 0,1,0, 1,1,0";
-        Mesh strip = gltf(positions(5, square, "")).mesh();
-        Mesh fan = gltf(positions(6, "0,0,0, 1,0,0, 1,1,0, 0,1,0", "")).mesh();
-        Mesh triangle = gltf(positions(4, square, "")).mesh();
-        Mesh hidden = gltf(positions(5, square, "")
+        Mesh strip = read(positions(5, square, "")).mesh();
+        Mesh fan = read(positions(6, "0,0,0, 1,0,0, 1,1,0, 0,1,0", "")).mesh();
+        Mesh triangle = read(positions(4, square, "")).mesh();
+        Mesh hidden = read(positions(5, square, "")
                         .replace("[{\"mesh\":0}]", "[{\"mesh\":0},{\"mesh\":0,\"scale\":[0,1,1]}]"))
                 .mesh();
 
@@ -171,7 +146,7 @@ class MeshFormatsTest {
         }
         assertThat(triangle.triangles()).isEqualTo(1);
         assertThat(triangle.normals()).startsWith(0, -1, 0);
-        assertRefused("mesh.gltf", positions(1, square, "")).hasMessageContaining("no faces");
+        assertRefused(positions(1, square, "")).hasMessageContaining("no faces");
     }
 
     /** A primitive with positions alone. */
@@ -205,30 +180,24 @@ class MeshFormatsTest {
                         "\"byteLength\":36}]}",
                         "\"byteLength\":36},{\"uri\":\"" + MeshFiles.dataUri(content) + "\"}]}");
 
-        Mesh mesh = gltf(json).mesh();
+        Mesh mesh = read(json).mesh();
 
         // Vertex 2 is (0, 3, 0), so that twice the area is 3.
         assertThat(MeshChecks.areaNormal(mesh, 0).length()).isCloseTo(3, within(1e-6));
     }
 
     @Test
-    void buffersLieInTheFolder() throws IOException {
-        Path inner = Files.createDirectory(folder.resolve("inner"));
-        Files.write(folder.resolve("outside.bin"), MeshFiles.buffer(SURFACE));
-        Files.createSymbolicLink(inner.resolve("link.bin"), folder.resolve("outside.bin"));
+    void buffersLieInTheFolder(@TempDir Path elsewhere) throws IOException {
+        Path outside = Files.write(elsewhere.resolve("outside.bin"), MeshFiles.buffer(SURFACE));
+        Files.createSymbolicLink(folder.resolve("link.bin"), outside);
 
-        for (String uri : List.of(
-                "../outside.bin",
-                "%2e%2e/outside.bin",
-                folder.resolve("outside.bin").toString())) {
-            assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, uri))
-                    .hasMessageContaining("leads out of the mesh's own folder");
+        for (String uri : List.of("../outside.bin", "%2e%2e/outside.bin", outside.toString())) {
+            assertRefused(MeshFiles.gltf(SURFACE, uri)).hasMessageContaining("leads out of the mesh's own folder");
         }
-        assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, "link.bin"))
-                .hasMessageContaining("link that leads out");
-        assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, "none.bin")).hasMessageContaining("is missing");
+        assertRefused(MeshFiles.gltf(SURFACE, "link.bin")).hasMessageContaining("link that leads out");
+        assertRefused(MeshFiles.gltf(SURFACE, "none.bin")).hasMessageContaining("is missing");
         for (String uri : List.of("http://127.0.0.1:9/a.bin", "file:///etc/passwd", "HTTPS:x")) {
-            assertRefused("inner/mesh.gltf", MeshFiles.gltf(SURFACE, uri)).hasMessageContaining("nothing is fetched");
+            assertRefused(MeshFiles.gltf(SURFACE, uri)).hasMessageContaining("nothing is fetched");
         }
     }
 
@@ -250,14 +219,14 @@ class MeshFormatsTest {
                 good, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"", "KHR_draco");
         assertRefusedAfterReplacing(good, "\"count\":216", "\"count\":2000000000", "1 to 6000000");
         assertRefusedAfterReplacing(good, "base64,", "base64,?", "no base64");
-        assertRefused("mesh.gltf", "{\"a\":").hasMessageContaining("no valid JSON");
-        assertRefused("mesh.gltf", "{\"a\":" + "[".repeat(5000)).hasMessageContaining("no valid JSON");
-        assertRefused("mesh.gltf", "{}").hasMessageContaining("version \"\"");
+        assertRefused("{\"a\":").hasMessageContaining("no valid JSON");
+        assertRefused("{\"a\":" + "[".repeat(5000)).hasMessageContaining("no valid JSON");
+        assertRefused("{}").hasMessageContaining("version \"\"");
     }
 
     private void assertRefusedAfterReplacing(String good, String from, String to, String words) {
         assertThat(good).contains(from);
-        assertRefused("mesh.gltf", good.replace(from, to)).hasMessageContaining(words);
+        assertRefused(good.replace(from, to)).hasMessageContaining(words);
     }
 
     @Test
@@ -277,7 +246,7 @@ class MeshFormatsTest {
                             (byte) (random.nextBoolean() ? random.nextInt(256) : '0' + random.nextInt(10));
                 }
                 try {
-                    assertThat(read("mesh", bad).mesh().triangles()).isPositive();
+                    assertThat(read(bad).mesh().triangles()).isPositive();
                 } catch (InputException refused) {
                     assertThat(refused.getMessage()).doesNotContain("\n");
                 }

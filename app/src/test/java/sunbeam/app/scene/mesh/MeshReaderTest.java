@@ -5,22 +5,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.assertj.core.api.AbstractThrowableAssert;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.format.MeshUnit;
-import sunbeam.app.scene.mesh.output.ObjWriter;
 
-class MeshReaderTest {
+class MeshReaderTest extends MeshReading {
     private static final String SQUARE = """
             v 0 0 0
             v 1 0 0
@@ -34,55 +31,10 @@ class MeshReaderTest {
             vt 0 1
             """;
 
-    @TempDir
-    private Path folder;
-
-    private Path file(String text) throws IOException {
-        return Files.writeString(folder.resolve("mesh.obj"), text, StandardCharsets.ISO_8859_1);
-    }
-
-    private ReadMesh read(String text) throws IOException {
-        return MeshReader.read(file(text), MeshUnit.M);
-    }
-
-    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String text) throws IOException {
-        Path file = file(text);
-        return assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(file.toString())))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("mesh.obj")
-                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
-    }
-
-    @Test
-    void writtenMeshesAreReadBack() {
-        for (String name : BuiltInMeshes.names()) {
-            Mesh mesh = BuiltInMeshes.create(name);
-            Path file = folder.resolve(name + ".obj");
-
-            ObjWriter.write(file, Overwrite.REFUSE, mesh);
-            ReadMesh read = ReadMesh.load(MeshSource.of(file.toString()));
-
-            assertThat(read.warnings()).isEmpty();
-            assertThat(read.mesh().triangles()).isEqualTo(mesh.triangles());
-            double worst = 1;
-            for (int i = 0; i < mesh.indices().length; i++) {
-                int vertex = mesh.indices()[i];
-                int copy = read.mesh().indices()[i];
-                assertThat(MeshChecks.position(read.mesh(), copy)).isEqualTo(MeshChecks.position(mesh, vertex));
-                // Normalised again.
-                assertThat(MeshChecks.normal(read.mesh(), copy).distance(MeshChecks.normal(mesh, vertex)))
-                        .isLessThan(MeshChecks.ROUNDING);
-                worst = Math.min(worst, MeshChecks.tangent(read.mesh(), copy).dot(MeshChecks.tangent(mesh, vertex)));
-            }
-            // Facets' tangents for the surface's: worst where a facet bends most, at the snake's snout and eyes.
-            assertThat(worst).as(name).isGreaterThan(name.equals("snake") ? 0.7 : 0.99);
-        }
-    }
-
     @Test
     void missingNormalsAreWeightedByArea() throws IOException {
         // Two triangles share an edge along y: one lies flat with area 1/2, one stands upright with area 1.
-        ReadMesh read = read("""
+        MeshSource.Loaded read = read("""
                 v 0 0 0
                 v 0 1 0
                 v -1 0 0
@@ -131,7 +83,7 @@ class MeshReaderTest {
 
     @Test
     void missingTextureCoordinatesAreTheViewFromAbove() throws IOException {
-        ReadMesh read = read("v 1 1 0\nv 3 1 0\nv 3 2 1\nv 1 2 1\nf 1 2 3 4\nf 4 3 2 1\n");
+        MeshSource.Loaded read = read("v 1 1 0\nv 3 1 0\nv 3 2 1\nv 1 2 1\nf 1 2 3 4\nf 4 3 2 1\n");
         Mesh mesh = read.mesh();
 
         assertThat(read.warnings()).anyMatch(line -> line.contains("texture coordinates are missing"));
@@ -150,7 +102,7 @@ class MeshReaderTest {
 
     @Test
     void degenerateTrianglesAreDroppedAndCounted() throws IOException {
-        ReadMesh read = read(SQUARE + "v 0.5 0.5 0\nf 1 2 3\nf 1 1 2\nf 1 5 3\nf 2 2 2\n");
+        MeshSource.Loaded read = read(SQUARE + "v 0.5 0.5 0\nf 1 2 3\nf 1 1 2\nf 1 5 3\nf 2 2 2\n");
 
         assertThat(read.mesh().triangles()).isEqualTo(1);
         assertThat(read.mesh().vertices()).isEqualTo(3);
@@ -164,36 +116,25 @@ class MeshReaderTest {
         Mesh star = read(star()).mesh();
 
         assertThat(arrow.triangles()).isEqualTo(2);
-        assertThat(area(arrow)).isCloseTo(1.5, within(1e-6));
+        assertThat(MeshChecks.area(arrow)).isCloseTo(1.5, within(1e-6));
         MeshChecks.assertNormalsFaceOutwards(arrow, 1 - 1e-6);
         assertThat(star.triangles()).isEqualTo(18);
         // 20 triangles between radii 1 and 0.3 at angles of 18 degrees.
-        assertThat(area(star)).isCloseTo(20 * 0.5 * 0.3 * Math.sin(Math.PI / 10), within(1e-5));
+        assertThat(MeshChecks.area(star)).isCloseTo(20 * 0.5 * 0.3 * Math.sin(Math.PI / 10), within(1e-5));
         MeshChecks.assertNormalsFaceOutwards(star, 1 - 1e-5);
     }
 
     /** A star with ten points in a tilted plane. */
     private static String star() {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < 20; i++) {
-            double radius = i % 2 == 0 ? 1 : 0.3;
-            Vector3d point = new Vector3d(radius, 0, 0)
-                    .rotateZ(i * Math.PI / 10)
-                    .rotateX(1)
-                    .rotateY(0.5);
-            text.append("v ")
-                    .append(point.x)
-                    .append(' ')
-                    .append(point.y)
-                    .append(' ')
-                    .append(point.z)
-                    .append('\n');
-        }
-        text.append("f");
-        for (int i = 1; i <= 20; i++) {
-            text.append(' ').append(i);
-        }
-        return text.append('\n').toString();
+        String points = IntStream.range(0, 20)
+                .mapToObj(i -> new Vector3d(i % 2 == 0 ? 1 : 0.3, 0, 0)
+                        .rotateZ(i * Math.PI / 10)
+                        .rotateX(1)
+                        .rotateY(0.5))
+                .map(point -> "v " + point.x + " " + point.y + " " + point.z + "\n")
+                .collect(Collectors.joining());
+        return points + "f "
+                + IntStream.rangeClosed(1, 20).mapToObj(Integer::toString).collect(Collectors.joining(" "));
     }
 
     @Test
@@ -212,9 +153,11 @@ class MeshReaderTest {
     }
 
     @Test
-    void messagesNameWrongLines() throws IOException {
-        assertRefused("v 0 0 0\nv 1 NaN 0\n").hasMessageContaining("line 2").hasMessageContaining("\"NaN\"");
-        assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContaining("line 2").hasMessageContaining("1e99");
+    void messagesNameWrongLines() {
+        assertRefused("v 0 0 0\nv 1 NaN 0\n")
+                .hasMessageContaining("line 2")
+                .hasMessageContaining("NaN is no finite number");
+        assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContaining("line 2").hasMessageContaining("1.0E99");
         assertRefused("vn 0 -Infinity 0\n").hasMessageContaining("line 1");
         assertRefused("v 0 zero 0\n").hasMessageContaining("\"zero\" is no number");
         assertRefused("v 0 0\n").hasMessageContaining("position needs 3 numbers, not 2");
@@ -233,7 +176,7 @@ class MeshReaderTest {
     }
 
     @Test
-    void filesWithoutFacesAreRefused() throws IOException {
+    void filesWithoutFacesAreRefused() {
         assertRefused("").hasMessageContaining("no face");
         assertRefused(SQUARE).hasMessageContaining("no face");
         assertRefused(SQUARE + "f 1 1 2\n").hasMessageContaining("no face");
@@ -241,31 +184,22 @@ class MeshReaderTest {
         assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
         assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj"), MeshUnit.M))
                 .hasMessageContaining("there is no such file");
-        assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(folder.toString())))
-                .hasMessageContaining("it is a folder");
+        assertThatThrownBy(() -> MeshReader.read(folder, MeshUnit.M)).hasMessageContaining("it is a folder");
     }
 
     @Test
     void tenMillionFacesAreRefusedBeforeMemoryIsTaken() throws IOException {
         Path file = folder.resolve("large.obj");
-        byte[] faces = "f 1 2 3\n".repeat(100_000).getBytes(StandardCharsets.US_ASCII);
-        try (var stream = Files.newOutputStream(file)) {
-            stream.write("v 0 0 0\nv 1 0 0\nv 0 1 0\n".getBytes(StandardCharsets.US_ASCII));
+        String faces = "f 1 2 3\n".repeat(100_000);
+        try (var writer = Files.newBufferedWriter(file)) {
+            writer.write("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
             for (int i = 0; i < 100; i++) {
-                stream.write(faces);
+                writer.write(faces);
             }
         }
 
-        assertThatThrownBy(() -> ReadMesh.load(MeshSource.of(file.toString())))
+        assertThatThrownBy(() -> MeshSource.of(file.toString()).load())
                 .isInstanceOf(InputException.class)
-                .hasMessageEndingWith("large.obj, line 2000004: more than 2000000 triangles; simplify the mesh");
-    }
-
-    private static double area(Mesh mesh) {
-        double area = 0;
-        for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
-            area += MeshChecks.areaNormal(mesh, triangle).length() / 2;
-        }
-        return area;
+                .hasMessageEndingWith("large.obj: line 2000004: more than 2000000 triangles; simplify the mesh");
     }
 }

@@ -2,24 +2,25 @@ package sunbeam.app.scene.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.text.Text;
 
-/** Units of a mesh's numbers. */
-class MeshUnitTest {
-    @TempDir
-    private Path folder;
-
+/** Units of a mesh's numbers, and meshes at coordinates of maps (UTM), thousands of kilometers from the origin. */
+class MeshUnitTest extends MeshReading {
     @ParameterizedTest
     @CsvSource({
         // Size in the file, unit, words of the warning.
@@ -37,7 +38,7 @@ class MeshUnitTest {
                 Text.format("v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n", size, size / 2)
                         + "f 1/1/1 3/3/1 2/2/1\n");
 
-        ReadMesh read = MeshReader.read(file, unit);
+        MeshSource.Loaded read = MeshReader.read(file, unit);
 
         // Rounded to float32.
         assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.meters()), withinPercentage(1e-4));
@@ -60,8 +61,55 @@ class MeshUnitTest {
 
     @Test
     void builtInMeshesHaveTheirOwnUnit() {
-        assertThatThrownBy(() -> ReadMesh.load(new MeshSource("snake", MeshUnit.CM)))
+        assertThatThrownBy(() -> new MeshSource("snake", MeshUnit.CM).load())
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("snake is in meters");
+    }
+
+    private static String obj(Mesh mesh, Vector3d shift) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < mesh.vertices(); i++) {
+            Vector3d p = MeshChecks.position(mesh, i).add(shift);
+            text.append(Text.format("v %.9f %.9f %.9f%n", p.x, p.y, p.z));
+        }
+        for (int i = 0; i < mesh.indices().length; i++) {
+            text.append(i % 3 == 0 ? "\nf " : " ").append(mesh.indices()[i] + 1);
+        }
+        return text.toString();
+    }
+
+    private static byte[] ply(Mesh mesh, Vector3d shift) {
+        byte[] header = Text.format(
+                        "ply%nformat binary_big_endian 1.0%nelement vertex %d%nproperty double x%nproperty double y%n"
+                                + "property double z%nelement face %d%nproperty list uchar int vertex_indices%nend_header%n",
+                        mesh.vertices(), mesh.triangles())
+                .getBytes(StandardCharsets.US_ASCII);
+        ByteBuffer bytes = ByteBuffer.allocate(header.length + 24 * mesh.vertices() + 13 * mesh.triangles())
+                .put(header);
+        for (int i = 0; i < mesh.positions().length; i++) {
+            bytes.putDouble(mesh.positions()[i] + shift.get(i % 3));
+        }
+        for (int i = 0; i < mesh.indices().length; i++) {
+            (i % 3 == 0 ? bytes.put((byte) 3) : bytes).putInt(mesh.indices()[i]);
+        }
+        return bytes.array();
+    }
+
+    @Test
+    void shapesSurviveFarFromTheOrigin() throws IOException {
+        Mesh sphere = BuiltInMeshes.create("sphere");
+        Vector3d utm = new Vector3d(500_000, 5_400_000, 300);
+        for (MeshSource.Loaded far : List.of(read(obj(sphere, utm)), read(ply(sphere, utm)))) {
+            assertThat(far.mesh().triangles()).isEqualTo(sphere.triangles());
+            // Doubles have steps of 1e-9 m there, 1e-8 of the radius; edges of a hundredth of it.
+            assertThat(MeshChecks.area(far.mesh())).isCloseTo(MeshChecks.area(sphere), withinPercentage(1e-3));
+            assertThat(far.warnings())
+                    .noneMatch(warning -> warning.contains("dropped"))
+                    .anyMatch(warning -> warning.contains("center (500000.000, 5400000.000, 300.000) m is moved"));
+            assertThat(MeshChecks.position(far.mesh(), 0).length()).isLessThan(0.11);
+        }
+        MeshSource.Loaded near = read(obj(sphere, new Vector3d(50, 0, 0)));
+        assertThat(near.warnings()).noneMatch(warning -> warning.contains("moved"));
+        assertThat(MeshChecks.position(near.mesh(), 0).x).isCloseTo(50, within(0.11));
     }
 }

@@ -1,34 +1,12 @@
 package sunbeam.app.scene.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import org.assertj.core.api.AbstractThrowableAssert;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.files.input.InputException;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 
 /** Properties of PLY alone. */
-class PlyReaderTest {
-    @TempDir
-    private Path folder;
-
-    private Mesh read(String content) throws IOException {
-        return MeshReader.read(Files.writeString(folder.resolve("mesh.ply"), content), MeshUnit.M)
-                .mesh();
-    }
-
-    private AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String content) {
-        return assertThatThrownBy(() -> read(content))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("mesh.ply")
-                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
-    }
-
+class PlyReaderTest extends MeshReading {
     /** A strip of two triangles, an end, one of one triangle, an end. All face upwards. */
     @Test
     void stripsAreTriangles() throws IOException {
@@ -44,7 +22,7 @@ class PlyReaderTest {
                 end_header
                 0 0 0  1 0 0  0 1 0  1 1 0  2 2 0
                 """;
-        Mesh mesh = read(header + "9 0 1 2 3 -1 1 4 2 -1\n");
+        Mesh mesh = read(header + "9 0 1 2 3 -1 1 4 2 -1\n").mesh();
         assertThat(mesh.triangles()).isEqualTo(3);
         for (int triangle = 0; triangle < 3; triangle++) {
             assertThat(MeshChecks.areaNormal(mesh, triangle).z).isPositive();
@@ -107,7 +85,7 @@ class PlyReaderTest {
                 4 0 1 2 3 8 0 0 0 1 -1 1 -1 0
                 """;
 
-        Mesh mesh = read(text);
+        Mesh mesh = read(text).mesh();
 
         // u grows against y.
         assertThat(mesh.triangles()).isEqualTo(2);

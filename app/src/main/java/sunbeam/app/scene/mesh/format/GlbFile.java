@@ -29,22 +29,22 @@ record GlbFile(byte[] json, ByteBuffer binary) {
     static GlbFile read(Path file) throws IOException {
         ByteBuffer all = map(file);
         if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {
-            return new GlbFile(text(file, all, 0, all.limit()), ByteBuffer.allocate(0));
+            return new GlbFile(text(all, 0, all.limit()), ByteBuffer.allocate(0));
         }
         if (all.getInt(4) != 2) {
-            throw new InputException(file + ": it is glTF of version " + Integer.toUnsignedLong(all.getInt(4))
-                    + "; export it as glTF 2.0");
+            throw new InputException(
+                    "it is glTF of version " + Integer.toUnsignedLong(all.getInt(4)) + "; export it as glTF 2.0");
         }
-        int json = chunk(file, all, HEADER_BYTES, JSON, "JSON");
+        int json = chunk(all, HEADER_BYTES, JSON, "JSON");
         int next = HEADER_BYTES + CHUNK_HEADER_BYTES + json;
-        int binary = next + CHUNK_HEADER_BYTES > all.limit() ? 0 : chunk(file, all, next, BINARY, "binary");
+        int binary = next + CHUNK_HEADER_BYTES > all.limit() ? 0 : chunk(all, next, BINARY, "binary");
         return new GlbFile(
-                text(file, all, HEADER_BYTES + CHUNK_HEADER_BYTES, json),
+                text(all, HEADER_BYTES + CHUNK_HEADER_BYTES, json),
                 binary == 0 ? ByteBuffer.allocate(0) : slice(all, next + CHUNK_HEADER_BYTES, binary));
     }
 
     static ByteBuffer map(Path file) throws IOException {
-        MeshLimits.requireSize(file);
+        MeshFormat.requireSize(file);
         try (FileChannel channel = FileChannel.open(file)) {
             return channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size()).order(ByteOrder.LITTLE_ENDIAN);
         }
@@ -54,21 +54,21 @@ record GlbFile(byte[] json, ByteBuffer binary) {
         return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    private static int chunk(Path file, ByteBuffer all, int at, int kind, String name) {
+    private static int chunk(ByteBuffer all, int at, int kind, String name) {
         if (at + CHUNK_HEADER_BYTES > all.limit() || all.getInt(at + 4) != kind) {
-            throw new InputException(file + ": there is no " + name + " chunk at byte " + at + "; export it again");
+            throw new InputException("there is no " + name + " chunk at byte " + at + "; export it again");
         }
         int length = all.getInt(at);
         if (length < 0 || length > all.limit() - at - CHUNK_HEADER_BYTES) {
-            throw new InputException(file + ": the " + name + " chunk has " + Integer.toUnsignedLong(length)
+            throw new InputException("the " + name + " chunk has " + Integer.toUnsignedLong(length)
                     + " bytes, more than the file; copy or export it again");
         }
         return length;
     }
 
-    private static byte[] text(Path file, ByteBuffer all, int offset, int length) {
+    private static byte[] text(ByteBuffer all, int offset, int length) {
         if (length > MOST_JSON_BYTES) {
-            throw new InputException(file + ": its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES
+            throw new InputException("its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES
                     + " can be used, so export it as .glb");
         }
         byte[] text = new byte[length];

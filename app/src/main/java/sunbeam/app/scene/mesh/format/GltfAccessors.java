@@ -15,14 +15,13 @@ import de.javagl.jgltf.impl.v2.BufferView;
 import de.javagl.jgltf.impl.v2.GlTF;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.file.Path;
 import java.util.Map;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.scan.SampleType;
 
 /** Reads accessors of glTF 2.0 (its section 3.6.2): dense and sparse ones, of all types of numbers. */
-record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
-    private static final int MOST_ELEMENTS = 3 * MeshLimits.MOST_ELEMENTS;
+record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
+    private static final int MOST_ELEMENTS = 3 * RawMeshBuilder.MOST_ELEMENTS;
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
     private static final Map<Integer, SampleType> TYPES = Map.of(
             GL_BYTE, SampleType.SIGNED_8,
@@ -32,7 +31,7 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
             GL_UNSIGNED_INT, SampleType.UNSIGNED_32,
             GL_FLOAT, SampleType.FLOAT_32);
 
-    /** Returns the number of elements, at most three times {@link MeshLimits#MOST_ELEMENTS}: the corners of that many triangles. */
+    /** Returns the number of elements, at most three times {@link RawMeshBuilder#MOST_ELEMENTS}: the corners of that many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
         if (count == null || count > MOST_ELEMENTS) {
@@ -139,6 +138,6 @@ record GltfAccessors(Path file, GlTF gltf, GltfBuffers buffers) {
     }
 
     private InputException wrong(Integer index, String what) {
-        return new InputException(file + ": accessor " + index + " " + what);
+        return new InputException("accessor " + index + " " + what);
     }
 }

@@ -35,15 +35,12 @@ final class GltfBuffers {
         this.binary = binary;
     }
 
-    private InputException wrong(String what) {
-        return new InputException(file + ": " + what);
-    }
-
     /** Returns an entry of one of the document's lists; "what" names its kind in messages. */
     <T> T entry(List<T> list, Integer index, String what) {
         int count = list == null ? 0 : list.size();
         if (index == null || index < 0 || index >= count) {
-            throw wrong("it names " + what + " " + index + " of " + count + "; repair it or export it again");
+            throw new InputException(
+                    "it names " + what + " " + index + " of " + count + "; repair it or export it again");
         }
         return list.get(index);
     }
@@ -54,8 +51,8 @@ final class GltfBuffers {
         long offset = view.getByteOffset() == null ? 0 : view.getByteOffset();
         long length = view.getByteLength() == null ? -1 : view.getByteLength();
         if (offset < 0 || length < 1 || offset + length > buffer.limit()) {
-            throw wrong("a buffer view has " + length + " bytes from " + offset + " on in a buffer of " + buffer.limit()
-                    + "; copy it again with its files");
+            throw new InputException("a buffer view has " + length + " bytes from " + offset + " on in a buffer of "
+                    + buffer.limit() + "; copy it again with its files");
         }
         return GlbFile.slice(buffer, (int) offset, (int) length);
     }
@@ -77,7 +74,8 @@ final class GltfBuffers {
                         : " but by the extensions "
                                 + Quoted.of(
                                         String.join(", ", buffer.getExtensions().keySet()));
-                throw wrong("buffer " + index + " has no data" + extension + "; export it again, uncompressed");
+                throw new InputException(
+                        "buffer " + index + " has no data" + extension + "; export it again, uncompressed");
             }
             return binary;
         }
@@ -87,12 +85,11 @@ final class GltfBuffers {
                 return ByteBuffer.wrap(Base64.getDecoder().decode(uri.substring(data.end())))
                         .order(ByteOrder.LITTLE_ENDIAN);
             } catch (IllegalArgumentException broken) {
-                throw new InputException(
-                        file + ": the data of buffer " + index + " is no base64; export it again", broken);
+                throw new InputException("the data of buffer " + index + " is no base64; export it again", broken);
             }
         }
         if (URI_WITH_SCHEME.matcher(uri).matches()) {
-            throw wrong("buffer " + index + " lies at " + Quoted.of(uri)
+            throw new InputException("buffer " + index + " lies at " + Quoted.of(uri)
                     + ", and nothing is fetched; put it into the folder, or export it as .glb");
         }
         return GlbFile.map(fileInFolder(uri));
@@ -103,13 +100,13 @@ final class GltfBuffers {
         try {
             Path path = folder.file(decoded(uri));
             if (!Files.exists(path)) {
-                throw wrong("its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
+                throw new InputException("its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
             }
             folder.requireNoWayOut(path);
             InputException.requireRegular(path);
             return path;
         } catch (IllegalArgumentException out) {
-            throw new InputException(file + ": its buffer " + Quoted.of(uri) + " " + out.getMessage(), out);
+            throw new InputException("its buffer " + Quoted.of(uri) + " " + out.getMessage(), out);
         }
     }
 

@@ -19,7 +19,6 @@ import de.javagl.jgltf.impl.v2.GlTF;
 import de.javagl.jgltf.impl.v2.Material;
 import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -74,15 +73,14 @@ final class GltfDocument {
         mapper.configOverride(type).setIgnorals(JsonIgnoreProperties.Value.forIgnoredProperties(properties));
     }
 
-    static GlTF read(Path file, GlbFile parts) throws IOException {
-        JsonNode tree = tree(file, parts);
+    static GlTF read(byte[] json) throws IOException {
+        JsonNode tree = tree(json);
         String version = tree.path("asset").path("version").asText();
         if (!version.startsWith("2.")) {
-            throw new InputException(
-                    file + ": it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
+            throw new InputException("it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
         }
         ((ObjectNode) tree).retain(READ_PROPERTIES);
-        checkAndNormalize(file, JsonPointer.empty(), tree);
+        checkAndNormalize(JsonPointer.empty(), tree);
         GlTF gltf;
         try {
             gltf = MAPPER.treeToValue(tree, GlTF.class);
@@ -93,29 +91,29 @@ final class GltfDocument {
                         ? path.appendIndex(step.getIndex())
                         : path.appendProperty(step.getFieldName());
             }
-            throw wrong(file, path, tree.at(path));
+            throw wrong(path, tree.at(path));
         }
         List<String> required = gltf.getExtensionsRequired() == null ? List.of() : gltf.getExtensionsRequired();
         for (String extension : required) {
             if (!HARMLESS.matcher(extension).matches()) {
-                throw new InputException(file + ": it needs the extension " + Quoted.of(extension)
+                throw new InputException("it needs the extension " + Quoted.of(extension)
                         + ", which is not known; export it without (uncompressed)");
             }
         }
         return gltf;
     }
 
-    private static JsonNode tree(Path file, GlbFile parts) throws IOException {
-        try (JsonParser parser = JSON.createParser(parts.json())) {
+    private static JsonNode tree(byte[] json) throws IOException {
+        try (JsonParser parser = JSON.createParser(json)) {
             for (int values = 0; parser.nextToken() != null; values++) {
                 if (values > MOST_VALUES) {
-                    throw new InputException(file + ": its JSON has more than " + MOST_VALUES
+                    throw new InputException("its JSON has more than " + MOST_VALUES
                             + " values; export it with its numbers in a buffer");
                 }
             }
-            return MAPPER.readTree(parts.json());
+            return MAPPER.readTree(json);
         } catch (JsonProcessingException broken) {
-            throw new InputException(file + ": no valid JSON" + place(broken) + "; export it again", broken);
+            throw new InputException("no valid JSON" + place(broken) + "; export it again", broken);
         }
     }
 
@@ -123,9 +121,9 @@ final class GltfDocument {
      * Refuses null and numbers beyond the range of float32, except in extensions and extras. Removes empty lists, which some programs write
      * though glTF forbids them; converts numbers such as 2.0 to integers.
      */
-    private static JsonNode checkAndNormalize(Path file, JsonPointer path, JsonNode value) {
+    private static JsonNode checkAndNormalize(JsonPointer path, JsonNode value) {
         if (value.isNull() || (value.isNumber() && !Float.isFinite(value.floatValue()))) {
-            throw wrong(file, path, value);
+            throw wrong(path, value);
         }
         if (value instanceof ObjectNode object) {
             object.remove(object.properties().stream()
@@ -136,20 +134,20 @@ final class GltfDocument {
                     .toList());
             for (Map.Entry<String, JsonNode> entry : object.properties()) {
                 if (!UNCHECKED.contains(entry.getKey())) {
-                    entry.setValue(checkAndNormalize(file, path.appendProperty(entry.getKey()), entry.getValue()));
+                    entry.setValue(checkAndNormalize(path.appendProperty(entry.getKey()), entry.getValue()));
                 }
             }
         } else if (value instanceof ArrayNode array) {
             for (int i = 0; i < array.size(); i++) {
-                array.set(i, checkAndNormalize(file, path.appendIndex(i), array.get(i)));
+                array.set(i, checkAndNormalize(path.appendIndex(i), array.get(i)));
             }
         }
         return value.isDouble() && value.doubleValue() == value.intValue() ? IntNode.valueOf(value.intValue()) : value;
     }
 
-    private static InputException wrong(Path file, JsonPointer path, JsonNode value) {
+    private static InputException wrong(JsonPointer path, JsonNode value) {
         return new InputException(
-                file + ": it has " + Quoted.of(value.isTextual() ? value.textValue() : value.toString()) + " at "
+                "it has " + Quoted.of(value.isTextual() ? value.textValue() : value.toString()) + " at "
                         + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
     }
 

@@ -24,37 +24,27 @@ final class GltfFile {
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
     private static final int MOST_NODES = 100_000;
 
-    private final Path file;
     private final GlTF gltf;
     private final GltfBuffers buffers;
     private final GltfPrimitives primitives;
 
-    private GltfFile(Path file, GlTF gltf, GltfBuffers buffers) {
-        this.file = file;
+    private GltfFile(GlTF gltf, GltfBuffers buffers) {
         this.gltf = gltf;
         this.buffers = buffers;
-        this.primitives = new GltfPrimitives(file, gltf, new GltfAccessors(file, gltf, buffers));
+        this.primitives = new GltfPrimitives(gltf, new GltfAccessors(gltf, buffers));
     }
 
-    static RawMesh read(Path file) {
-        try {
-            GlbFile parts = GlbFile.read(file);
-            GlTF gltf = GltfDocument.read(file, parts);
-            return new GltfFile(file, gltf, new GltfBuffers(file, gltf, parts.binary())).mesh();
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
-    }
-
-    private InputException wrong(String what) {
-        return new InputException(file + ": " + what);
+    static RawMesh read(Path file) throws IOException {
+        GlbFile parts = GlbFile.read(file);
+        GlTF gltf = GltfDocument.read(parts.json());
+        return new GltfFile(gltf, new GltfBuffers(file, gltf, parts.binary())).mesh();
     }
 
     private record PendingNode(Integer node, Matrix4d parent) {}
 
     private RawMesh mesh() throws IOException {
         if (gltf.getScenes() == null) {
-            throw wrong("it has no scene, so nothing is placed; export it again with one");
+            throw new InputException("it has no scene, so nothing is placed; export it again with one");
         }
         List<Integer> roots = buffers.entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
                 .getNodes();
@@ -65,7 +55,7 @@ final class GltfFile {
             PendingNode next = waiting.pop();
             Node node = buffers.entry(gltf.getNodes(), next.node, "node");
             if (!seen.add(next.node) || seen.size() > MOST_NODES) {
-                throw wrong("node " + next.node + " has two parents, or there are more than " + MOST_NODES
+                throw new InputException("node " + next.node + " has two parents, or there are more than " + MOST_NODES
                         + " nodes; export it again");
             }
             Matrix4d place = new Matrix4d(next.parent).mul(local(next.node, node));
@@ -92,8 +82,8 @@ final class GltfFile {
         float[] scale = Objects.requireNonNullElse(node.getScale(), node.defaultScale());
         Quaterniond rotation = new Quaterniond(turn[0], turn[1], turn[2], turn[3]);
         if (rotation.lengthSquared() == 0) {
-            throw wrong("node " + number + " has the rotation [0,0,0,0]; a quaternion of length 1 is needed,"
-                    + " so export it again");
+            throw new InputException("node " + number
+                    + " has the rotation [0,0,0,0]; a quaternion of length 1 is needed," + " so export it again");
         }
         return new Matrix4d()
                 .translation(move[0], move[1], move[2])
@@ -104,10 +94,12 @@ final class GltfFile {
     private void place(Integer number, Node node, Matrix4d place) throws IOException {
         var mesh = buffers.entry(gltf.getMeshes(), node.getMesh(), "mesh");
         if (node.getSkin() != null) {
-            throw wrong("node " + number + " is moved by a skeleton; apply its pose and export it without one");
+            throw new InputException(
+                    "node " + number + " is moved by a skeleton; apply its pose and export it without one");
         }
         if (isMoved(node.getWeights() == null ? mesh.getWeights() : node.getWeights())) {
-            throw wrong("node " + number + " is moved by the weights of targets; apply them and export it again");
+            throw new InputException(
+                    "node " + number + " is moved by the weights of targets; apply them and export it again");
         }
         for (MeshPrimitive primitive : mesh.getPrimitives() == null ? List.<MeshPrimitive>of() : mesh.getPrimitives()) {
             primitives.add(primitive, place);

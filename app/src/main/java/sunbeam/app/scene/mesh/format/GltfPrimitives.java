@@ -5,12 +5,17 @@ import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_FAN;
 import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_STRIP;
 
 import de.javagl.jgltf.impl.v2.GlTF;
+import de.javagl.jgltf.impl.v2.Material;
+import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
 import de.javagl.jgltf.impl.v2.MeshPrimitive;
+import de.javagl.jgltf.impl.v2.TextureInfo;
 import java.io.IOException;
-import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
-import java.util.function.DoubleConsumer;
+import java.util.Objects;
+import java.util.stream.Stream;
 import org.joml.Matrix3d;
+import org.joml.Matrix3x2d;
 import org.joml.Matrix4d;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
@@ -18,20 +23,18 @@ import sunbeam.app.files.input.InputException;
 
 /**
  * Collects primitives of glTF: triangles, strips and fans, with or without indices. Texture coordinates are those of the
- * material's first texture ({@link GltfTextureCoordinates}).
+ * material's first texture.
  */
 final class GltfPrimitives {
     // Limit for primitives times placements: a small file can place many primitives many times.
     private static final int MOST_PRIMITIVES = 1_000_000;
 
-    private final Path file;
     private final GlTF gltf;
     private final GltfAccessors accessors;
     private int primitives;
     private final RawMeshBuilder mesh = new RawMeshBuilder();
 
-    GltfPrimitives(Path file, GlTF gltf, GltfAccessors accessors) {
-        this.file = file;
+    GltfPrimitives(GlTF gltf, GltfAccessors accessors) {
         this.gltf = gltf;
         this.accessors = accessors;
     }
@@ -43,8 +46,7 @@ final class GltfPrimitives {
     /** Adds a primitive; points, lines and primitives scaled to nothing are ignored. */
     void add(MeshPrimitive primitive, Matrix4d place) throws IOException {
         if (++primitives > MOST_PRIMITIVES) {
-            throw new InputException(
-                    file + ": its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
+            throw new InputException("its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
         }
         Map<String, Integer> attributes = primitive.getAttributes();
         if (attributes == null || place.determinant3x3() == 0) {
@@ -58,19 +60,15 @@ final class GltfPrimitives {
         int vertices = accessors.count(positions);
         int corners = primitive.getIndices() == null ? vertices : accessors.count(primitive.getIndices());
         int triangles = mode == GL_TRIANGLES ? corners / 3 : Math.max(0, corners - 2);
-        if (mesh.vertices() + (long) vertices > MeshLimits.MOST_ELEMENTS
-                || mesh.triangles() + (long) triangles > MeshLimits.MOST_ELEMENTS) {
-            throw new InputException(
-                    file + ": more than " + MeshLimits.MOST_ELEMENTS + " vertices or triangles; simplify the mesh");
-        }
-        Offsets offsets = vertices(GltfTextureCoordinates.of(file, gltf, primitive), attributes, vertices, place);
+        mesh.requireRoom(vertices, triangles);
+        Offsets offsets = vertices(TextureCoordinates.of(gltf, primitive), attributes, vertices, place);
         int[] indices = indices(primitive, corners, vertices);
         boolean mirrored = place.determinant3x3() < 0;
         for (int triangle = 0; triangle < triangles; triangle++) {
             int[] at = corners(mode, triangle);
             int second = at[mirrored ? 2 : 1];
             int third = at[mirrored ? 1 : 2];
-            mesh.face(offsets.polygon(indices[at[0]], indices[second], indices[third]));
+            mesh.addFace(offsets.polygon(indices[at[0]], indices[second], indices[third]));
         }
     }
 
@@ -89,7 +87,7 @@ final class GltfPrimitives {
         for (int i = 0; i < corners; i++) {
             double index = given == null ? i : given[i];
             if (!(index >= 0 && index < vertices) || index != Math.rint(index)) {
-                throw new InputException(file + ": accessor " + primitive.getIndices() + " names vertex " + index
+                throw new InputException("accessor " + primitive.getIndices() + " names vertex " + index
                         + " but there are " + vertices + "; repair the mesh or export it again");
             }
             indices[i] = (int) index;
@@ -110,54 +108,49 @@ final class GltfPrimitives {
         }
     }
 
-    private Offsets vertices(
-            GltfTextureCoordinates texture, Map<String, Integer> attributes, int vertices, Matrix4d place)
+    private Offsets vertices(TextureCoordinates texture, Map<String, Integer> attributes, int vertices, Matrix4d place)
             throws IOException {
         Offsets offsets = new Offsets(
-                mesh.vertices(),
-                attributes.containsKey(texture.attribute()) ? mesh.textureCoordinates.size() / 2 : -1,
-                attributes.containsKey("NORMAL") ? mesh.normals.size() / 3 : -1);
+                mesh.positions(),
+                attributes.containsKey(texture.attribute()) ? mesh.textureCoordinates() : -1,
+                attributes.containsKey("NORMAL") ? mesh.normals() : -1);
         double[] positions = read(attributes, "POSITION", 3, vertices);
         for (int i = 0; i < vertices; i++) {
-            add(mesh.positions::addElement, place.transformPosition(vector(positions, 3, i)));
+            Vector3d position = place.transformPosition(vector(positions, 3, i));
+            mesh.addPosition(position.x, position.y, position.z);
         }
         if (offsets.textureCoordinate >= 0) {
             double[] coordinates = read(attributes, texture.attribute(), 2, vertices);
             for (int i = 0; i < vertices; i++) {
-                Vector2d uv = texture.transform(coordinates[2 * i], coordinates[2 * i + 1]);
-                add(mesh.textureCoordinates::add, uv.x);
+                Vector2d uv =
+                        texture.transform.transformPosition(new Vector2d(coordinates[2 * i], coordinates[2 * i + 1]));
                 // glTF's v grows downwards.
-                add(mesh.textureCoordinates::add, 1 - uv.y);
+                mesh.addTextureCoordinate(uv.x, 1 - uv.y);
             }
         }
         if (offsets.normal >= 0) {
             Matrix3d normalMatrix = place.normal(new Matrix3d());
+            double hand = Math.signum(place.determinant3x3());
             double[] normals = read(attributes, "NORMAL", 3, vertices);
+            double[] tangents = attributes.containsKey("TANGENT")
+                    ? read(attributes, "TANGENT", 4, vertices)
+                    : new double[4 * vertices];
             for (int i = 0; i < vertices; i++) {
-                add(mesh.normals::add, normalMatrix.transform(vector(normals, 3, i)));
+                Vector3d normal = normalMatrix.transform(vector(normals, 3, i));
+                mesh.addNormal(normal.x, normal.y, normal.z);
+                Vector3d tangent = place.transformDirection(vector(tangents, 4, i));
+                mesh.addTangent(tangent.x, tangent.y, tangent.z, hand * tangents[4 * i + 3]);
             }
-            tangents(attributes, vertices, place);
         }
         return offsets;
-    }
-
-    /** Adds a tangent for each normal, zeros if the primitive has no tangents. */
-    private void tangents(Map<String, Integer> attributes, int vertices, Matrix4d place) throws IOException {
-        double[] tangents =
-                attributes.containsKey("TANGENT") ? read(attributes, "TANGENT", 4, vertices) : new double[4 * vertices];
-        double hand = Math.signum(place.determinant3x3());
-        for (int i = 0; i < vertices; i++) {
-            add(mesh.tangents::add, place.transformDirection(vector(tangents, 4, i)));
-            add(mesh.tangents::add, hand * tangents[4 * i + 3]);
-        }
     }
 
     private double[] read(Map<String, Integer> attributes, String name, int components, int vertices)
             throws IOException {
         Integer accessor = attributes.get(name);
         if (accessors.count(accessor) != vertices) {
-            throw new InputException(file + ": " + name + " has " + accessors.count(accessor) + " elements of "
-                    + vertices + " vertices; export it again");
+            throw new InputException(name + " has " + accessors.count(accessor) + " elements of " + vertices
+                    + " vertices; export it again");
         }
         return accessors.read(accessor, components);
     }
@@ -167,17 +160,75 @@ final class GltfPrimitives {
         return new Vector3d(values[at], values[at + 1], values[at + 2]);
     }
 
-    private void add(DoubleConsumer list, Vector3d vector) {
-        add(list, vector.x);
-        add(list, vector.y);
-        add(list, vector.z);
-    }
+    /**
+     * The texture coordinates of a primitive: the set that its material's first texture uses, transformed by its extension
+     * KHR_texture_transform. Without a texture they are the first set, not transformed.
+     *
+     * @param set number n of the attribute TEXCOORD_n
+     * @param transform transform of coordinates whose v grows downwards
+     */
+    private record TextureCoordinates(int set, Matrix3x2d transform) {
+        private static final String TRANSFORM = "KHR_texture_transform";
 
-    private void add(DoubleConsumer list, double value) {
-        if (!MeshLimits.allows(value)) {
-            throw new InputException(
-                    file + ": a vertex has the number " + value + ", which is " + MeshLimits.BAD_NUMBER);
+        static TextureCoordinates of(GlTF gltf, MeshPrimitive primitive) {
+            List<Material> materials = gltf.getMaterials();
+            Integer index = primitive.getMaterial();
+            boolean hasMaterial = index != null && materials != null && index >= 0 && index < materials.size();
+            TextureInfo texture = hasMaterial ? firstTexture(materials.get(index)) : null;
+            int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
+            Map<String, Object> extensions = texture == null ? null : texture.getExtensions();
+            if (extensions == null || !extensions.containsKey(TRANSFORM)) {
+                return new TextureCoordinates(set, new Matrix3x2d());
+            }
+            if (!(extensions.get(TRANSFORM) instanceof Map<?, ?> transform)) {
+                throw damaged();
+            }
+            Object ownSet = transform.containsKey("texCoord") ? transform.get("texCoord") : set;
+            Object rotation = transform.containsKey("rotation") ? transform.get("rotation") : 0;
+            if (!(ownSet instanceof Integer number) || !(rotation instanceof Number radians)) {
+                throw damaged();
+            }
+            // The rotation is counter-clockwise in the picture, as in the extension's first example; the extension's
+            // formula has the other sign.
+            return new TextureCoordinates(
+                    number,
+                    new Matrix3x2d()
+                            .translate(pair(transform, "offset", new Vector2d()))
+                            .rotate(-radians.doubleValue())
+                            .scale(pair(transform, "scale", new Vector2d(1))));
         }
-        list.accept(value);
+
+        private static TextureInfo firstTexture(Material material) {
+            MaterialPbrMetallicRoughness surface = material.getPbrMetallicRoughness();
+            return Stream.of(
+                            surface == null ? null : surface.getBaseColorTexture(),
+                            material.getNormalTexture(),
+                            surface == null ? null : surface.getMetallicRoughnessTexture(),
+                            material.getEmissiveTexture())
+                    .filter(Objects::nonNull)
+                    .findFirst()
+                    .orElse(null);
+        }
+
+        private static Vector2d pair(Map<?, ?> transform, String key, Vector2d fallback) {
+            if (!transform.containsKey(key)) {
+                return fallback;
+            }
+            if (transform.get(key) instanceof List<?> list
+                    && list.size() == 2
+                    && list.get(0) instanceof Number x
+                    && list.get(1) instanceof Number y) {
+                return new Vector2d(x.doubleValue(), y.doubleValue());
+            }
+            throw damaged();
+        }
+
+        private static InputException damaged() {
+            return new InputException("its " + TRANSFORM + " cannot be understood; export it again without");
+        }
+
+        String attribute() {
+            return "TEXCOORD_" + set;
+        }
     }
 }

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import sunbeam.app.files.input.InputException;
 
@@ -16,10 +15,11 @@ import sunbeam.app.files.input.InputException;
  *
  * @param endings file name endings, without the dot
  * @param start test of a file's first {@link #HEAD_BYTES} bytes, as Latin-1 characters
- * @param reader reader of the geometry; throws an {@link InputException} for a damaged file
  */
-public record MeshFormat(List<String> endings, Predicate<String> start, Function<Path, RawMesh> reader) {
+public record MeshFormat(List<String> endings, Predicate<String> start, Reader reader) {
     private static final int HEAD_BYTES = 64;
+    // 512 MiB.
+    private static final long MOST_BYTES = 1L << 29;
 
     /** All formats; a file that matches no other is OBJ, which has no signature. */
     private static final List<MeshFormat> ALL = List.of(
@@ -30,22 +30,46 @@ public record MeshFormat(List<String> endings, Predicate<String> start, Function
                     GltfFile::read),
             new MeshFormat(List.of("obj"), head -> true, ObjFile::read));
 
-    public static MeshFormat of(Path file) {
+    /** Reader of a file's geometry; throws an {@link InputException}, whose message does not name the file, if it is damaged. */
+    @FunctionalInterface
+    public interface Reader {
+        RawMesh read(Path file) throws IOException;
+    }
+
+    /**
+     * Reads a file's geometry.
+     *
+     * @throws InputException if the file is missing, too large or damaged
+     */
+    public static RawMesh read(Path file) {
         InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
-            MeshLimits.requireSize(file);
+            requireSize(file);
             String head = new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
-            return ALL.stream()
-                    .filter(format -> format.start.test(head))
+            MeshFormat format = ALL.stream()
+                    .filter(each -> each.start.test(head))
                     .findFirst()
                     .orElseThrow();
+            return format.readNaming(file);
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }
     }
 
-    public RawMesh read(Path file) {
-        return reader.apply(file);
+    private RawMesh readNaming(Path file) throws IOException {
+        try {
+            return reader.read(file);
+        } catch (InputException wrong) {
+            throw new InputException(file + ": " + wrong.getMessage(), wrong);
+        }
+    }
+
+    static void requireSize(Path file) throws IOException {
+        long bytes = Files.size(file);
+        if (bytes > MOST_BYTES) {
+            throw new InputException(
+                    file + " has " + bytes + " bytes; at most " + MOST_BYTES + " can be used, so simplify the mesh");
+        }
     }
 
     public static boolean isNamed(Path file) {

@@ -1,15 +1,11 @@
 package sunbeam.app.scene.mesh.format;
 
-import static sunbeam.app.scene.mesh.format.MeshLimits.MOST_ELEMENTS;
-import static sunbeam.app.scene.mesh.format.MeshLimits.MOST_POLYGON_CORNERS;
-
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.StringTokenizer;
-import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.text.Quoted;
@@ -24,50 +20,40 @@ final class ObjFile {
 
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
 
-    private final Path file;
     private final BufferedReader reader;
     private final RawMeshBuilder mesh = new RawMeshBuilder();
     private long line;
 
     private long nextLine = 1;
 
-    private ObjFile(Path file, BufferedReader reader) {
-        this.file = file;
+    private ObjFile(BufferedReader reader) {
         this.reader = reader;
     }
 
-    static RawMesh read(Path file) {
+    static RawMesh read(Path file) throws IOException {
         // In Latin 1 no byte is invalid, so that names in any encoding can be skipped; geometry is ASCII.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
-            return new ObjFile(file, reader).mesh();
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
+            return new ObjFile(reader).mesh();
         }
     }
 
-    private InputException wrong(String what) {
-        return new InputException(file + ", line " + line + ": " + what);
-    }
-
     private RawMesh mesh() throws IOException {
-        for (String text = readLine(); text != null; text = readLine()) {
-            int comment = text.indexOf('#');
-            StringTokenizer words = new StringTokenizer(comment < 0 ? text : text.substring(0, comment));
-            switch (words.hasMoreTokens() ? words.nextToken() : "") {
-                case "v" -> numbers(words, mesh.positions::addElement, mesh.vertices(), "position", 3);
-                case "vn" -> numbers(words, mesh.normals::add, mesh.normals.size() / 3, "normal", 3);
-                case "vt" ->
-                    numbers(
-                            words,
-                            mesh.textureCoordinates::add,
-                            mesh.textureCoordinates.size() / 2,
-                            "texture coordinate",
-                            2);
-                case "f" -> face(words);
-                default -> {
-                    // No geometry.
+        try {
+            for (String text = readLine(); text != null; text = readLine()) {
+                int comment = text.indexOf('#');
+                StringTokenizer words = new StringTokenizer(comment < 0 ? text : text.substring(0, comment));
+                switch (words.hasMoreTokens() ? words.nextToken() : "") {
+                    case "v" -> mesh.addPosition(numbers(words, "position", 3));
+                    case "vn" -> mesh.addNormal(numbers(words, "normal", 3));
+                    case "vt" -> mesh.addTextureCoordinate(numbers(words, "texture coordinate", 2));
+                    case "f" -> face(words);
+                    default -> {
+                        // No geometry.
+                    }
                 }
             }
+        } catch (InputException wrong) {
+            throw new InputException("line " + line + ": " + wrong.getMessage(), wrong);
         }
         return mesh.build();
     }
@@ -90,7 +76,7 @@ final class ObjFile {
                 text.append((char) character);
             }
             if (text.length() > LONGEST_LINE) {
-                throw wrong("longer than " + LONGEST_LINE + " characters; this is no OBJ text file");
+                throw new InputException("longer than " + LONGEST_LINE + " characters; this is no OBJ text file");
             }
         }
         boolean marked = line == 1 && text.indexOf(UTF8_MARK) == 0;
@@ -98,51 +84,38 @@ final class ObjFile {
     }
 
     /** Reads the first numbers of the line; further ones (weights, colors, a third texture coordinate) are ignored. */
-    private void numbers(StringTokenizer words, DoubleConsumer list, int countBefore, String what, int count) {
+    private static double[] numbers(StringTokenizer words, String what, int count) {
         // A one-dimensional texture has only u; v is 0.
         int least = count == 2 ? 1 : count;
         if (words.countTokens() < least) {
-            throw wrong("a " + what + " needs " + least + " numbers, not " + words.countTokens());
+            throw new InputException("a " + what + " needs " + least + " numbers, not " + words.countTokens());
         }
-        if (countBefore >= MOST_ELEMENTS) {
-            throw wrong("more than " + MOST_ELEMENTS + " " + what + "s; simplify the mesh");
-        }
-        for (int i = 0; i < count; i++) {
-            list.accept(words.hasMoreTokens() ? number(words.nextToken()) : 0);
-        }
-    }
-
-    private double number(String word) {
-        try {
-            double value = Double.parseDouble(word);
-            if (MeshLimits.allows(value)) {
-                return value;
+        double[] numbers = new double[count];
+        for (int i = 0; i < count && words.hasMoreTokens(); i++) {
+            String word = words.nextToken();
+            try {
+                numbers[i] = Double.parseDouble(word);
+            } catch (NumberFormatException failure) {
+                throw new InputException(Quoted.of(word) + " is no number; export the mesh again", failure);
             }
-        } catch (NumberFormatException failure) {
-            throw wrong(Quoted.of(word) + " is no number; export the mesh again");
         }
-        throw wrong(Quoted.of(word) + " is " + MeshLimits.BAD_NUMBER);
+        return numbers;
     }
 
     private void face(StringTokenizer words) {
         int count = words.countTokens();
-        if (count < 3 || count > MOST_POLYGON_CORNERS) {
-            throw wrong("a face with " + count + " corners; 3 to " + MOST_POLYGON_CORNERS + " can be used");
-        }
-        if (mesh.triangles() + count - 2 > MOST_ELEMENTS) {
-            throw wrong("more than " + MOST_ELEMENTS + " triangles; simplify the mesh");
-        }
+        RawMeshBuilder.requireCorners(count);
         int[] polygon = new int[3 * count];
         for (int corner = 0; corner < count; corner++) {
             corner(words.nextToken(), polygon, 3 * corner);
             for (int kind = 1; kind < 3; kind++) {
                 if ((polygon[3 * corner + kind] < 0) != (polygon[kind] < 0)) {
-                    throw wrong(
+                    throw new InputException(
                             "the face's corners differ in kind; give all of them texture coordinate and normal, or none");
                 }
             }
         }
-        mesh.face(polygon);
+        mesh.addFace(polygon);
     }
 
     /** Reads v, v/vt, v//vn or v/vt/vn into three indices of the polygon: position, texture coordinate, normal; -1 for a missing one. */
@@ -152,15 +125,16 @@ final class ObjFile {
         if (!isWellFormed) {
             throw noCorner(word);
         }
-        polygon[at] = index(word, parts[0], mesh.vertices(), "position");
+        polygon[at] = index(word, parts[0], mesh.positions(), "position");
         polygon[at + 1] = parts.length < 2 || parts[1].isEmpty()
                 ? -1
-                : index(word, parts[1], mesh.textureCoordinates.size() / 2, "texture coordinate");
-        polygon[at + 2] = parts.length < 3 ? -1 : index(word, parts[2], mesh.normals.size() / 3, "normal");
+                : index(word, parts[1], mesh.textureCoordinates(), "texture coordinate");
+        polygon[at + 2] = parts.length < 3 ? -1 : index(word, parts[2], mesh.normals(), "normal");
     }
 
     private InputException noCorner(String word) {
-        return wrong(Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
+        return new InputException(
+                Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 
     /** Converts an index of the file, 1 for the first element or -1 for the last so far, to an index from 0. */
@@ -171,7 +145,7 @@ final class ObjFile {
         int number = Integer.parseInt(written);
         int index = number < 0 ? count + number : number - 1;
         if (index < 0 || index >= count) {
-            throw wrong("the face names " + what + " " + number + " but " + count + " are given above it");
+            throw new InputException("the face names " + what + " " + number + " but " + count + " are given above it");
         }
         return index;
     }

@@ -5,9 +5,9 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
@@ -25,22 +25,6 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         BINARY_LITTLE_ENDIAN,
         BINARY_BIG_ENDIAN
     }
-
-    /** Types of numbers by their classic names. */
-    private static final Map<String, SampleType> TYPES = Map.of(
-            "char", SampleType.SIGNED_8,
-            "uchar", SampleType.UNSIGNED_8,
-            "short", SampleType.SIGNED_16,
-            "ushort", SampleType.UNSIGNED_16,
-            "int", SampleType.SIGNED_32,
-            "uint", SampleType.UNSIGNED_32,
-            "float", SampleType.FLOAT_32,
-            "double", SampleType.FLOAT_64);
-
-    /** Classic names of types by their modern names. */
-    private static final Map<String, String> CLASSIC_NAMES = Map.of(
-            "int8", "char", "uint8", "uchar", "int16", "short", "uint16", "ushort", "int32", "int", "uint32", "uint",
-            "float32", "float", "float64", "double");
 
     /**
      * Column of an element: in each row a number, or a list of numbers.
@@ -86,13 +70,13 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
                     default -> throw new IllegalArgumentException("no such line is known");
                 }
             } catch (IllegalArgumentException | IndexOutOfBoundsException wrong) {
-                throw new IllegalArgumentException(
+                throw new InputException(
                         "line " + number + " of the header, " + Quoted.of(line)
                                 + ", cannot be understood; export the mesh again",
                         wrong);
             }
         }
-        throw new IllegalArgumentException("the header has more than " + MOST_LINES + " lines; export the mesh again");
+        throw new InputException("the header has more than " + MOST_LINES + " lines; export the mesh again");
     }
 
     /** Reads up to the next \n; returns an empty line at the end of the file. */
@@ -101,7 +85,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         for (int next = stream.read(); next != '\n' && next >= 0; next = stream.read()) {
             line.append((char) next);
             if (line.length() > LONGEST_LINE) {
-                throw new IllegalArgumentException(
+                throw new InputException(
                         "a line of the header is longer than " + LONGEST_LINE + " characters; export the mesh again");
             }
         }
@@ -123,7 +107,16 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
     }
 
     private static SampleType type(String name) {
-        return Optional.ofNullable(TYPES.get(CLASSIC_NAMES.getOrDefault(name, name)))
-                .orElseThrow(() -> new IllegalArgumentException("no type " + name));
+        return switch (name) {
+            case "char", "int8" -> SampleType.SIGNED_8;
+            case "uchar", "uint8" -> SampleType.UNSIGNED_8;
+            case "short", "int16" -> SampleType.SIGNED_16;
+            case "ushort", "uint16" -> SampleType.UNSIGNED_16;
+            case "int", "int32" -> SampleType.SIGNED_32;
+            case "uint", "uint32" -> SampleType.UNSIGNED_32;
+            case "float", "float32" -> SampleType.FLOAT_32;
+            case "double", "float64" -> SampleType.FLOAT_64;
+            default -> throw new IllegalArgumentException("no type " + name);
+        };
     }
 }

@@ -1,6 +1,8 @@
 package sunbeam.app.scene.mesh.format;
 
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
@@ -65,23 +67,22 @@ public record RawMesh(
         return one.cross(other);
     }
 
-    public static Vector3d vector(float[] values, int index) {
-        return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
-    }
-
     public RawMesh inMeters(MeshUnit unit) {
-        double[] scaled = positions.clone();
-        for (int i = 0; i < scaled.length; i++) {
-            scaled[i] *= unit.meters();
-        }
-        return new RawMesh(scaled, textureCoordinates, normals, tangents, corners);
+        return withPositions(i -> positions[i] * unit.meters());
     }
 
-    /**
-     * Returns the center of the bounding box of a mesh so far from the origin that float32 coordinates would change its shape by 3e-5 of
-     * its longest side or more; else empty.
-     */
-    public Optional<Vector3d> farCenter() {
+    public RawMesh centered(Vector3d center) {
+        return withPositions(i -> positions[i] - center.get(i % 3));
+    }
+
+    private RawMesh withPositions(IntToDoubleFunction coordinate) {
+        double[] moved = new double[positions.length];
+        Arrays.setAll(moved, coordinate);
+        return new RawMesh(moved, textureCoordinates, normals, tangents, corners);
+    }
+
+    /** Returns the least and the largest coordinates of the triangles' corners. */
+    private Vector3d[] bounds() {
         Vector3d least = new Vector3d(Double.POSITIVE_INFINITY);
         Vector3d most = new Vector3d(Double.NEGATIVE_INFINITY);
         for (int corner = 0; corner < cornerCount(); corner++) {
@@ -89,36 +90,28 @@ public record RawMesh(
             least.min(position);
             most.max(position);
         }
-        Vector3d size = most.sub(least, new Vector3d());
-        Vector3d center = least.add(most).mul(0.5);
+        return new Vector3d[] {least, most};
+    }
+
+    /**
+     * Returns the center of the bounding box of a mesh so far from the origin that float32 coordinates would change its shape by 3e-5 of
+     * its longest side or more; else empty.
+     */
+    public Optional<Vector3d> farCenter() {
+        Vector3d[] ends = bounds();
+        Vector3d size = ends[1].sub(ends[0], new Vector3d());
+        Vector3d center = ends[0].add(ends[1]).mul(0.5);
         boolean isFar = center.length() > FAR * size.get(size.maxComponent());
         return isFar ? Optional.of(center) : Optional.empty();
     }
 
-    public RawMesh centered(Vector3d center) {
-        double[] moved = positions.clone();
-        for (int i = 0; i < moved.length; i++) {
-            moved[i] -= center.get(i % 3);
-        }
-        return new RawMesh(moved, textureCoordinates, normals, tangents, corners);
-    }
-
     /** Returns the mesh without triangles of no area, which have no normal and are invisible. */
     public RawMesh withoutDegenerate() {
-        IntStream.Builder remaining = IntStream.builder();
-        for (int first = 0; first < cornerCount(); first += 3) {
-            if (!isDegenerate(first)) {
-                for (int i = 3 * first; i < 3 * first + 9; i++) {
-                    remaining.add(corners[i]);
-                }
-            }
-        }
-        return new RawMesh(
-                positions,
-                textureCoordinates,
-                normals,
-                tangents,
-                remaining.build().toArray());
+        int[] remaining = IntStream.range(0, cornerCount() / 3)
+                .filter(triangle -> !isDegenerate(3 * triangle))
+                .flatMap(triangle -> Arrays.stream(corners, 9 * triangle, 9 * triangle + 9))
+                .toArray();
+        return new RawMesh(positions, textureCoordinates, normals, tangents, remaining);
     }
 
     private boolean isDegenerate(int first) {
@@ -134,23 +127,13 @@ public record RawMesh(
      * Tangents then follow x.
      */
     public RawMesh withPlanarCoordinates() {
-        double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-        double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        for (int corner = 0; corner < cornerCount(); corner++) {
-            for (int i = 0; i < 2; i++) {
-                double value = positions[3 * position(corner) + i];
-                least[i] = Math.min(least[i], value);
-                most[i] = Math.max(most[i], value);
-            }
-        }
-        double side = Math.max(most[0] - least[0], most[1] - least[1]);
+        Vector3d[] ends = bounds();
+        Vector3d size = ends[1].sub(ends[0]);
+        double side = Math.max(size.x, size.y);
         double scale = side > 0 ? 1 / side : 1;
-        int count = positions.length / 3;
-        float[] coordinates = new float[2 * count];
-        for (int position = 0; position < count; position++) {
-            for (int i = 0; i < 2; i++) {
-                coordinates[2 * position + i] = (float) ((positions[3 * position + i] - least[i]) * scale);
-            }
+        float[] coordinates = new float[positions.length / 3 * 2];
+        for (int i = 0; i < coordinates.length; i++) {
+            coordinates[i] = (float) ((positions[3 * (i / 2) + i % 2] - ends[0].get(i % 2)) * scale);
         }
         int[] planar = corners.clone();
         for (int corner = 0; corner < cornerCount(); corner++) {

@@ -24,13 +24,11 @@ import de.javagl.jgltf.model.io.v2.GltfAssetWriterV2;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
-import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Version;
@@ -48,19 +46,12 @@ public final class GltfWriter {
 
     private GltfWriter() {}
 
-    /**
-     * Writes a file, whole or not at all.
-     *
-     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
-     * @throws sunbeam.app.files.output.OutputException when the file cannot be written
-     */
-    public static Path write(Path target, Overwrite overwrite, Mesh mesh, Optional<SkinMaps> maps) {
-        return AtomicFile.write(target, overwrite, stream -> {
-            GltfWriter writer = new GltfWriter();
-            writer.add(mesh, maps);
-            ByteBuffer content = ByteBuffer.wrap(writer.binary.toByteArray());
-            new GltfAssetWriterV2().writeBinary(new GltfAssetV2(writer.gltf, content), stream);
-        });
+    /** Writes the file; the stream stays open. */
+    public static void write(OutputStream stream, Mesh mesh, Optional<SkinMaps> maps) throws IOException {
+        GltfWriter writer = new GltfWriter();
+        writer.add(mesh, maps);
+        ByteBuffer content = ByteBuffer.wrap(writer.binary.toByteArray());
+        new GltfAssetWriterV2().writeBinary(new GltfAssetV2(writer.gltf, content), stream);
     }
 
     private void add(Mesh mesh, Optional<SkinMaps> maps) throws IOException {
@@ -70,9 +61,9 @@ public final class GltfWriter {
         gltf.setAsset(asset);
         MeshPrimitive primitive = new MeshPrimitive();
         primitive.addAttributes("POSITION", positions(toYUp(mesh.positions(), 3)));
-        primitive.addAttributes("NORMAL", floats(toYUp(mesh.normals(), 3), "VEC3", 3));
-        primitive.addAttributes("TANGENT", floats(toYUp(mesh.tangents(), 4), "VEC4", 4));
-        primitive.addAttributes("TEXCOORD_0", floats(flipV(mesh.textureCoordinates()), "VEC2", 2));
+        primitive.addAttributes("NORMAL", floats(toYUp(mesh.normals(), 3), 3));
+        primitive.addAttributes("TANGENT", floats(toYUp(mesh.tangents(), 4), 4));
+        primitive.addAttributes("TEXCOORD_0", floats(flipV(mesh.textureCoordinates()), 2));
         primitive.setIndices(indices(mesh.indices()));
         primitive.setMaterial(material(mesh, maps));
         de.javagl.jgltf.impl.v2.Mesh all = new de.javagl.jgltf.impl.v2.Mesh();
@@ -109,7 +100,7 @@ public final class GltfWriter {
 
     /** Adds positions with their bounds, which glTF requires. */
     private int positions(float[] positions) {
-        int accessor = floats(positions, "VEC3", 3);
+        int accessor = floats(positions, 3);
         Number[] least = {positions[0], positions[1], positions[2]};
         Number[] most = least.clone();
         for (int i = 0; i < positions.length; i++) {
@@ -121,10 +112,10 @@ public final class GltfWriter {
         return accessor;
     }
 
-    private int floats(float[] values, String type, int components) {
+    private int floats(float[] values, int components) {
         ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.asFloatBuffer().put(values);
-        return accessor(view(bytes.array(), GL_ARRAY_BUFFER), GL_FLOAT, type, values.length / components);
+        return accessor(view(bytes.array(), GL_ARRAY_BUFFER), GL_FLOAT, "VEC" + components, values.length / components);
     }
 
     private int indices(int[] indices) {

@@ -2,12 +2,10 @@ package sunbeam.app.scene.mesh.output;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
-import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.Mesh;
 
 /**
@@ -18,23 +16,10 @@ import sunbeam.app.scene.mesh.Mesh;
 public final class ObjWriter {
     private ObjWriter() {}
 
-    /**
-     * Writes a file, whole or not at all.
-     *
-     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
-     * @throws sunbeam.app.files.output.OutputException when the file cannot be written
-     */
-    public static Path write(Path target, Overwrite overwrite, Mesh mesh) {
-        return AtomicFile.write(target, overwrite, stream -> {
-            // The buffer lets the encoder work on blocks; word by word, writing takes twice as long.
-            Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
-            write(mesh, writer);
-            writer.flush();
-        });
-    }
-
-    /** Writes the text; the writer stays open. */
-    public static void write(Mesh mesh, Writer writer) throws IOException {
+    /** Writes the text; the stream stays open. */
+    public static void write(OutputStream stream, Mesh mesh) throws IOException {
+        // The buffer lets the encoder work on blocks; word by word, writing takes twice as long.
+        Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
         writer.write(
                 "# Sunbeam mesh: meters, z up; " + mesh.vertices() + " vertices, " + mesh.triangles() + " triangles\n");
         writeLines(writer, "v", mesh.positions(), 3);
@@ -49,6 +34,7 @@ public final class ObjWriter {
             }
             writer.write('\n');
         }
+        writer.flush();
     }
 
     private static void writeLines(Writer writer, String kind, float[] values, int perLine) throws IOException {

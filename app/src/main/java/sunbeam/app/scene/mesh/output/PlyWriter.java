@@ -1,11 +1,10 @@
 package sunbeam.app.scene.mesh.output;
 
+import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
-import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.precompute.text.Text;
 
@@ -16,17 +15,10 @@ public final class PlyWriter {
 
     private PlyWriter() {}
 
-    /**
-     * Writes a file, whole or not at all.
-     *
-     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
-     * @throws sunbeam.app.files.output.OutputException when the file cannot be written
-     */
-    public static Path write(Path target, Overwrite overwrite, Mesh mesh) {
-        return AtomicFile.write(target, overwrite, stream -> {
-            stream.write(header(mesh).getBytes(StandardCharsets.US_ASCII));
-            stream.write(content(mesh));
-        });
+    /** Writes the file; the stream stays open. */
+    public static void write(OutputStream stream, Mesh mesh) throws IOException {
+        stream.write(header(mesh).getBytes(StandardCharsets.US_ASCII));
+        stream.write(content(mesh));
     }
 
     private static String header(Mesh mesh) {

@@ -5,7 +5,7 @@ import static sunbeam.app.scene.texture.ScaleRelief.HEAD_SHARE;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import sunbeam.app.scene.mesh.SnakeScales;
+import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.ScaleRelief;
@@ -43,7 +43,8 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 isSmooth
                         ? Optional.empty()
                         : Optional.of(new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)));
-        double reliefsPerU = isSmooth ? 0 : SnakeScales.perUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
+        double reliefsPerU =
+                isSmooth ? 0 : SnakeBody.scalesPerUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
         IntStream.range(0, height).parallel().forEach(row -> {
             int[] albedo = new int[width];
             int[] normals = new int[width];

@@ -1,0 +1,34 @@
+package sunbeam.app.scene.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.assertj.core.api.AbstractThrowableAssert;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.input.InputException;
+import sunbeam.app.scene.mesh.format.MeshUnit;
+
+/** Reading of a file that a test writes; its first bytes tell the format. */
+abstract class MeshReading {
+    @TempDir
+    Path folder;
+
+    final MeshSource.Loaded read(byte[] content) throws IOException {
+        return MeshReader.read(Files.write(folder.resolve("mesh"), content), MeshUnit.M);
+    }
+
+    final MeshSource.Loaded read(String content) throws IOException {
+        return read(content.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    final AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String content) {
+        return assertThatThrownBy(() -> read(content))
+                .isInstanceOf(InputException.class)
+                .hasMessageStartingWith(folder.toString())
+                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+    }
+}
