@@ -9,7 +9,20 @@ import java.util.List;
  * @param text the compiler's input: ASCII, lines end with {@code \n}
  * @param origins origin of each line of the text; one element per line
  */
-public record ShaderSource(String name, String text, List<SourceLine> origins) {
+public record ShaderSource(String name, String text, List<Line> origins) {
+    /**
+     * Line of a shader file before include expansion.
+     *
+     * @param file name of the shader file, or {@code <defines>} for the generated prologue
+     * @param number line number, counted from 1
+     * @param text the line, comments included, without its line break
+     */
+    public record Line(String file, int number, String text) {
+        /** Returns {@code file:line: message: `the line`}. */
+        public String describe(String message) {
+            return file + ":" + number + ": " + message + (text.isBlank() ? "" : ": `" + text.strip() + "`");
+        }
+    }
 
     public ShaderSource {
         origins = List.copyOf(origins);

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -50,10 +49,10 @@ class EndWhileDrawingTest {
                     }
                     """;
             try (RenderContext context = RenderContext.offscreen();
-                    FloatTarget target = context.createFloatTarget("pixels", FloatTargetSpec.color(64, 64))) {
+                    FloatTarget target = context.createFloatTarget("pixels", FloatTarget.Spec.color(64, 64))) {
                 ShaderProgram program = context.createFullScreenProgram(
                         ShaderTexts.of(Map.of("sum.frag", code)).load("sum.frag"));
-                context.drawFullScreen(program, List.of(), target, Tile.whole(64, 64));
+                context.drawFullScreen(program, Map.of(), target, Tile.whole(64, 64));
                 drawing.countDown();
                 while (true) {
                     target.read(0);

@@ -1,9 +1,9 @@
 package jrtr.gl;
 
 import com.jogamp.common.util.IOUtil;
+import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.GL3;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
@@ -15,10 +15,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -33,24 +31,18 @@ public final class DisplayFaults {
     private static final Pattern DISPLAY = Pattern.compile("(?:unix/?)?([^:/]*):(\\d{1,5})(?:\\.\\d+)?");
     private static final int FIRST_PORT = 6000;
     private static final int LAST_DISPLAY = 0xffff - FIRST_PORT;
-
-    /**
-     * Longest wait for a drawing thread at the end of the process: compiling a long shader takes seconds, but a driver that hangs must not
-     * block the exit.
-     */
+    /** Longest wait for a drawing thread at the end: compiling a long shader takes seconds, but a driver may hang. */
     private static final long DRAWING_NANOSECONDS = TimeUnit.SECONDS.toNanos(10);
     /** Longest wait for a thread that opens a context: it may itself wait for a thread that no longer starts while the process ends. */
     private static final long OPENING_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(500);
 
-    private static final String PACKAGE_PREFIX = DisplayFaults.class.getPackageName() + ".";
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
-
-    private static final AtomicReference<Runnable> LOSS = new AtomicReference<>(() -> {});
     private static final List<Thread> DRAWING = new CopyOnWriteArrayList<>();
     private static final List<Thread> OPENING = new CopyOnWriteArrayList<>();
     private static final List<Thread> RESTING = new CopyOnWriteArrayList<>();
-    private static boolean prepared;
+    private static volatile Runnable onLoss = () -> {};
     private static volatile boolean ending;
+    private static boolean prepared;
 
     private DisplayFaults() {}
 
@@ -59,7 +51,7 @@ public final class DisplayFaults {
      * process without Java's shutdown hooks, since JOGL's hooks call Xlib.
      */
     public static void onLoss(Runnable action) {
-        LOSS.set(action);
+        onLoss = action;
     }
 
     /**
@@ -77,41 +69,31 @@ public final class DisplayFaults {
         }
         watch(System.getenv().getOrDefault("DISPLAY", ""), () -> {
             awaitRest();
-            LOSS.get().run();
+            onLoss.run();
         });
         try {
             Runtime.getRuntime().addShutdownHook(new Thread(DisplayFaults::awaitRest, "jrtr-end"));
         } catch (IllegalStateException shuttingDown) {
             ending = true;
         }
+        // Runs before JOGL's shutdown code, which would wait forever for a helper thread that JOGL is then starting.
+        NativeWindowFactory.addCustomShutdownHook(true, DisplayFaults::awaitRest);
         prepared = true;
     }
 
     /** JOGL prints stack traces while it searches drivers, and lists of displays at the end. */
     private static void hideTraces() {
-        PrintStream original = System.err;
-        System.setErr(new PrintStream(
-                new OutputStream() {
-                    @Override
-                    public void write(int character) {
-                        write(new byte[] {(byte) character}, 0, 1);
-                    }
-
-                    @Override
-                    public void write(byte[] bytes, int offset, int length) {
-                        if (!isCalledByJogl()) {
-                            original.write(bytes, offset, length);
-                        }
-                    }
-                },
-                true,
-                StandardCharsets.UTF_8));
-    }
-
-    private static boolean isCalledByJogl() {
-        return StackWalker.getInstance()
-                .walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
-                        .anyMatch(name -> name.startsWith("com.jogamp.") || name.startsWith("jogamp.")));
+        System.setErr(new PrintStream(System.err, true, StandardCharsets.UTF_8) {
+            @Override
+            public void write(byte[] bytes, int offset, int length) {
+                boolean isCalledByJogl = StackWalker.getInstance()
+                        .walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
+                                .anyMatch(name -> name.startsWith("com.jogamp.") || name.startsWith("jogamp.")));
+                if (!isCalledByJogl) {
+                    super.write(bytes, offset, length);
+                }
+            }
+        });
     }
 
     /**
@@ -139,13 +121,13 @@ public final class DisplayFaults {
         }
     }
 
+    /** Removes a folder, except for files that are still in use (on Windows). */
     private static void remove(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
+            files.sorted(Comparator.reverseOrder())
+                    .forEach(file -> file.toFile().delete());
         } catch (IOException | RuntimeException left) {
-            // Still in use (on Windows).
+            return;
         }
     }
 
@@ -157,34 +139,31 @@ public final class DisplayFaults {
         SocketAddress address = parts.group(1).isEmpty()
                 ? UnixDomainSocketAddress.of("/tmp/.X11-unix/X" + parts.group(2))
                 : new InetSocketAddress(parts.group(1), FIRST_PORT + Integer.parseInt(parts.group(2)));
-        connect(address).ifPresent(first -> {
-            Thread thread = new Thread(
-                    () -> {
-                        awaitEnd(address, first);
-                        loss.run();
-                    },
-                    "jrtr-display");
+        SocketChannel server = connect(address);
+        if (server != null) {
+            Thread thread = new Thread(() -> runAfterEnd(address, server, loss), "jrtr-display");
             thread.setDaemon(true);
             thread.start();
-        });
+        }
     }
 
-    private static Optional<SocketChannel> connect(SocketAddress address) {
+    /** Returns null if there is no server. */
+    private static SocketChannel connect(SocketAddress address) {
         try {
-            return Optional.of(SocketChannel.open(address));
+            return SocketChannel.open(address);
         } catch (IOException | RuntimeException gone) {
-            return Optional.empty();
+            return null;
         }
     }
 
     /**
-     * Blocks until a server has gone. A lost connection is not enough, since servers drop idle clients, and all clients when they reset:
+     * Waits until a server has gone. A lost connection is not enough, since servers drop idle clients, and all clients when they reset:
      * the server must also refuse a new connection.
      */
-    private static void awaitEnd(SocketAddress address, SocketChannel first) {
-        Optional<SocketChannel> server = Optional.of(first);
-        while (server.isPresent()) {
-            try (SocketChannel open = server.get()) {
+    private static void runAfterEnd(SocketAddress address, SocketChannel first, Runnable loss) {
+        SocketChannel server = first;
+        while (server != null) {
+            try (SocketChannel open = server) {
                 while (open.read(ByteBuffer.allocate(1)) >= 0) {
                     // Servers do not write to clients that send no request.
                 }
@@ -192,9 +171,12 @@ public final class DisplayFaults {
                 // This also ends the connection.
             }
             server = connect(address);
-            // A server with too many clients drops a new one at once: wait before the next try.
-            server.ifPresent(again -> sleep(1000));
+            if (server != null) {
+                // A server with too many clients drops a new one at once: wait before the next try.
+                sleep(1000);
+            }
         }
+        loss.run();
     }
 
     /** Registers the calling thread, which is about to open a context and to draw, until {@link #unregisterDrawingThread}. */
@@ -227,7 +209,7 @@ public final class DisplayFaults {
      * Waits until each drawing thread is between two operations, where it stays, or until a time limit. The C library's exit runs the
      * destructors of the driver and of LLVM, which crash the virtual machine if another thread compiles or draws.
      */
-    static void awaitRest() {
+    private static void awaitRest() {
         ending = true;
         long start = System.nanoTime();
         while (DRAWING.stream().anyMatch(thread -> mustWait(thread, System.nanoTime() - start))) {
@@ -239,14 +221,15 @@ public final class DisplayFaults {
         return waited < (OPENING.contains(thread) ? OPENING_NANOSECONDS : DRAWING_NANOSECONDS)
                 && !RESTING.contains(thread)
                 && Stream.of(thread.getStackTrace())
-                        .anyMatch(frame -> frame.getClassName().startsWith(PACKAGE_PREFIX));
+                        .anyMatch(frame -> frame.getClassName().startsWith("jrtr.gl."));
     }
 
+    /** Sleeps on a thread that has no other work. */
     private static void sleep(long milliseconds) {
         try {
             TimeUnit.MILLISECONDS.sleep(milliseconds);
         } catch (InterruptedException ending) {
-            // The calling threads have no other work, and the process is about to end.
+            return;
         }
     }
 }

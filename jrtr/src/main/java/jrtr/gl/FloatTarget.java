@@ -1,5 +1,6 @@
 package jrtr.gl;
 
+import com.jogamp.opengl.FBObject;
 import com.jogamp.opengl.GL3;
 import java.lang.reflect.Array;
 import java.nio.Buffer;
@@ -7,12 +8,9 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import jrtr.ContextLimits;
-import jrtr.FloatTargetSpec;
+import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import jrtr.Tile;
-import jrtr.Wrap;
 
 /**
  * Render target with color attachments in RGBA32F (or RGBA8 for the screen) and optional depth, without blending and without sRGB
@@ -22,96 +20,107 @@ import jrtr.Wrap;
  * gl_FragCoord.xy = (x + 0.5, y + 0.5)} is in row {@code height - 1 - y} of the array.
  */
 public final class FloatTarget extends Resource {
+    /** Pixel format of color images. */
+    public enum Format {
+        RGBA32F,
+        /** Four values of 8 bits for the screen, clamped to [0, 1]. */
+        RGBA8
+    }
+
+    /**
+     * Shape of a render target.
+     *
+     * @param width pixels per row, at least 1
+     * @param height rows, at least 1
+     * @param colors number of color images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
+     * @param depth whether there is a 32-bit float depth image
+     */
+    public record Spec(int width, int height, int colors, boolean depth, Format format) {
+        public Spec {
+            if (width < 1 || height < 1 || colors < 1) {
+                throw new IllegalArgumentException(
+                        "target of " + width + " x " + height + " with " + colors + " images: each must be at least 1");
+            }
+        }
+
+        public Spec(int width, int height, int colors, boolean depth) {
+            this(width, height, colors, depth, Format.RGBA32F);
+        }
+
+        /** Returns the shape of a target with one color image of floats and no depth. */
+        public static Spec color(int width, int height) {
+            return new Spec(width, height, 1, false);
+        }
+    }
+
     private static final int CHANNELS = 4;
     // Pixel type of ints 0xAARRGGBB, with the format GL_BGRA.
     private static final int SCREEN_COLORS = GL3.GL_UNSIGNED_INT_8_8_8_8_REV;
 
-    private final FloatTargetSpec spec;
-    private final List<Image> colors = new ArrayList<>();
+    private final Spec spec;
     private final int[] framebuffer = new int[1];
-    private Optional<Image> depth = Optional.empty();
+    // The color images, then the depth image if there is one.
+    private final List<Texture> images = new ArrayList<>();
 
-    private FloatTarget(GlDevice device, String label, FloatTargetSpec spec) {
+    private FloatTarget(GlDevice device, String label, Spec spec) {
         super(device, label);
         this.spec = spec;
     }
 
-    static FloatTarget create(GlDevice device, String label, FloatTargetSpec spec) {
-        requireAllowed(device, label, spec);
-        GL3 gl = device.gl();
-        return initialize(new FloatTarget(device, label, spec), target -> target.allocate(gl));
-    }
-
-    private static void requireAllowed(GlDevice device, String label, FloatTargetSpec spec) {
-        ContextLimits limits = device.limits();
+    static FloatTarget create(GlDevice device, String label, Spec spec) {
+        ContextInfo.Limits limits = device.limits();
         if (spec.width() > limits.targetWidth() || spec.height() > limits.targetHeight()) {
-            throw new GraphicsException("target '" + label + "' needs " + spec.width() + " x " + spec.height()
-                    + " pixels but this driver allows at most " + limits.targetWidth() + " x " + limits.targetHeight()
-                    + " ("
-                    + device.info().renderer() + ")");
+            throw device.beyondLimit(
+                    "target '" + label + "' needs " + spec.width() + " x " + spec.height() + " pixels",
+                    limits.targetWidth() + " x " + limits.targetHeight());
         }
         if (spec.colors() > limits.colors()) {
-            throw new GraphicsException("target '" + label + "' needs " + spec.colors()
-                    + " images but this driver allows at most " + limits.colors() + " ("
-                    + device.info().renderer() + ")");
+            throw device.beyondLimit("target '" + label + "' needs " + spec.colors() + " images", limits.colors());
         }
+        GL3 gl = device.gl();
+        FloatTarget target = new FloatTarget(device, label, spec);
+        return orClose(() -> target.allocate(gl), target::close);
     }
 
-    private void allocate(GL3 gl) {
+    private FloatTarget allocate(GL3 gl) {
         gl.glGenFramebuffers(1, framebuffer, 0);
         int[] drawBuffers = new int[spec.colors()];
         for (int color = 0; color < spec.colors(); color++) {
-            colors.add(createColor(gl, color));
             drawBuffers[color] = GL3.GL_COLOR_ATTACHMENT0 + color;
-        }
-        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
-        for (int color = 0; color < spec.colors(); color++) {
-            int name = colors.get(color).glName();
-            gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, drawBuffers[color], GL3.GL_TEXTURE_2D, name, 0);
+            String name = label() + "[" + color + "]";
+            // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
+            if (spec.format() == Format.RGBA8) {
+                attach(gl, drawBuffers[color], name, GL3.GL_RGBA8, GL3.GL_BGRA, SCREEN_COLORS, Integer.BYTES);
+            } else {
+                int bytes = CHANNELS * Float.BYTES;
+                attach(gl, drawBuffers[color], name, GL3.GL_RGBA32F, GL3.GL_RGBA, GL3.GL_FLOAT, bytes);
+            }
         }
         if (spec.depth()) {
-            attachDepth(gl);
+            int internal = GL3.GL_DEPTH_COMPONENT32F;
+            int format = GL3.GL_DEPTH_COMPONENT;
+            String name = label() + "[depth]";
+            attach(gl, GL3.GL_DEPTH_ATTACHMENT, name, internal, format, GL3.GL_FLOAT, Float.BYTES);
         }
         gl.glDrawBuffers(drawBuffers.length, drawBuffers, 0);
         int status = gl.glCheckFramebufferStatus(GL3.GL_FRAMEBUFFER);
         if (status != GL3.GL_FRAMEBUFFER_COMPLETE) {
             throw new GraphicsException(
-                    "target '" + label() + "' cannot be drawn to on this driver: " + GlNames.framebufferStatus(status)
+                    "target '" + label() + "' cannot be drawn to on this driver: " + FBObject.getStatusString(status)
                             + "; set LIBGL_ALWAYS_SOFTWARE=1 to use Mesa's software renderer");
         }
         device().check(gl, "allocating '" + label() + "'");
+        return this;
     }
 
-    private Image createColor(GL3 gl, int color) {
-        String name = label() + "[" + color + "]";
-        // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
-        return spec.format() == FloatTargetSpec.Format.RGBA8
-                ? createImage(gl, name, GL3.GL_RGBA8, GL3.GL_BGRA, SCREEN_COLORS, Integer.BYTES)
-                : createImage(gl, name, GL3.GL_RGBA32F, GL3.GL_RGBA, GL3.GL_FLOAT, CHANNELS * Float.BYTES);
-    }
-
-    private Image createImage(GL3 gl, String name, int internal, int format, int type, int pixelBytes) {
-        return initialize(new Image(device(), name), image -> {
-            image.begin(gl, Wrap.CLAMP, GL3.GL_NEAREST, GL3.GL_NEAREST);
-            long bytes = (long) pixelBytes * spec.width() * spec.height();
-            image.allocate(gl, internal, spec.width(), spec.height(), 1, format, type, bytes);
-        });
-    }
-
-    private static final class Image extends Texture {
-        Image(GlDevice device, String label) {
-            super(device, label, GL3.GL_TEXTURE_2D);
-        }
-
-        @Override
-        void requireUploaded() {}
-    }
-
-    private void attachDepth(GL3 gl) {
-        Image image = createImage(
-                gl, label() + "[depth]", GL3.GL_DEPTH_COMPONENT32F, GL3.GL_DEPTH_COMPONENT, GL3.GL_FLOAT, Float.BYTES);
-        depth = Optional.of(image);
-        gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_DEPTH_ATTACHMENT, GL3.GL_TEXTURE_2D, image.glName(), 0);
+    private void attach(GL3 gl, int attachment, String name, int internal, int format, int type, int pixelBytes) {
+        Texture image = new Texture(device(), name, GL3.GL_TEXTURE_2D);
+        images.add(image);
+        image.begin(gl, GL3.GL_CLAMP_TO_EDGE, GL3.GL_NEAREST, GL3.GL_NEAREST);
+        double bytes = (double) pixelBytes * spec.width() * spec.height();
+        image.allocate(gl, internal, spec.width(), spec.height(), 1, format, type, bytes);
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
+        gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, attachment, GL3.GL_TEXTURE_2D, image.glName(), 0);
     }
 
     void bindForDrawing(GL3 gl, Tile tile) {
@@ -122,7 +131,13 @@ public final class FloatTarget extends Resource {
     }
 
     boolean owns(Texture texture) {
-        return colors.contains(texture) || depth.filter(texture::equals).isPresent();
+        return images.contains(texture);
+    }
+
+    void requireDepth() {
+        if (!spec.depth()) {
+            throw new IllegalStateException("target '" + label() + "' has no depth");
+        }
     }
 
     void requireInside(Tile tile) {
@@ -241,7 +256,7 @@ public final class FloatTarget extends Resource {
     public Texture texture(int color) {
         requireColor(color);
         gl();
-        return colors.get(color);
+        return images.get(color);
     }
 
     /**
@@ -251,8 +266,9 @@ public final class FloatTarget extends Resource {
      * @throws IllegalStateException for a target without depth
      */
     public Texture depth() {
+        requireDepth();
         gl();
-        return depth.orElseThrow(() -> new IllegalStateException("target '" + label() + "' has no depth"));
+        return images.get(spec.colors());
     }
 
     /**
@@ -286,14 +302,13 @@ public final class FloatTarget extends Resource {
         device().check(gl, "filling '" + label() + "'");
     }
 
-    public FloatTargetSpec spec() {
+    public Spec spec() {
         return spec;
     }
 
     @Override
     void delete(GL3 gl) {
         gl.glDeleteFramebuffers(1, framebuffer, 0);
-        colors.forEach(Resource::close);
-        depth.ifPresent(Resource::close);
+        images.forEach(Resource::close);
     }
 }

@@ -5,67 +5,115 @@ import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.ShortBuffer;
 import java.util.BitSet;
-import jrtr.Filter;
-import jrtr.FloatTextureSpec;
-import jrtr.Wrap;
 
 /**
- * Texture of floats that shaders read. Values are row-major, channels interleaved: texel (x, y) of a layer starts at {@code (y
- * * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}. Row 0 of the array is texel row 0. NaN,
- * infinities and signed zeros arrive unchanged, denormals as far as the driver keeps them.
+ * Texture of floats that shaders read, clamped at its edges. Values are row-major, channels interleaved: texel (x, y) of a layer starts at
+ * {@code (y * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}. Row 0 of the array is texel row 0. NaN, infinities and
+ * signed zeros arrive unchanged, denormals as far as the driver keeps them.
  *
  * <p>Every layer must be uploaded once before the texture is drawn with.
  */
 public final class FloatTexture extends Texture {
-    private final FloatTextureSpec spec;
+    /** Formats of texels. A shader reads channels that a format lacks as 0, alpha as 1. */
+    public enum Format {
+        R32F(1, Float.BYTES, GL3.GL_R32F, GL3.GL_RED),
+        /** Two channels, such as a complex number. */
+        RG32F(2, Float.BYTES, GL3.GL_RG32F, GL3.GL_RG),
+        RGBA32F(4, Float.BYTES, GL3.GL_RGBA32F, GL3.GL_RGBA),
+        /** Four channels of 16 bits (IEEE 754's binary16). */
+        RGBA16F(4, Short.BYTES, GL3.GL_RGBA16F, GL3.GL_RGBA);
+
+        private final int channels;
+        private final int bytesPerChannel;
+        private final int internal;
+        private final int pixels;
+
+        Format(int channels, int bytesPerChannel, int internal, int pixels) {
+            this.channels = channels;
+            this.bytesPerChannel = bytesPerChannel;
+            this.internal = internal;
+            this.pixels = pixels;
+        }
+    }
+
+    /** Interpolation between texel centers, which lie at (i + 1/2) / size. */
+    public enum Filter {
+        /** The nearest texel, bit for bit. */
+        NEAREST,
+        /** Bilinear interpolation within a layer. Weights may have as few as 8 bits on some hardware. */
+        LINEAR
+    }
+
+    /**
+     * Shape of a float texture.
+     *
+     * @param width texels per row, at least 1
+     * @param height rows, at least 1
+     * @param layers layers, at least 1
+     * @param array whether the sampler is a {@code sampler2DArray}; otherwise it is a {@code sampler2D}, and there is one layer
+     * @param format number and size of a texel's channels
+     * @param filter interpolation between texels; the static factories choose {@link Filter#NEAREST}
+     */
+    public record Spec(int width, int height, int layers, boolean array, Format format, Filter filter) {
+        public Spec {
+            if (width < 1 || height < 1 || layers < 1 || (!array && layers != 1)) {
+                throw new IllegalArgumentException("texture of " + width + " x " + height + " x " + layers
+                        + ": every side must be at least 1, and several layers need an array");
+            }
+        }
+
+        /** Returns the shape of a texture with one layer, for a {@code sampler2D}. */
+        public static Spec flat(int width, int height, Format format) {
+            return new Spec(width, height, 1, false, format, Filter.NEAREST);
+        }
+
+        /** Returns the shape of a texture with layers of one size, for a {@code sampler2DArray}. */
+        public static Spec array(int width, int height, int layers, Format format) {
+            return new Spec(width, height, layers, true, format, Filter.NEAREST);
+        }
+
+        public Spec with(Filter newFilter) {
+            return new Spec(width, height, layers, array, format, newFilter);
+        }
+
+        private long floatsPerLayer() {
+            return (long) width * height * format.channels;
+        }
+    }
+
+    private final Spec spec;
     private final BitSet missingLayers = new BitSet();
 
-    private FloatTexture(GlDevice device, String label, FloatTextureSpec spec) {
+    private FloatTexture(GlDevice device, String label, Spec spec) {
         super(device, label, spec.array() ? GL3.GL_TEXTURE_2D_ARRAY : GL3.GL_TEXTURE_2D);
         this.spec = spec;
         missingLayers.set(0, spec.layers());
     }
 
-    static FloatTexture create(GlDevice device, String label, FloatTextureSpec spec) {
+    static FloatTexture create(GlDevice device, String label, Spec spec) {
         GL3 gl = device.gl();
         requireSides(device, label, spec.width(), spec.height(), spec.layers());
-        return initialize(new FloatTexture(device, label, spec), texture -> texture.allocate(gl));
+        FloatTexture texture = new FloatTexture(device, label, spec);
+        return orClose(() -> texture.allocate(gl), texture::close);
     }
 
-    private void allocate(GL3 gl) {
+    private FloatTexture allocate(GL3 gl) {
         int filter = spec.filter() == Filter.NEAREST ? GL3.GL_NEAREST : GL3.GL_LINEAR;
-        begin(gl, Wrap.CLAMP, filter, filter);
-        int internalFormat = switch (spec.format()) {
-            case R32F -> GL3.GL_R32F;
-            case RG32F -> GL3.GL_RG32F;
-            case RGBA32F -> GL3.GL_RGBA32F;
-            case RGBA16F -> GL3.GL_RGBA16F;
-        };
-        long bytes = spec.format().bytesPerChannel() * spec.floats();
-        allocate(gl, internalFormat, spec.width(), spec.height(), spec.layers(), pixelFormat(), GL3.GL_FLOAT, bytes);
-    }
-
-    private int pixelFormat() {
-        return switch (spec.format()) {
-            case R32F -> GL3.GL_RED;
-            case RG32F -> GL3.GL_RG;
-            case RGBA32F, RGBA16F -> GL3.GL_RGBA;
-        };
+        begin(gl, GL3.GL_CLAMP_TO_EDGE, filter, filter);
+        Format format = spec.format();
+        double bytes = (double) format.bytesPerChannel * spec.floatsPerLayer() * spec.layers();
+        allocate(gl, format.internal, spec.width(), spec.height(), spec.layers(), format.pixels, GL3.GL_FLOAT, bytes);
+        return this;
     }
 
     /**
-     * Uploads all layers.
+     * Uploads a texture of one layer.
      *
-     * @param texels width x height x layers x channels floats
+     * @param texels width x height x channels floats
      * @throws IllegalArgumentException if there are more or fewer
      */
     public void upload(float[] texels) {
-        requireLength(texels.length, spec.floats());
-        int length = Math.toIntExact(spec.floatsPerLayer());
-        for (int layer = 0; layer < spec.layers(); layer++) {
-            put(layer, FloatBuffer.wrap(texels).slice(layer * length, length), GL3.GL_FLOAT);
-        }
-        device().check(gl(), "uploading '" + label() + "'");
+        uploadLayer(0, FloatBuffer.wrap(texels));
     }
 
     /**
@@ -77,9 +125,7 @@ public final class FloatTexture extends Texture {
      * @throws IllegalArgumentException if the number of floats differs or there is no such layer
      */
     public void uploadLayer(int layer, FloatBuffer texels) {
-        requireLayer(layer, texels.remaining());
-        put(layer, texels.slice(), GL3.GL_FLOAT);
-        device().check(gl(), "uploading layer " + layer + " of '" + label() + "'");
+        upload(layer, texels.slice(), GL3.GL_FLOAT);
     }
 
     /**
@@ -90,40 +136,28 @@ public final class FloatTexture extends Texture {
      * @throws IllegalArgumentException if the number of floats differs, there is no such layer, or the texture has floats of 32 bits
      */
     public void uploadLayer(int layer, ShortBuffer texels) {
-        if (spec.format().bytesPerChannel() != Short.BYTES) {
+        if (spec.format().bytesPerChannel != Short.BYTES) {
             throw new IllegalArgumentException("texture '" + label() + "' has floats of 32 bits, not of 16");
         }
-        requireLayer(layer, texels.remaining());
-        put(layer, texels.slice(), GL3.GL_HALF_FLOAT);
-        device().check(gl(), "uploading layer " + layer + " of '" + label() + "'");
+        upload(layer, texels.slice(), GL3.GL_HALF_FLOAT);
     }
 
-    private void requireLayer(int layer, int floats) {
-        if (layer < 0 || layer >= spec.layers()) {
-            throw new IllegalArgumentException(
-                    "texture '" + label() + "' has layers 0 to " + (spec.layers() - 1) + ", not " + layer);
+    private void upload(int layer, Buffer texels, int type) {
+        if (layer < 0 || layer >= spec.layers() || texels.remaining() != spec.floatsPerLayer()) {
+            throw new IllegalArgumentException(texels.remaining() + " floats for layer " + layer + " of texture '"
+                    + label() + "', which has " + spec.layers() + " layers of " + spec.width() + " x " + spec.height()
+                    + " texels in " + spec.format());
         }
-        requireLength(floats, spec.floatsPerLayer());
-    }
-
-    private void requireLength(int given, long needed) {
-        if (given != needed) {
-            throw new IllegalArgumentException("texture '" + label() + "' of " + spec.width() + " x " + spec.height()
-                    + " x " + spec.layers() + " texels in " + spec.format() + " needs " + needed + " floats here, not "
-                    + given);
-        }
-    }
-
-    private void put(int layer, Buffer texels, int type) {
         GL3 gl = gl();
         bind(gl);
-        int format = pixelFormat();
+        int format = spec.format().pixels;
         if (spec.array()) {
             gl.glTexSubImage3D(glTarget, 0, 0, 0, layer, spec.width(), spec.height(), 1, format, type, texels);
         } else {
             gl.glTexSubImage2D(glTarget, 0, 0, 0, spec.width(), spec.height(), format, type, texels);
         }
         missingLayers.clear(layer);
+        device().check(gl, "uploading layer " + layer + " of '" + label() + "'");
     }
 
     @Override
@@ -134,7 +168,7 @@ public final class FloatTexture extends Texture {
         }
     }
 
-    public FloatTextureSpec spec() {
+    public Spec spec() {
         return spec;
     }
 }

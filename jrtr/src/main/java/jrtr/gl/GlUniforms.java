@@ -3,23 +3,82 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import jrtr.ShaderException;
+import jrtr.GraphicsException;
 
-/** Active uniforms of a linked program, and all names that its shaders declare. */
+/**
+ * Active uniforms of a linked program, and all names that its shaders declare. Each sampler has a fixed texture unit, so that a draw only
+ * binds textures.
+ */
 final class GlUniforms {
     private static final Pattern DECLARATION = Pattern.compile("\\buniform\\b([^;{}]*)");
     private static final Pattern WORD = Pattern.compile("\\w+");
+    private static final Map<Integer, String> NUMERIC_TYPES = Map.ofEntries(
+            Map.entry(GL3.GL_FLOAT, "float"),
+            Map.entry(GL3.GL_FLOAT_VEC2, "vec2"),
+            Map.entry(GL3.GL_FLOAT_VEC3, "vec3"),
+            Map.entry(GL3.GL_FLOAT_VEC4, "vec4"),
+            Map.entry(GL3.GL_INT, "int"),
+            Map.entry(GL3.GL_INT_VEC2, "ivec2"),
+            Map.entry(GL3.GL_INT_VEC3, "ivec3"),
+            Map.entry(GL3.GL_INT_VEC4, "ivec4"),
+            Map.entry(GL3.GL_BOOL, "bool"),
+            Map.entry(GL3.GL_UNSIGNED_INT, "uint"),
+            Map.entry(GL3.GL_FLOAT_MAT2, "mat2"),
+            Map.entry(GL3.GL_FLOAT_MAT3, "mat3"),
+            Map.entry(GL3.GL_FLOAT_MAT4, "mat4"));
+
+    /**
+     * Active uniform.
+     *
+     * @param name without {@code [0]}
+     * @param location OpenGL's handle for setting it
+     */
+    record Uniform(String name, int location, int type, boolean array) {
+        private boolean isSampler() {
+            return !NUMERIC_TYPES.containsKey(type);
+        }
+
+        /** Returns the texture target that this sampler reads, or 0 if the engine has no such textures. */
+        private int samplerTarget() {
+            return switch (type) {
+                case GL3.GL_SAMPLER_2D -> GL3.GL_TEXTURE_2D;
+                case GL3.GL_SAMPLER_2D_ARRAY -> GL3.GL_TEXTURE_2D_ARRAY;
+                default -> 0;
+            };
+        }
+
+        int components() {
+            char last = typeName().charAt(typeName().length() - 1);
+            return Character.isDigit(last) ? last - '0' : 1;
+        }
+
+        /** Returns the type as in GLSL, with brackets for an array, and the name. */
+        String describe() {
+            return typeName() + (array ? "[] " : " ") + name;
+        }
+
+        private String typeName() {
+            return switch (type) {
+                case GL3.GL_SAMPLER_2D -> "sampler2D";
+                case GL3.GL_SAMPLER_2D_ARRAY -> "sampler2DArray";
+                default -> NUMERIC_TYPES.getOrDefault(type, "type 0x" + Integer.toHexString(type));
+            };
+        }
+    }
 
     private final String program;
     private final Set<String> declared = new HashSet<>();
-    private final Map<String, GlUniform> active = new TreeMap<>();
+    private final Map<String, Uniform> active = new TreeMap<>();
+    private final Map<String, Integer> units = new LinkedHashMap<>();
 
+    /** Reads the uniforms of a program and makes it current. */
     GlUniforms(GL3 gl, int name, String program, String sources) {
         this.program = program;
         // Unlike the driver, the text also has the names that the compiler optimized away or that an #if excludes.
@@ -28,18 +87,29 @@ final class GlUniforms {
                 .results()
                 .flatMap(found -> WORD.matcher(found.group(1)).results())
                 .forEach(word -> declared.add(word.group()));
+        gl.glUseProgram(name);
         int[] count = new int[2];
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORMS, count, 0);
         gl.glGetProgramiv(name, GL3.GL_ACTIVE_UNIFORM_MAX_LENGTH, count, 1);
         for (int index = 0; index < count[0]; index++) {
-            GlUniform uniform = describe(gl, name, index, count[1]);
-            if (uniform.location() >= 0) {
-                active.put(uniform.name(), uniform);
+            Uniform uniform = describe(gl, name, index, count[1]);
+            if (uniform.location >= 0) {
+                active.put(uniform.name, uniform);
+            }
+        }
+        for (Uniform uniform : active.values()) {
+            if (uniform.isSampler()) {
+                if (uniform.samplerTarget() == 0 || uniform.array) {
+                    throw new GraphicsException(program + ": sampler " + uniform.describe()
+                            + " is not supported; use sampler2D or sampler2DArray");
+                }
+                gl.glUniform1i(uniform.location, units.size());
+                units.put(uniform.name, units.size());
             }
         }
     }
 
-    private static GlUniform describe(GL3 gl, int program, int index, int maxLength) {
+    private static Uniform describe(GL3 gl, int program, int index, int maxLength) {
         byte[] bytes = new byte[Math.max(1, maxLength)];
         int[] lengthSizeType = new int[3];
         gl.glGetActiveUniform(
@@ -47,31 +117,63 @@ final class GlUniforms {
         String name = new String(bytes, 0, lengthSizeType[0], StandardCharsets.US_ASCII);
         boolean array = name.endsWith("[0]") || lengthSizeType[1] > 1;
         String plain = name.endsWith("[0]") ? name.substring(0, name.length() - 3) : name;
-        return new GlUniform(plain, gl.glGetUniformLocation(program, name), lengthSizeType[2], array);
+        return new Uniform(plain, gl.glGetUniformLocation(program, name), lengthSizeType[2], array);
     }
 
-    Map<String, GlUniform> active() {
-        return active;
+    boolean isActive(String name) {
+        return active.containsKey(name);
     }
 
     /** Returns the uniform of a name, or null if the shaders declare but do not use it; throws if they do not declare it. */
-    GlUniform find(String name) {
-        GlUniform uniform = active.get(name);
+    private Uniform find(String name) {
+        Uniform uniform = active.get(name);
         if (uniform == null && !declared.contains(name.replaceFirst("[.\\[].*", ""))) {
-            String known = active.values().stream().map(GlUniform::describe).collect(Collectors.joining(", "));
-            throw new ShaderException(
+            String known = active.values().stream().map(Uniform::describe).collect(Collectors.joining(", "));
+            throw new GraphicsException(
                     program + " has no uniform '" + name + "'; it has: " + (known.isEmpty() ? "none" : known));
         }
         return uniform;
     }
 
     /** Returns the uniform as {@link #find} does; throws if its type is none of the given ones. */
-    GlUniform findOfType(String name, String value, int... types) {
-        GlUniform uniform = find(name);
-        if (uniform == null || IntStream.of(types).anyMatch(type -> type == uniform.type())) {
+    Uniform findOfType(String name, String value, int... types) {
+        Uniform uniform = find(name);
+        if (uniform == null || IntStream.of(types).anyMatch(type -> type == uniform.type)) {
             return uniform;
         }
         String hint = uniform.isSampler() ? "; bind a texture to it in the draw" : "";
-        throw new ShaderException(program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);
+        throw new GraphicsException(
+                program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);
+    }
+
+    void bind(GL3 gl, GlDevice device, Map<String, Texture> textures, FloatTarget target) {
+        textures.forEach((sampler, texture) -> {
+            texture.requireUsableBy(device);
+            texture.requireUploaded();
+            if (target.owns(texture)) {
+                throw new IllegalStateException(
+                        "target '" + target.label() + "' is drawn to and read as a texture in one draw");
+            }
+            Uniform uniform = find(sampler);
+            if (uniform != null) {
+                bind(gl, uniform, texture);
+            }
+        });
+        units.keySet().stream()
+                .filter(sampler -> !textures.containsKey(sampler))
+                .findFirst()
+                .ifPresent(sampler -> {
+                    throw new GraphicsException(program + ": no texture is bound to sampler '" + sampler + "'");
+                });
+    }
+
+    private void bind(GL3 gl, Uniform uniform, Texture texture) {
+        if (uniform.samplerTarget() != texture.glTarget) {
+            throw new GraphicsException(program + ": '" + texture.label() + "' is "
+                    + (texture.isArray() ? "an array" : "no array") + " and cannot be bound to "
+                    + uniform.describe());
+        }
+        gl.glActiveTexture(GL3.GL_TEXTURE0 + units.get(uniform.name));
+        gl.glBindTexture(texture.glTarget, texture.glName());
     }
 }

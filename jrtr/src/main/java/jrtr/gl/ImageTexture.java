@@ -2,87 +2,160 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
-import jrtr.ColorEncoding;
-import jrtr.ImageTextureSpec;
 
 /**
- * 8-bit RGBA texture ({@code sampler2D}) with trilinear filtering; mipmaps are averaged in linear light. Texture coordinate (0, 0) is
- * the picture's bottom left corner, (1, 1) the top right, as in mesh files.
+ * 8-bit RGBA texture ({@code sampler2D}) that repeats, with trilinear filtering; mipmaps are averaged in linear light. Texture coordinate
+ * (0, 0) is the picture's bottom left corner, (1, 1) the top right, as in mesh files.
  */
 public final class ImageTexture extends Texture {
-    private final ImageTextureSpec spec;
-    private boolean uploaded;
+    /** Meaning of an image's bytes. */
+    public enum Encoding {
+        /** sRGB (IEC 61966-2-1) in red, green and blue; the sampler gives linear light. Alpha is linear. */
+        SRGB,
+        /** Byte / 255, as for masks and normal maps. */
+        LINEAR
+    }
 
-    private ImageTexture(GlDevice device, String label, ImageTextureSpec spec) {
+    private ImageTexture(GlDevice device, String label) {
         super(device, label, GL3.GL_TEXTURE_2D);
-        this.spec = spec;
     }
 
-    static ImageTexture create(GlDevice device, String label, ImageTextureSpec spec) {
+    static ImageTexture create(GlDevice device, String label, int width, int height, byte[] rgba, Encoding encoding) {
+        if (width < 1 || height < 1 || rgba.length != 4L * width * height) {
+            throw new IllegalArgumentException(
+                    "image '" + label + "' of " + width + " x " + height + " texels has " + rgba.length + " bytes");
+        }
         GL3 gl = device.gl();
-        requireSides(device, label, spec.width(), spec.height(), 1);
-        return initialize(new ImageTexture(device, label, spec), texture -> texture.allocate(gl));
+        requireSides(device, label, width, height, 1);
+        ImageTexture texture = new ImageTexture(device, label);
+        return orClose(() -> texture.upload(gl, new MipLevel(width, height, rgba, encoding).flipped()), texture::close);
     }
 
-    private void allocate(GL3 gl) {
-        begin(gl, spec.wrap(), GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
-        allocate(gl, internalFormat(), spec.width(), spec.height(), 1, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE, spec.bytes());
-    }
-
-    private int internalFormat() {
-        return spec.encoding() == ColorEncoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
-    }
-
-    private void put(GL3 gl, int number, MipLevel level) {
-        ByteBuffer texels = ByteBuffer.wrap(level.rgba());
-        gl.glTexImage2D(
-                glTarget,
-                number,
-                internalFormat(),
-                level.width(),
-                level.height(),
-                0,
-                GL3.GL_RGBA,
-                GL3.GL_UNSIGNED_BYTE,
-                texels);
+    private ImageTexture upload(GL3 gl, MipLevel finest) {
+        begin(gl, GL3.GL_REPEAT, GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
+        int internal = finest.encoding == Encoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
+        MipLevel level = finest;
+        for (int number = 0; level != null; number++) {
+            ByteBuffer texels = ByteBuffer.wrap(level.rgba);
+            gl.glTexImage2D(
+                    glTarget,
+                    number,
+                    internal,
+                    level.width,
+                    level.height,
+                    0,
+                    GL3.GL_RGBA,
+                    GL3.GL_UNSIGNED_BYTE,
+                    texels);
+            level = level.width == 1 && level.height == 1 ? null : level.next();
+        }
+        device().check(gl, "uploading '" + label() + "'");
+        return this;
     }
 
     /**
-     * Uploads the picture and its mipmaps.
+     * Mip level of an image. The CPU computes mipmaps, since software drivers take ten times as long and drivers round differently.
      *
-     * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
-     * @throws IllegalArgumentException if {@code rgba} has any other length
+     * @param rgba 4 x width x height bytes, red first
      */
-    public void upload(byte[] rgba) {
-        if (rgba.length != spec.bytes()) {
-            throw new IllegalArgumentException("image '" + label() + "' of " + spec.width() + " x " + spec.height()
-                    + " texels needs " + spec.bytes() + " bytes, not " + rgba.length);
-        }
-        GL3 gl = gl();
-        bind(gl);
-        MipLevel level = new MipLevel(spec.width(), spec.height(), bottomRowFirst(rgba), spec.encoding());
-        put(gl, 0, level);
-        for (int number = 1; !level.isLast(); number++) {
-            level = level.next();
-            put(gl, number, level);
-        }
-        device().check(gl, "uploading '" + label() + "'");
-        uploaded = true;
-    }
+    record MipLevel(int width, int height, byte[] rgba, Encoding encoding) {
+        private static final int CHANNELS = 4;
+        /**
+         * Steps of [0, 1] in the table from linear light to sRGB bytes. The darkest bytes, which are closest together in linear light, are five
+         * steps apart.
+         */
+        private static final int STEPS = 1 << 14;
 
-    private byte[] bottomRowFirst(byte[] rgba) {
-        byte[] flipped = new byte[rgba.length];
-        int rowBytes = 4 * spec.width();
-        for (int row = 0; row < spec.height(); row++) {
-            System.arraycopy(rgba, row * rowBytes, flipped, (spec.height() - 1 - row) * rowBytes, rowBytes);
-        }
-        return flipped;
-    }
+        // Tables from byte to value without and with sRGB decoding, and from linear light (in STEPS steps) to sRGB
+        // byte.
+        private static final float[] BYTE_TO_VALUE = new float[256];
+        private static final float[] SRGB_TO_LINEAR = new float[256];
+        private static final byte[] LINEAR_TO_SRGB = new byte[STEPS + 1];
 
-    @Override
-    void requireUploaded() {
-        if (!uploaded) {
-            throw new IllegalStateException("image '" + label() + "' must be uploaded before a draw uses it");
+        static {
+            for (int i = 0; i < BYTE_TO_VALUE.length; i++) {
+                double value = i / 255.0;
+                BYTE_TO_VALUE[i] = (float) value;
+                SRGB_TO_LINEAR[i] = (float) (value <= 0.04045 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4));
+            }
+            for (int i = 0; i <= STEPS; i++) {
+                double light = (double) i / STEPS;
+                double value = light <= 0.0031308 ? 12.92 * light : 1.055 * Math.pow(light, 1 / 2.4) - 0.055;
+                LINEAR_TO_SRGB[i] = (byte) Math.round(255 * value);
+            }
+        }
+
+        MipLevel flipped() {
+            byte[] flipped = new byte[rgba.length];
+            int rowBytes = CHANNELS * width;
+            for (int row = 0; row < height; row++) {
+                System.arraycopy(rgba, row * rowBytes, flipped, (height - 1 - row) * rowBytes, rowBytes);
+            }
+            return new MipLevel(width, height, flipped, encoding);
+        }
+
+        /**
+         * Returns the next level: half as wide and high, rounded down, at least 1. Each texel is the area mean, in linear light, of the texels
+         * that it covers.
+         */
+        MipLevel next() {
+            Halving across = Halving.of(width);
+            Halving down = Halving.of(height);
+            byte[] means = new byte[CHANNELS * across.length() * down.length()];
+            for (int channel = 0; channel < CHANNELS; channel++) {
+                boolean isLight = encoding == Encoding.SRGB && channel < CHANNELS - 1;
+                float[] values = isLight ? SRGB_TO_LINEAR : BYTE_TO_VALUE;
+                int at = channel;
+                for (int row = 0; row < down.length(); row++) {
+                    for (int column = 0; column < across.length(); column++) {
+                        float mean = Math.min(1, mean(values, channel, across, column, down, row));
+                        means[at] = isLight ? LINEAR_TO_SRGB[(int) (STEPS * mean + 0.5f)] : (byte) (255 * mean + 0.5f);
+                        at += CHANNELS;
+                    }
+                }
+            }
+            return new MipLevel(across.length(), down.length(), means, encoding);
+        }
+
+        private float mean(float[] values, int channel, Halving across, int column, Halving down, int row) {
+            float sum = 0;
+            for (int y = 0; y < down.texels(); y++) {
+                int line = (2 * row + y) * width + 2 * column;
+                float inRow = 0;
+                for (int x = 0; x < across.texels(); x++) {
+                    inRow += across.weight(column, x) * values[rgba[CHANNELS * (line + x) + channel] & 0xFF];
+                }
+                sum += down.weight(row, y) * inRow;
+            }
+            return sum;
+        }
+
+        /**
+         * Texels and weights along one axis for the next level.
+         *
+         * @param texels number of texels averaged into one texel of the next level: 2, or 3 if the side is odd, or 1 if the side is 1
+         */
+        private record Halving(int length, int texels, float[] weights) {
+            static Halving of(int side) {
+                int length = Math.max(1, side / 2);
+                int texels = Math.min(side, 2 + side % 2);
+                float[] weights = new float[length * texels];
+                for (int i = 0; i < length; i++) {
+                    for (int k = 0; k < texels; k++) {
+                        // Overlap of texel 2 i + k with texel i of the next level, in units of 1 / (length * side) of
+                        // the
+                        // axis.
+                        double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
+                                - Math.max((2 * i + k) * (double) length, (double) i * side);
+                        weights[i * texels + k] = (float) (covered / side);
+                    }
+                }
+                return new Halving(length, texels, weights);
+            }
+
+            float weight(int index, int texel) {
+                return weights[index * texels + texel];
+            }
         }
     }
 }

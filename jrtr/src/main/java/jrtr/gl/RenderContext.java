@@ -1,19 +1,15 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
-import java.util.List;
+import java.util.Map;
 import jrtr.ContextInfo;
 import jrtr.Faces;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
 import jrtr.GraphicsException;
-import jrtr.ImageTextureSpec;
-import jrtr.ShaderException;
 import jrtr.ShaderSource;
 import jrtr.Tile;
 import jrtr.VertexData;
-import jrtr.glsl.EngineShaders;
 import jrtr.glsl.FlatUniforms;
+import jrtr.glsl.ShaderLibrary;
 
 /**
  * OpenGL context without a window; creates and owns all resources. All methods of a context and of its resources must be called on the
@@ -27,7 +23,7 @@ public final class RenderContext implements AutoCloseable {
     /** Empty: the corners of full-screen triangles follow from the vertex number. */
     private final int[] noVertices = new int[1];
 
-    private final ShaderSource fullScreenVertices = EngineShaders.library().load("jrtr/fullscreen.vert.glsl");
+    private final ShaderSource fullScreenVertices = ShaderLibrary.ofEngine().load("jrtr/fullscreen.vert.glsl");
 
     private enum DepthTest {
         NONE,
@@ -47,9 +43,8 @@ public final class RenderContext implements AutoCloseable {
      * @throws GraphicsException if there is no display or no OpenGL 3.3 core on it
      */
     public static RenderContext offscreen() {
-        DisplayFaults.prepare();
-        OffscreenSurface surface = OffscreenSurface.create();
-        return Opening.orClose(() -> new RenderContext(new GlDevice(surface)), surface::destroy);
+        GlDevice device = GlDevice.open();
+        return Resource.orClose(() -> new RenderContext(device), device::close);
     }
 
     public ContextInfo info() {
@@ -60,7 +55,7 @@ public final class RenderContext implements AutoCloseable {
      * Compiles a fragment shader for {@link #drawFullScreen}; the engine's vertex shader has no
      * outputs.
      *
-     * @throws ShaderException if compilation fails, with file and line
+     * @throws GraphicsException if compilation fails, with file and line
      */
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
         if (!info().software()) {
@@ -73,12 +68,12 @@ public final class RenderContext implements AutoCloseable {
 
     /**
      * Compiles a fragment shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl, and it may include the files of
-     * {@link jrtr.glsl.EngineShaders}.
+     * {@link jrtr.glsl.ShaderLibrary}.
      *
-     * @throws ShaderException if compilation fails, with file and line
+     * @throws GraphicsException if compilation fails, with file and line
      */
     public ShaderProgram createMeshProgram(ShaderSource fragment) {
-        return ShaderProgram.create(device, EngineShaders.library().load("jrtr/mesh.vert.glsl"), fragment);
+        return ShaderProgram.create(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
     }
 
     /**
@@ -95,17 +90,20 @@ public final class RenderContext implements AutoCloseable {
      *
      * @throws GraphicsException if the driver does not allow that size; the message names the size and the limit
      */
-    public FloatTexture createFloatTexture(String label, FloatTextureSpec spec) {
+    public FloatTexture createFloatTexture(String label, FloatTexture.Spec spec) {
         return FloatTexture.create(device, label, spec);
     }
 
     /**
-     * Allocates an image texture with mipmaps.
+     * Uploads a picture with mipmaps.
      *
+     * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
      * @throws GraphicsException if the driver does not allow that size
+     * @throws IllegalArgumentException if the sides and the number of bytes do not fit together
      */
-    public ImageTexture createImageTexture(String label, ImageTextureSpec spec) {
-        return ImageTexture.create(device, label, spec);
+    public ImageTexture createImageTexture(
+            String label, int width, int height, byte[] rgba, ImageTexture.Encoding encoding) {
+        return ImageTexture.create(device, label, width, height, rgba, encoding);
     }
 
     /**
@@ -113,7 +111,7 @@ public final class RenderContext implements AutoCloseable {
      *
      * @throws GraphicsException if the driver does not allow that size
      */
-    public FloatTarget createFloatTarget(String label, FloatTargetSpec spec) {
+    public FloatTarget createFloatTarget(String label, FloatTarget.Spec spec) {
         return FloatTarget.create(device, label, spec);
     }
 
@@ -122,11 +120,11 @@ public final class RenderContext implements AutoCloseable {
      * relative to the whole target, so tiles that cover a target draw the same picture as one draw.
      *
      * @param program program whose samplers are all bound
-     * @param bindings textures by sampler name; names follow {@link ShaderProgram}'s rules
+     * @param textures textures by sampler name; names follow {@link ShaderProgram}'s rules
      * @param tile must lie inside the target
      */
-    public void drawFullScreen(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
-        fullScreen(program, bindings, target, tile, DepthTest.NONE);
+    public void drawFullScreen(ShaderProgram program, Map<String, Texture> textures, FloatTarget target, Tile tile) {
+        fullScreen(program, textures, target, tile, DepthTest.NONE);
     }
 
     /**
@@ -135,9 +133,9 @@ public final class RenderContext implements AutoCloseable {
      *
      * @param target target with depth, which does not change
      */
-    public void drawCovered(ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile) {
-        requireDepth(target);
-        fullScreen(program, bindings, target, tile, DepthTest.COVERED);
+    public void drawCovered(ShaderProgram program, Map<String, Texture> textures, FloatTarget target, Tile tile) {
+        target.requireDepth();
+        fullScreen(program, textures, target, tile, DepthTest.COVERED);
     }
 
     /**
@@ -150,39 +148,38 @@ public final class RenderContext implements AutoCloseable {
      */
     public void draw(
             ShaderProgram program,
-            List<Binding> bindings,
+            Map<String, Texture> textures,
             VertexBuffer mesh,
             Faces faces,
             FloatTarget target,
             Tile tile) {
         mesh.requireUsableBy(device);
-        requireDepth(target);
-        GL3 gl = begin(program, bindings, target, tile, faces, DepthTest.NEARER);
+        target.requireDepth();
+        GL3 gl = begin(program, textures, target, tile, faces, DepthTest.NEARER);
         mesh.draw(gl);
         device.check(gl, "drawing '" + mesh.label() + "'");
     }
 
     private void fullScreen(
-            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, DepthTest test) {
-        GL3 gl = begin(program, bindings, target, tile, Faces.BOTH, test);
+            ShaderProgram program, Map<String, Texture> textures, FloatTarget target, Tile tile, DepthTest test) {
+        GL3 gl = begin(program, textures, target, tile, Faces.BOTH, test);
         gl.glBindVertexArray(noVertices[0]);
         gl.glDrawArrays(GL3.GL_TRIANGLES, 0, 3);
         device.check(gl, "drawing");
     }
 
-    private static void requireDepth(FloatTarget target) {
-        if (!target.spec().depth()) {
-            throw new IllegalStateException("target '" + target.label() + "' has no depth, which this draw needs");
-        }
-    }
-
     private GL3 begin(
-            ShaderProgram program, List<Binding> bindings, FloatTarget target, Tile tile, Faces faces, DepthTest test) {
+            ShaderProgram program,
+            Map<String, Texture> textures,
+            FloatTarget target,
+            Tile tile,
+            Faces faces,
+            DepthTest test) {
         GL3 gl = device.gl();
         program.requireUsableBy(device);
         target.requireUsableBy(device);
         target.requireInside(tile);
-        program.glSamplers().bind(gl, device, bindings, target);
+        program.bind(gl, textures, target);
         program.use(gl);
         target.bindForDrawing(gl, tile);
         gl.glDisable(GL3.GL_BLEND);

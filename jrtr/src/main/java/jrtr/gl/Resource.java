@@ -1,7 +1,7 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
-import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /** Object in the graphics memory of one {@link RenderContext}. Closing it again, or after its context, does nothing. */
 public abstract class Resource implements AutoCloseable {
@@ -15,13 +15,14 @@ public abstract class Resource implements AutoCloseable {
         device.register(this);
     }
 
-    /** Initializes a resource; closes it if that fails. */
-    static <R extends Resource> R initialize(R resource, Consumer<R> initialization) {
+    /** Opens a resource; if that fails, closes others in the given order. */
+    public static <T> T orClose(Supplier<T> opening, Runnable... others) {
         try {
-            initialization.accept(resource);
-            return resource;
-        } catch (RuntimeException failure) {
-            resource.close();
+            return opening.get();
+        } catch (RuntimeException | Error failure) {
+            for (Runnable other : others) {
+                other.run();
+            }
             throw failure;
         }
     }

@@ -1,8 +1,11 @@
 package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
-import jrtr.ShaderException;
+import com.jogamp.opengl.util.glsl.ShaderUtil;
+import java.util.Map;
+import jrtr.GraphicsException;
 import jrtr.ShaderSource;
+import jrtr.glsl.CompilerLog;
 import org.joml.Matrix3fc;
 import org.joml.Matrix4fc;
 import org.joml.Vector2fc;
@@ -12,15 +15,14 @@ import org.joml.Vector3fc;
  * A linked pair of a vertex and a fragment shader with its uniforms. Uniforms keep their values until they are set again.
  *
  * <p>All setters follow the same rules. An active uniform is set. A uniform that the shaders declare but that the compiler optimized away,
- * or that an {@code #if} excludes, is ignored. Any other name, and a value of the wrong type, is a {@link ShaderException} that lists the
- * uniforms. Samplers are bound per draw, by {@link Binding}.
+ * or that an {@code #if} excludes, is ignored. Any other name, and a value of the wrong type, is a {@link GraphicsException} that lists the
+ * uniforms. Textures are bound to samplers per draw.
  *
  * <p>Matrices multiply column vectors from the left, {@code M * v}, as in GLSL and JOML.
  */
 public final class ShaderProgram extends Resource {
     private final int name;
     private final GlUniforms uniforms;
-    private final GlSamplers samplers;
     private final float[] matrix = new float[16];
 
     private ShaderProgram(GlDevice device, String label, int name, String sources) {
@@ -29,8 +31,6 @@ public final class ShaderProgram extends Resource {
         GL3 gl = device.gl();
         try {
             this.uniforms = new GlUniforms(gl, name, label, sources);
-            gl.glUseProgram(name);
-            this.samplers = new GlSamplers(gl, label, uniforms);
             device.check(gl, "linking " + label);
         } catch (RuntimeException failure) {
             close();
@@ -39,30 +39,75 @@ public final class ShaderProgram extends Resource {
     }
 
     static ShaderProgram create(GlDevice device, ShaderSource vertex, ShaderSource fragment) {
-        int name = new GlCompiler(device).build(vertex, fragment);
+        int name = build(device.gl(), vertex, fragment);
         return new ShaderProgram(
                 device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
+    }
+
+    private static int build(GL3 gl, ShaderSource vertex, ShaderSource fragment) {
+        int vertexShader = compile(gl, vertex, GL3.GL_VERTEX_SHADER);
+        try {
+            int fragmentShader = compile(gl, fragment, GL3.GL_FRAGMENT_SHADER);
+            try {
+                return link(gl, vertexShader, fragmentShader, vertex, fragment);
+            } finally {
+                gl.glDeleteShader(fragmentShader);
+            }
+        } finally {
+            gl.glDeleteShader(vertexShader);
+        }
+    }
+
+    private static int compile(GL3 gl, ShaderSource source, int stage) {
+        int shader = gl.glCreateShader(stage);
+        gl.glShaderSource(shader, 1, new String[] {source.text()}, null);
+        gl.glCompileShader(shader);
+        int[] status = new int[1];
+        gl.glGetShaderiv(shader, GL3.GL_COMPILE_STATUS, status, 0);
+        if (status[0] == GL3.GL_TRUE) {
+            return shader;
+        }
+        String log = ShaderUtil.getShaderInfoLog(gl, shader);
+        gl.glDeleteShader(shader);
+        throw CompilerLog.failure("compiling " + source.name(), source, log);
+    }
+
+    private static int link(GL3 gl, int vertexShader, int fragmentShader, ShaderSource vertex, ShaderSource fragment) {
+        int program = gl.glCreateProgram();
+        gl.glAttachShader(program, vertexShader);
+        gl.glAttachShader(program, fragmentShader);
+        gl.glLinkProgram(program);
+        gl.glDetachShader(program, vertexShader);
+        gl.glDetachShader(program, fragmentShader);
+        int[] status = new int[1];
+        gl.glGetProgramiv(program, GL3.GL_LINK_STATUS, status, 0);
+        if (status[0] == GL3.GL_TRUE) {
+            return program;
+        }
+        String log = ShaderUtil.getProgramInfoLog(gl, program);
+        gl.glDeleteProgram(program);
+        throw CompilerLog.failure("linking " + vertex.name() + " with " + fragment.name(), fragment, log);
     }
 
     void use(GL3 gl) {
         gl.glUseProgram(name);
     }
 
-    GlSamplers glSamplers() {
-        return samplers;
+    void bind(GL3 gl, Map<String, Texture> textures, FloatTarget target) {
+        uniforms.bind(gl, device(), textures, target);
     }
 
     private void set(String uniform, String value, Setter setter, int... types) {
         GL3 gl = gl();
         gl.glUseProgram(name);
-        GlUniform found = uniforms.findOfType(uniform, value, types);
+        GlUniforms.Uniform found = uniforms.findOfType(uniform, value, types);
         if (found != null) {
             setter.set(gl, found);
         }
     }
 
     private interface Setter {
-        void set(GL3 gl, GlUniform uniform);
+        void set(GL3 gl, GlUniforms.Uniform uniform);
     }
 
     public void set(String uniform, float value) {
@@ -139,7 +184,7 @@ public final class ShaderProgram extends Resource {
         set(uniform, "int[]", setter, GL3.GL_INT, GL3.GL_INT_VEC2, GL3.GL_INT_VEC3, GL3.GL_INT_VEC4);
     }
 
-    private int elements(GlUniform uniform, int values) {
+    private int elements(GlUniforms.Uniform uniform, int values) {
         int components = uniform.components();
         if (values == 0 || values % components != 0 || (!uniform.array() && values != components)) {
             throw new IllegalArgumentException(
@@ -149,7 +194,7 @@ public final class ShaderProgram extends Resource {
     }
 
     public boolean isActive(String uniform) {
-        return uniforms.active().containsKey(uniform);
+        return uniforms.isActive(uniform);
     }
 
     @Override

@@ -22,10 +22,11 @@ public final class VertexBuffer extends Resource {
 
     static VertexBuffer create(GlDevice device, String label, VertexData data) {
         GL3 gl = device.gl();
-        return initialize(new VertexBuffer(device, label, data), buffer -> buffer.upload(gl, data));
+        VertexBuffer buffer = new VertexBuffer(device, label, data);
+        return orClose(() -> buffer.upload(gl, data), buffer::close);
     }
 
-    private void upload(GL3 gl, VertexData data) {
+    private VertexBuffer upload(GL3 gl, VertexData data) {
         gl.glGenVertexArrays(1, vertexArray, 0);
         gl.glGenBuffers(buffers.length, buffers, 0);
         gl.glBindVertexArray(vertexArray[0]);
@@ -42,6 +43,7 @@ public final class VertexBuffer extends Resource {
                 GL3.GL_STATIC_DRAW);
         gl.glBindVertexArray(0);
         device().check(gl, "uploading '" + label() + "'");
+        return this;
     }
 
     private void attribute(GL3 gl, int location, int components, float[] values) {

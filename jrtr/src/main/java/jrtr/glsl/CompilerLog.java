@@ -1,12 +1,11 @@
 package jrtr.glsl;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import jrtr.ShaderProblem;
+import jrtr.GraphicsException;
 import jrtr.ShaderSource;
-import jrtr.SourceLine;
 
 /**
  * Parses the logs of GLSL compilers and maps each message to its line in the shader files. Known forms:
@@ -17,54 +16,55 @@ import jrtr.SourceLine;
  * <li>AMD, Intel on Windows, Apple: {@code ERROR: 0:12: 'x' : undeclared identifier}
  * </ul>
  *
- * Lines of any other form become problems at line 0; they count only if no line has a known form.
+ * Lines of any other form count only if no line has a known form; warnings do not count.
  */
 public final class CompilerLog {
     private static final Pattern MESA =
-            Pattern.compile("\\d+:(?<line>\\d+)\\(\\d+\\): (?<kind>[a-z ]*(?:error|warning)): (?<message>.*)");
+            Pattern.compile("\\d+:(?<line>\\d+)\\(\\d+\\): [a-z ]*(?:error|warning): (?<message>.*)");
     private static final Pattern NVIDIA =
-            Pattern.compile("\\d+\\((?<line>\\d+)\\) : (?<kind>[a-z ]*(?:error|warning)) (?<message>.*)");
-    private static final Pattern OTHERS = Pattern.compile("(?<kind>ERROR|WARNING): \\d+:(?<line>\\d+): (?<message>.*)");
+            Pattern.compile("\\d+\\((?<line>\\d+)\\) : [a-z ]*(?:error|warning) (?<message>.*)");
+    private static final Pattern OTHERS = Pattern.compile("(?:ERROR|WARNING): \\d+:(?<line>\\d+): (?<message>.*)");
     private static final List<Pattern> FORMS = List.of(MESA, NVIDIA, OTHERS);
-
     private static final Pattern WARNING = Pattern.compile("(?i)\\bwarning\\b.*:");
 
     private CompilerLog() {}
 
     /**
-     * Returns the errors in the log's order, without warnings. Errors without a line number are returned only if no error has one.
+     * Returns the exception for a failed step. Its message starts with {@code file:line:} of the first error and quotes that line; without
+     * a known form of error, it starts with the shader's name.
+     *
+     * @param doing the failed step, such as "compiling full.frag.glsl"
      */
-    public static List<ShaderProblem> parse(String log, ShaderSource source) {
-        List<ShaderProblem> withLine = new ArrayList<>();
-        List<ShaderProblem> withoutLine = new ArrayList<>();
-        log.replace("\0", "")
+    public static GraphicsException failure(String doing, ShaderSource source, String log) {
+        List<String> errors = log.replace("\0", "")
                 .lines()
                 .map(String::strip)
                 .filter(line -> !line.isEmpty() && !WARNING.matcher(line).find())
-                .forEach(line -> {
-                    ShaderProblem problem = parseLine(line, source);
-                    (problem.line() > 0 ? withLine : withoutLine).add(problem);
-                });
-        return withLine.isEmpty() ? withoutLine : withLine;
-    }
-
-    private static ShaderProblem parseLine(String line, ShaderSource source) {
-        for (Pattern form : FORMS) {
-            Matcher matcher = form.matcher(line);
-            if (matcher.matches()) {
-                return atPlace(matcher, source);
-            }
+                .toList();
+        List<String> located =
+                errors.stream().flatMap(line -> located(line, source).stream()).toList();
+        List<String> problems = located.isEmpty()
+                ? errors.stream().map(line -> source.name() + ": " + line).toList()
+                : located;
+        if (problems.isEmpty()) {
+            return new GraphicsException(source.name() + ": the driver failed without a reason [" + doing + "]");
         }
-        return new ShaderProblem(source.name(), 0, line, "");
+        int more = problems.size() - 1;
+        return new GraphicsException(
+                problems.get(0) + " [" + doing + (more > 0 ? ", and " + more + " more" : "") + "]");
     }
 
-    private static ShaderProblem atPlace(Matcher matcher, ShaderSource source) {
-        SourceLine origin = originOf(matcher.group("line"), source);
-        return new ShaderProblem(origin.file(), origin.number(), matcher.group("message"), origin.text());
+    /** Describes an error at its line in the shader files; empty if the error has no line. */
+    private static Optional<String> located(String error, ShaderSource source) {
+        return FORMS.stream()
+                .map(form -> form.matcher(error))
+                .filter(Matcher::matches)
+                .map(matcher -> originOf(matcher.group("line"), source).describe(matcher.group("message")))
+                .findFirst();
     }
 
     /** Maps a line number to its origin. Numbers past the end, as for "unexpected end of file", map to the last line. */
-    private static SourceLine originOf(String number, ShaderSource source) {
+    private static ShaderSource.Line originOf(String number, ShaderSource source) {
         int last = source.origins().size();
         // Anything of ten digits or more is past the end of every shader.
         int line = number.length() < 10 ? Integer.parseInt(number) : last;

@@ -10,7 +10,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import jrtr.ShaderSource;
-import jrtr.SourceLine;
 
 /**
  * Pair of shaders in which the vertex shader passes the fragment shader's uniforms as flat inputs. Mesa's software renderer gathers a
@@ -85,10 +84,10 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
 
     private static ShaderSource withInputs(ShaderSource fragment, Map<String, Uniform> moved) {
         StringBuilder text = new StringBuilder();
-        List<SourceLine> origins = new ArrayList<>();
+        List<ShaderSource.Line> origins = new ArrayList<>();
         List<String> lines = fragment.text().lines().toList();
         for (int i = 0; i < lines.size(); i++) {
-            SourceLine origin = fragment.origins().get(i);
+            ShaderSource.Line origin = fragment.origins().get(i);
             Optional<Uniform> uniform = Uniform.in(lines.get(i)).filter(found -> moved.containsKey(found.name()));
             text.append(uniform.isPresent() ? uniform.get().input() : lines.get(i) + "\n");
             origins.add(origin);

@@ -11,9 +11,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import jrtr.ShaderException;
+import jrtr.GraphicsException;
 import jrtr.ShaderSource;
-import jrtr.SourceLine;
 
 /** Single-use expansion of a root file by the rules of {@link ShaderLibrary}. */
 final class IncludeExpansion {
@@ -28,7 +27,7 @@ final class IncludeExpansion {
     private final ShaderLibrary library;
     private final Map<String, String> defines;
     private final StringBuilder text = new StringBuilder();
-    private final List<SourceLine> origins = new ArrayList<>();
+    private final List<ShaderSource.Line> origins = new ArrayList<>();
     private final Set<String> included = new HashSet<>();
     private final Deque<String> openFiles = new ArrayDeque<>();
     private boolean versionSeen;
@@ -41,10 +40,10 @@ final class IncludeExpansion {
     ShaderSource expand(String root) {
         checkName(root, "shader ");
         String content = library.text(root)
-                .orElseThrow(() -> new ShaderException("shader " + root + " is missing from the shader library"));
+                .orElseThrow(() -> new GraphicsException("shader " + root + " is missing from the shader library"));
         appendFile(root, content);
         if (!versionSeen) {
-            throw new ShaderException(root + ":1: a shader must begin with #version, such as `#version 330 core`");
+            throw new GraphicsException(root + ":1: a shader must begin with #version, such as `#version 330 core`");
         }
         return new ShaderSource(root, text.toString(), origins);
     }
@@ -54,15 +53,15 @@ final class IncludeExpansion {
         CommentStripper comments = new CommentStripper();
         List<String> lines = content.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
-            appendLine(new SourceLine(file, index + 1, lines.get(index)), comments.strip(lines.get(index)));
+            appendLine(new ShaderSource.Line(file, index + 1, lines.get(index)), comments.strip(lines.get(index)));
         }
         if (comments.isInsideBlock()) {
-            throw new ShaderException(file + ":" + lines.size() + ": a comment /* is never closed");
+            throw new GraphicsException(file + ":" + lines.size() + ": a comment /* is never closed");
         }
         openFiles.pop();
     }
 
-    private void appendLine(SourceLine line, String code) {
+    private void appendLine(ShaderSource.Line line, String code) {
         Matcher directive = DIRECTIVE.matcher(code);
         String keyword = directive.matches() ? directive.group(1) : "";
         switch (keyword) {
@@ -77,7 +76,7 @@ final class IncludeExpansion {
         }
     }
 
-    private void include(SourceLine line, String argument) {
+    private void include(ShaderSource.Line line, String argument) {
         Matcher quoted = QUOTED_NAME.matcher(argument);
         if (!quoted.matches()) {
             throw fault(line, "#include needs a file name in double quotes");
@@ -97,7 +96,7 @@ final class IncludeExpansion {
         }
     }
 
-    private String withDefines(SourceLine line, String name) {
+    private String withDefines(ShaderSource.Line line, String name) {
         return DEFINE_IN_NAME.matcher(name).replaceAll(match -> {
             String value = defines.get(match.group(1));
             if (value == null) {
@@ -107,7 +106,7 @@ final class IncludeExpansion {
         });
     }
 
-    private void refuseCycle(SourceLine line, String name) {
+    private void refuseCycle(ShaderSource.Line line, String name) {
         if (openFiles.contains(name)) {
             List<String> cycle = new ArrayList<>(openFiles);
             Collections.reverse(cycle);
@@ -115,7 +114,7 @@ final class IncludeExpansion {
         }
     }
 
-    private void version(SourceLine line, String code) {
+    private void version(ShaderSource.Line line, String code) {
         if (openFiles.size() > 1) {
             throw fault(line, "#version belongs in the root file " + openFiles.getLast() + " only");
         }
@@ -126,7 +125,7 @@ final class IncludeExpansion {
         emit(line, code);
         List<String> prologue = prologue(defines);
         for (int index = 0; index < prologue.size(); index++) {
-            emit(new SourceLine(PROLOGUE_FILE, index + 1, prologue.get(index)), prologue.get(index));
+            emit(new ShaderSource.Line(PROLOGUE_FILE, index + 1, prologue.get(index)), prologue.get(index));
         }
     }
 
@@ -142,22 +141,22 @@ final class IncludeExpansion {
     private static void checkDefine(String name, String value) {
         // GLSL 3.30, section 3.3: names that begin with GL_ or contain __ are reserved.
         if (!DEFINE.matcher(name).matches() || name.startsWith("GL_") || name.contains("__")) {
-            throw new ShaderException("shader define '" + name + "' is not a valid GLSL macro name");
+            throw new GraphicsException("shader define '" + name + "' is not a valid GLSL macro name");
         }
         boolean oneLineOfAscii = value.chars().allMatch(character -> character >= ' ' && character < 127);
         if (!oneLineOfAscii || value.endsWith("\\")) {
-            throw new ShaderException(
+            throw new GraphicsException(
                     "shader define " + name + ": the value '" + value + "' must be one line of plain ASCII");
         }
     }
 
-    private void requireVersionFirst(SourceLine line, String code) {
+    private void requireVersionFirst(ShaderSource.Line line, String code) {
         if (!versionSeen && !code.isBlank()) {
             throw fault(line, "#version must come before this line");
         }
     }
 
-    private static void requireAscii(SourceLine line, String code) {
+    private static void requireAscii(ShaderSource.Line line, String code) {
         if (code.chars().anyMatch(character -> character > 126)) {
             throw fault(line, "GLSL allows characters beyond ASCII in comments only");
         }
@@ -165,19 +164,18 @@ final class IncludeExpansion {
 
     private static void checkName(String name, String prefix) {
         if (!SAFE_NAME.matcher(name).matches() || name.matches("(.*/)?\\.\\.?(/.*)?")) {
-            throw new ShaderException(
+            throw new GraphicsException(
                     prefix + "\"" + name + "\": a name is relative to the library's root, with forward slashes");
         }
     }
 
-    private void emit(SourceLine origin, String code) {
+    private void emit(ShaderSource.Line origin, String code) {
         text.append(code).append('\n');
         origins.add(origin);
     }
 
-    private static ShaderException fault(SourceLine line, String message) {
-        return new ShaderException(line.file() + ":" + line.number() + ": " + message + ": `"
-                + line.text().strip() + "`");
+    private static GraphicsException fault(ShaderSource.Line line, String message) {
+        return new GraphicsException(line.describe(message));
     }
 
     /**

@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Optional;
-import jrtr.ShaderException;
+import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 
 /**
@@ -30,7 +30,7 @@ public interface ShaderLibrary {
     /**
      * Loads a file without defines.
      *
-     * @throws ShaderException as in {@link #load(String, Map)}
+     * @throws GraphicsException as in {@link #load(String, Map)}
      */
     default ShaderSource load(String name) {
         return load(name, Map.of());
@@ -42,7 +42,7 @@ public interface ShaderLibrary {
      * @param name of the root file
      * @param defines values by name, in any order; they become {@code #define NAME value} lines after {@code #version}, which are sorted by
      *     name, so that equal defines give equal text
-     * @throws ShaderException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
+     * @throws GraphicsException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
      */
     default ShaderSource load(String name, Map<String, String> defines) {
         return new IncludeExpansion(this, defines).expand(name);
@@ -68,5 +68,15 @@ public interface ShaderLibrary {
                 throw new UncheckedIOException("shader " + name + " cannot be read", failure);
             }
         };
+    }
+
+    /**
+     * Returns the shader files that come with the engine; their names begin with {@code jrtr/}. An application appends them to its own with
+     * {@link #orElse}. Fragment shaders of meshes may include {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
+     */
+    static ShaderLibrary ofEngine() {
+        String prefix = "jrtr/";
+        ShaderLibrary files = ofClassPath(ShaderLibrary.class.getClassLoader(), "jrtr/shaders");
+        return name -> name.startsWith(prefix) ? files.text(name.substring(prefix.length())) : Optional.empty();
     }
 }

@@ -1,10 +1,9 @@
 package jrtr.scene;
 
-import java.util.List;
 import java.util.Map;
 import jrtr.Faces;
-import jrtr.gl.Binding;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 
 /**
  * Material of a shape: a program, textures for its samplers, values for its uniforms. Several materials may share a
@@ -15,9 +14,9 @@ import jrtr.gl.ShaderProgram;
  * @param textures by sampler name
  * @param uniforms {@code float}s by name
  */
-public record Material(ShaderProgram program, List<Binding> textures, Map<String, Float> uniforms, Faces faces) {
+public record Material(ShaderProgram program, Map<String, Texture> textures, Map<String, Float> uniforms, Faces faces) {
     public Material {
-        textures = List.copyOf(textures);
+        textures = Map.copyOf(textures);
         uniforms = Map.copyOf(uniforms);
     }
 

@@ -4,8 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
-import jrtr.FloatTargetSpec;
+import java.util.Map;
 import jrtr.GraphicsException;
 import jrtr.Tile;
 import org.assertj.core.data.Offset;
@@ -20,7 +19,7 @@ class FloatTargetTest extends InARendering {
 
     @Test
     void pixelsReadBackHaveTheTopRowFirstAndAreNotClamped() {
-        float[] pixels = rendering.drawn(rendering.program("", COORDINATES), 3, 5);
+        float[] pixels = rendering.drawn(rendering.program("", COORDINATES), 3, 5, Map.of());
 
         assertThat(pixels).hasSize(4 * 3 * 5);
         for (int row = 0; row < 5; row++) {
@@ -42,7 +41,7 @@ class FloatTargetTest extends InARendering {
         ShaderProgram program = rendering.program("", COORDINATES);
         try (FloatTarget target = rendering.target(width, height)) {
             target.clear(Tile.whole(width, height), -7, -7, -7, -7);
-            rendering.context.drawFullScreen(program, List.of(), target, tile);
+            rendering.context.drawFullScreen(program, Map.of(), target, tile);
             float[] pixels = target.read(0);
 
             for (int row = 0; row < height; row++) {
@@ -54,8 +53,7 @@ class FloatTargetTest extends InARendering {
                     assertThat(pixels[4 * (row * width + column) + 1]).isEqualTo(inside ? height - row - 0.5f : -7);
                 }
             }
-            assertThatThrownBy(
-                            () -> rendering.context.drawFullScreen(program, List.of(), target, new Tile(16, 0, 2, 1)))
+            assertThatThrownBy(() -> rendering.context.drawFullScreen(program, Map.of(), target, new Tile(16, 0, 2, 1)))
                     .isInstanceOf(IllegalArgumentException.class);
         }
     }
@@ -67,11 +65,11 @@ class FloatTargetTest extends InARendering {
                 "vec4(sin(gl_FragCoord.x * gl_FragCoord.y), COORD, 0, 0)"
                         .replace("COORD", "fract(dot(gl_FragCoord.xy, vec2(0.37, 0.71)))"));
         try (FloatTarget target = rendering.target(50, 33)) {
-            rendering.draw(program, target);
+            rendering.draw(program, target, Map.of());
             float[] atOnce = target.read(0);
             target.clear(Tile.whole(50, 33), 0, 0, 0, 0);
             for (Tile tile : Tile.cover(50, 33, 16)) {
-                rendering.context.drawFullScreen(program, List.of(), target, tile);
+                rendering.context.drawFullScreen(program, Map.of(), target, tile);
             }
 
             assertThat(target.read(0)).isEqualTo(atOnce);
@@ -83,8 +81,8 @@ class FloatTargetTest extends InARendering {
         ShaderProgram coordinates = rendering.program("", COORDINATES);
         ShaderProgram copy = rendering.program("uniform sampler2D t;", "texelFetch(t, ivec2(gl_FragCoord.xy), 0)");
         try (FloatTarget source = rendering.target(4, 3)) {
-            rendering.draw(coordinates, source);
-            Binding binding = new Binding("t", source.texture(0));
+            rendering.draw(coordinates, source, Map.of());
+            Map<String, Texture> binding = Map.of("t", source.texture(0));
 
             assertThat(rendering.drawn(copy, 4, 3, binding)).isEqualTo(source.read(0));
             assertThatThrownBy(() -> rendering.draw(copy, source, binding))
@@ -97,7 +95,7 @@ class FloatTargetTest extends InARendering {
     void aPictureOfHalfTheSizeFillsATargetAlongStraightLines() {
         try (FloatTarget half = rendering.target(4, 3);
                 FloatTarget whole = rendering.target(7, 5)) {
-            rendering.draw(rendering.program("", "vec4(2.0 * gl_FragCoord.xy, 0.0, 1.0)"), half);
+            rendering.draw(rendering.program("", "vec4(2.0 * gl_FragCoord.xy, 0.0, 1.0)"), half, Map.of());
             whole.fill(half);
             float[] pixels = whole.read(0);
             // Between the middles of pixels; beside them colors stay as they are.
@@ -115,9 +113,9 @@ class FloatTargetTest extends InARendering {
     void depthIsATextureForAnotherTarget() {
         ShaderProgram program =
                 rendering.program("uniform sampler2D depths;", "texelFetch(depths, ivec2(gl_FragCoord.xy), 0)");
-        try (FloatTarget deep = rendering.context.createFloatTarget("deep", new FloatTargetSpec(4, 4, 1, true))) {
+        try (FloatTarget deep = rendering.context.createFloatTarget("deep", new FloatTarget.Spec(4, 4, 1, true))) {
             deep.clear(Tile.whole(4, 4), 0, 0, 0, 0);
-            assertThat(rendering.drawn(program, 4, 4, new Binding("depths", deep.depth()))[0])
+            assertThat(rendering.drawn(program, 4, 4, Map.of("depths", deep.depth()))[0])
                     .isEqualTo(1);
         }
         try (FloatTarget flat = rendering.target(4, 4)) {
@@ -135,7 +133,7 @@ class FloatTargetTest extends InARendering {
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("needs " + side + " x 1 pixels")
                 .hasMessageContaining("at most");
-        assertThatThrownBy(() -> rendering.context.createFloatTarget("many", new FloatTargetSpec(1, 1, 1000, false)))
+        assertThatThrownBy(() -> rendering.context.createFloatTarget("many", new FloatTarget.Spec(1, 1, 1000, false)))
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("1000 images");
         rendering.context.finish();

@@ -6,19 +6,16 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.FloatBuffer;
 import java.nio.ShortBuffer;
-import jrtr.ContextLimits;
-import jrtr.Filter;
-import jrtr.FloatFormat;
-import jrtr.FloatTextureSpec;
+import java.util.Map;
+import jrtr.ContextInfo;
 import jrtr.GraphicsException;
-import jrtr.ShaderException;
 import org.junit.jupiter.api.Test;
 
 @NeedsDisplay
 class FloatTextureTest extends InARendering {
     private static final String FETCH_TOP_DOWN = "texelFetch(t, ivec2(gl_FragCoord.xy), 0)";
 
-    private FloatTexture texture(FloatTextureSpec spec, float... texels) {
+    private FloatTexture texture(FloatTexture.Spec spec, float... texels) {
         FloatTexture texture = rendering.context.createFloatTexture("table", spec);
         texture.upload(texels);
         return texture;
@@ -45,9 +42,9 @@ class FloatTextureTest extends InARendering {
             3.4e-38f
         };
         ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
-        FloatTexture texture = texture(FloatTextureSpec.flat(4, 1, FloatFormat.RGBA32F), values);
+        FloatTexture texture = texture(FloatTexture.Spec.flat(4, 1, FloatTexture.Format.RGBA32F), values);
 
-        float[] back = rendering.drawn(program, 4, 1, new Binding("t", texture));
+        float[] back = rendering.drawn(program, 4, 1, Map.of("t", texture));
 
         for (int index = 0; index < values.length; index++) {
             assertThat(Float.floatToRawIntBits(back[index]))
@@ -60,19 +57,19 @@ class FloatTextureTest extends InARendering {
     void halvesArriveAsTheyAreAndAreInterpolatedBetween() {
         // 1, 1.5, -2, 65504; 3, 0.5, 2^-14, 2^-24.
         short[] halves = {0x3c00, 0x3e00, (short) 0xc000, 0x7bff, 0x4200, 0x3800, 0x0400, 0x0001};
-        FloatTextureSpec spec = FloatTextureSpec.array(2, 1, 1, FloatFormat.RGBA16F);
-        FloatTexture texture = rendering.context.createFloatTexture("table", spec.with(Filter.LINEAR));
+        FloatTexture.Spec spec = FloatTexture.Spec.array(2, 1, 1, FloatTexture.Format.RGBA16F);
+        FloatTexture texture = rendering.context.createFloatTexture("table", spec.with(FloatTexture.Filter.LINEAR));
         texture.uploadLayer(0, ShortBuffer.wrap(halves));
         ShaderProgram exact =
                 rendering.program("uniform sampler2DArray t;", "texelFetch(t, ivec3(gl_FragCoord.xy, 0), 0)");
-        float[] back = rendering.drawn(exact, 2, 1, new Binding("t", texture));
+        float[] back = rendering.drawn(exact, 2, 1, Map.of("t", texture));
         assertThat(back).startsWith(1, 1.5f, -2, 65504, 3, 0.5f, 0x1p-14f);
         // Denormals may be flushed to zero.
         assertThat(back[7]).isIn(0x1p-24f, 0f);
         ShaderProgram between =
                 rendering.program("uniform sampler2DArray t;", "textureLod(t, vec3(0.5, 0.5, 0.0), 0.0)");
         // Cards weigh with 8 bits at least.
-        assertThat(rendering.drawn(between, 1, 1, new Binding("t", texture))[0]).isCloseTo(2, within(1 / 128f));
+        assertThat(rendering.drawn(between, 1, 1, Map.of("t", texture))[0]).isCloseTo(2, within(1 / 128f));
     }
 
     @Test
@@ -81,12 +78,12 @@ class FloatTextureTest extends InARendering {
                 "uniform sampler2D t;",
                 "vec4(texture(t, vec2(0.5, 0.5)).r, texture(t, vec2(1.25, 0.5)).r,"
                         + "texture(t, vec2(0.3, 0.5)).r, texture(t, vec2(0.75, 0.5)).r)");
-        FloatTextureSpec spec = FloatTextureSpec.flat(2, 1, FloatFormat.R32F);
-        FloatTexture linear = texture(spec.with(Filter.LINEAR), 10, 20);
+        FloatTexture.Spec spec = FloatTexture.Spec.flat(2, 1, FloatTexture.Format.R32F);
+        FloatTexture linear = texture(spec.with(FloatTexture.Filter.LINEAR), 10, 20);
         FloatTexture nearest = texture(spec, 10, 20);
 
-        float[] interpolated = rendering.drawn(program, 1, 1, new Binding("t", linear));
-        float[] stepped = rendering.drawn(program, 1, 1, new Binding("t", nearest));
+        float[] interpolated = rendering.drawn(program, 1, 1, Map.of("t", linear));
+        float[] stepped = rendering.drawn(program, 1, 1, Map.of("t", nearest));
 
         // Texel centers at 1/4 and 3/4. Hardware keeps 8 bits of the weight or more: 10 / 256 = 0.04.
         assertThat(interpolated[0]).isCloseTo(15, within(0.04f));
@@ -100,16 +97,16 @@ class FloatTextureTest extends InARendering {
 
     @Test
     void sizesBeyondTheDriversLimitsAreRefusedWithNeededAndAllowed() {
-        ContextLimits limits = rendering.context.info().limits();
+        ContextInfo.Limits limits = rendering.context.info().limits();
         int side = limits.textureSize() + 1;
 
         assertThatThrownBy(() -> rendering.context.createFloatTexture(
-                        "too wide", FloatTextureSpec.flat(side, 1, FloatFormat.R32F)))
+                        "too wide", FloatTexture.Spec.flat(side, 1, FloatTexture.Format.R32F)))
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("'too wide' needs " + side + " x 1 texels")
                 .hasMessageContaining("at most " + limits.textureSize());
         assertThatThrownBy(() -> rendering.context.createFloatTexture(
-                        "too deep", FloatTextureSpec.array(1, 1, limits.arrayLayers() + 1, FloatFormat.R32F)))
+                        "too deep", FloatTexture.Spec.array(1, 1, limits.arrayLayers() + 1, FloatTexture.Format.R32F)))
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining((limits.arrayLayers() + 1) + " layers")
                 .hasMessageContaining("at most " + limits.arrayLayers());
@@ -118,26 +115,23 @@ class FloatTextureTest extends InARendering {
     @Test
     void bindingsThatDoNotFitAreRefused() {
         ShaderProgram program = rendering.program("uniform sampler2D t;", FETCH_TOP_DOWN);
-        FloatTexture flat = texture(FloatTextureSpec.flat(1, 1, FloatFormat.R32F), 1);
-        FloatTexture array = texture(FloatTextureSpec.array(1, 1, 1, FloatFormat.R32F), 1);
-        FloatTexture empty =
-                rendering.context.createFloatTexture("empty", FloatTextureSpec.array(1, 1, 2, FloatFormat.R32F));
+        FloatTexture flat = texture(FloatTexture.Spec.flat(1, 1, FloatTexture.Format.R32F), 1);
+        FloatTexture array = texture(FloatTexture.Spec.array(1, 1, 1, FloatTexture.Format.R32F), 1);
+        FloatTexture empty = rendering.context.createFloatTexture(
+                "empty", FloatTexture.Spec.array(1, 1, 2, FloatTexture.Format.R32F));
         empty.uploadLayer(0, FloatBuffer.wrap(new float[] {1}));
 
-        assertThatThrownBy(() -> rendering.drawn(program, 1, 1))
-                .isInstanceOf(ShaderException.class)
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, Map.of()))
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("no texture is bound to sampler 't'");
-        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", array)))
-                .isInstanceOf(ShaderException.class)
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, Map.of("t", array)))
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("'table' is an array")
                 .hasMessageContaining("sampler2D t");
-        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("u", flat)))
-                .isInstanceOf(ShaderException.class)
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, Map.of("u", flat)))
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("no uniform 'u'");
-        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", flat), new Binding("t", flat)))
-                .isInstanceOf(ShaderException.class)
-                .hasMessageContaining("bound twice");
-        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, new Binding("t", empty)))
+        assertThatThrownBy(() -> rendering.drawn(program, 1, 1, Map.of("t", empty)))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("layer 1 was uploaded");
     }

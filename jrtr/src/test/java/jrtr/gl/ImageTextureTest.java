@@ -3,40 +3,35 @@ package jrtr.gl;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import jrtr.ColorEncoding;
-import jrtr.ImageTextureSpec;
-import jrtr.Wrap;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 @NeedsDisplay
 class ImageTextureTest extends InARendering {
-    private ImageTexture image(int width, int height, ColorEncoding encoding, int... rgba) {
+    private ImageTexture image(int width, int height, ImageTexture.Encoding encoding, int... rgba) {
         byte[] bytes = new byte[rgba.length];
         for (int index = 0; index < rgba.length; index++) {
             bytes[index] = (byte) rgba[index];
         }
-        ImageTexture texture = rendering.context.createImageTexture(
-                "image", new ImageTextureSpec(width, height, encoding, Wrap.CLAMP));
-        texture.upload(bytes);
-        return texture;
+        return rendering.context.createImageTexture("image", width, height, bytes, encoding);
     }
 
     @Test
-    void theTopRowOfThePictureIsAtTextureCoordinateOne() {
-        ImageTexture texture = image(1, 2, ColorEncoding.LINEAR, 255, 0, 0, 255, 0, 255, 0, 255);
-        ShaderProgram program = rendering.program("uniform sampler2D t;", "textureLod(t, vec2(0.5, 1.0), 0.0)");
+    void theTopRowOfThePictureIsAtTheTopTextureCoordinates() {
+        ImageTexture texture = image(1, 2, ImageTexture.Encoding.LINEAR, 255, 0, 0, 255, 0, 255, 0, 255);
+        ShaderProgram program = rendering.program("uniform sampler2D t;", "textureLod(t, vec2(0.5, 0.75), 0.0)");
 
-        assertThat(rendering.drawn(program, 1, 1, new Binding("t", texture))).containsExactly(1, 0, 0, 1);
+        assertThat(rendering.drawn(program, 1, 1, Map.of("t", texture))).containsExactly(1, 0, 0, 1);
     }
 
     @Test
     void sRgbBytesGiveLinearLight() {
-        ImageTexture srgb = image(1, 1, ColorEncoding.SRGB, 188, 10, 255, 128);
-        ImageTexture linear = image(1, 1, ColorEncoding.LINEAR, 188, 10, 255, 128);
+        ImageTexture srgb = image(1, 1, ImageTexture.Encoding.SRGB, 188, 10, 255, 128);
+        ImageTexture linear = image(1, 1, ImageTexture.Encoding.LINEAR, 188, 10, 255, 128);
         ShaderProgram program = rendering.program("uniform sampler2D t;", "texture(t, vec2(0.5))");
 
-        float[] decoded = rendering.drawn(program, 1, 1, new Binding("t", srgb));
-        float[] plain = rendering.drawn(program, 1, 1, new Binding("t", linear));
+        float[] decoded = rendering.drawn(program, 1, 1, Map.of("t", srgb));
+        float[] plain = rendering.drawn(program, 1, 1, Map.of("t", linear));
 
         assertThat(decoded[0]).isCloseTo((float) light(188), within(halfAStep(188)));
         assertThat(decoded[1]).isCloseTo((float) light(10), within(halfAStep(10)));
@@ -48,9 +43,11 @@ class ImageTextureTest extends InARendering {
     /** Area means: three columns become one, and a row between two pairs counts half for each. */
     @Test
     void mipmapsAreMeansInLinearLight() {
-        MipLevel wide = new MipLevel(3, 2, rgba(0, 255, 30, 255, 90, 0), ColorEncoding.LINEAR).next();
-        MipLevel high = new MipLevel(1, 5, rgba(0, 100, 200, 50, 150), ColorEncoding.LINEAR).next();
-        MipLevel light = new MipLevel(2, 1, rgba(0, 255), ColorEncoding.SRGB).next();
+        ImageTexture.MipLevel wide =
+                new ImageTexture.MipLevel(3, 2, rgba(0, 255, 30, 255, 90, 0), ImageTexture.Encoding.LINEAR).next();
+        ImageTexture.MipLevel high =
+                new ImageTexture.MipLevel(1, 5, rgba(0, 100, 200, 50, 150), ImageTexture.Encoding.LINEAR).next();
+        ImageTexture.MipLevel light = new ImageTexture.MipLevel(2, 1, rgba(0, 255), ImageTexture.Encoding.SRGB).next();
 
         assertThat(wide.width()).isEqualTo(1);
         assertThat(wide.height()).isEqualTo(1);

@@ -6,14 +6,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
-import jrtr.FloatFormat;
-import jrtr.FloatTextureSpec;
 import org.junit.jupiter.api.Test;
 
 @NeedsDisplay
@@ -63,7 +62,7 @@ class OffscreenContextTest {
         Rendering rendering = new Rendering();
         ShaderProgram program = rendering.program("uniform float x;", "vec4(x)");
         FloatTexture texture =
-                rendering.context.createFloatTexture("table", FloatTextureSpec.flat(1, 1, FloatFormat.R32F));
+                rendering.context.createFloatTexture("table", FloatTexture.Spec.flat(1, 1, FloatTexture.Format.R32F));
         FloatTarget target = rendering.target(1, 1);
 
         rendering.close();
@@ -88,7 +87,7 @@ class OffscreenContextTest {
             assertThatThrownBy(() -> target.read(0))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessage("'test target' is closed");
-            assertThatThrownBy(() -> rendering.draw(program, target))
+            assertThatThrownBy(() -> rendering.draw(program, target, Map.of()))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessage("'test target' is closed");
         }

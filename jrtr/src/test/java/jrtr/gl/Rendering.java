@@ -1,8 +1,6 @@
 package jrtr.gl;
 
-import java.util.List;
 import java.util.Map;
-import jrtr.FloatTargetSpec;
 import jrtr.ShaderSource;
 import jrtr.Tile;
 import jrtr.glsl.ShaderTexts;
@@ -23,18 +21,18 @@ final class Rendering implements AutoCloseable {
     }
 
     FloatTarget target(int width, int height) {
-        return context.createFloatTarget("test target", FloatTargetSpec.color(width, height));
+        return context.createFloatTarget("test target", FloatTarget.Spec.color(width, height));
     }
 
-    void draw(ShaderProgram program, FloatTarget target, Binding... bindings) {
+    void draw(ShaderProgram program, FloatTarget target, Map<String, Texture> textures) {
         Tile whole = Tile.whole(target.spec().width(), target.spec().height());
-        context.drawFullScreen(program, List.of(bindings), target, whole);
+        context.drawFullScreen(program, textures, target, whole);
     }
 
     /** Draws and reads back RGBA, row 0 on top. */
-    float[] drawn(ShaderProgram program, int width, int height, Binding... bindings) {
+    float[] drawn(ShaderProgram program, int width, int height, Map<String, Texture> textures) {
         try (FloatTarget target = target(width, height)) {
-            draw(program, target, bindings);
+            draw(program, target, textures);
             return target.read(0);
         }
     }

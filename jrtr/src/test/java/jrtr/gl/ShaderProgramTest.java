@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
-import jrtr.ShaderException;
+import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix3f;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 @NeedsDisplay
 class ShaderProgramTest extends InARendering {
     private float[] pixel(ShaderProgram program) {
-        return rendering.drawn(program, 1, 1);
+        return rendering.drawn(program, 1, 1, Map.of());
     }
 
     @Test
@@ -28,7 +28,7 @@ class ShaderProgramTest extends InARendering {
                 .load("root.frag.glsl", Map.of("TERMS", "37", "WIDTH", "3"));
 
         assertThatThrownBy(() -> rendering.context.createFullScreenProgram(broken))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageStartingWith("lens.glsl:3: ")
                 .hasMessageContaining("distanze")
                 .hasMessageContaining("`return distanze;`")
@@ -44,7 +44,7 @@ class ShaderProgramTest extends InARendering {
                 Rendering.fragment("float missing();\nout vec4 c;\nvoid main() { c = vec4(missing()); }\n");
 
         assertThatThrownBy(() -> rendering.context.createFullScreenProgram(fragment))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("linking jrtr/fullscreen.vert.glsl with test.frag.glsl")
                 .hasMessageContaining("missing");
         rendering.context.finish();
@@ -81,7 +81,7 @@ class ShaderProgramTest extends InARendering {
         ShaderProgram program = rendering.program("uniform float gain; uniform vec3 light;", "vec4(light, gain)");
 
         assertThatThrownBy(() -> program.set("gian", 1f))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("no uniform 'gian'")
                 .hasMessageContaining("float gain, vec3 light");
     }
@@ -103,20 +103,20 @@ class ShaderProgramTest extends InARendering {
                 rendering.program("uniform float gain; uniform sampler2D table;", "gain * texture(table, vec2(0))");
 
         assertThatThrownBy(() -> program.set("gain", 1))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("float gain cannot be set to a int");
         assertThatThrownBy(() -> program.set("table", 0))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("bind a texture");
     }
 
     @Test
     void samplersOfOtherKindsAreRefused() {
         assertThatThrownBy(() -> rendering.program("uniform sampler3D t;", "texture(t, vec3(0))"))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("t is not supported");
         assertThatThrownBy(() -> rendering.program("uniform sampler2D t[2];", "texture(t[1], vec2(0))"))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("not supported");
     }
 }

@@ -5,15 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.stream.IntStream;
 import jrtr.ShaderSource;
-import jrtr.SourceLine;
 import org.junit.jupiter.api.Test;
 
 class FlatUniformsTest {
     private static final ShaderSource VERTEX = source("a.vert", "#version 330 core", "void main() {", "    x();", "}");
 
     private static ShaderSource source(String name, String... lines) {
-        List<SourceLine> origins = IntStream.range(0, lines.length)
-                .mapToObj(i -> new SourceLine(name, i + 1, lines[i]))
+        List<ShaderSource.Line> origins = IntStream.range(0, lines.length)
+                .mapToObj(i -> new ShaderSource.Line(name, i + 1, lines[i]))
                 .toList();
         return new ShaderSource(name, String.join("\n", lines) + "\n", origins);
     }
@@ -46,7 +45,8 @@ class FlatUniformsTest {
     void messagesNameTheLinesThatWereWritten() {
         FlatUniforms flat = FlatUniforms.of(VERTEX, source("a.frag", "uniform float x;", "wrong"), 60);
 
-        assertThat(flat.fragment().origins().stream().map(SourceLine::number)).containsExactly(1, 1, 2);
+        assertThat(flat.fragment().origins().stream().map(ShaderSource.Line::number))
+                .containsExactly(1, 1, 2);
         assertThat(flat.vertex().origins()).isEqualTo(VERTEX.origins());
     }
 

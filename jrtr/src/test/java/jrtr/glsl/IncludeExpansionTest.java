@@ -4,9 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
-import jrtr.ShaderException;
+import jrtr.GraphicsException;
 import jrtr.ShaderSource;
-import jrtr.SourceLine;
 import org.junit.jupiter.api.Test;
 
 class IncludeExpansionTest {
@@ -26,12 +25,12 @@ class IncludeExpansionTest {
         assertThat(source.text()).isEqualTo(VERSION + "before\na1\nb1\na3\nafter\n");
         assertThat(source.origins())
                 .containsExactly(
-                        new SourceLine("root.glsl", 1, "#version 330 core"),
-                        new SourceLine("root.glsl", 2, "before"),
-                        new SourceLine("a.glsl", 1, "a1"),
-                        new SourceLine("sub/b.glsl", 1, "b1"),
-                        new SourceLine("a.glsl", 3, "a3"),
-                        new SourceLine("root.glsl", 4, "after"));
+                        new ShaderSource.Line("root.glsl", 1, "#version 330 core"),
+                        new ShaderSource.Line("root.glsl", 2, "before"),
+                        new ShaderSource.Line("a.glsl", 1, "a1"),
+                        new ShaderSource.Line("sub/b.glsl", 1, "b1"),
+                        new ShaderSource.Line("a.glsl", 3, "a3"),
+                        new ShaderSource.Line("root.glsl", 4, "after"));
     }
 
     @Test
@@ -53,7 +52,7 @@ class IncludeExpansionTest {
         assertThat(source.text())
                 .isEqualTo("\n#version 330 core\n#define FLAG\n#define RADIUS (2.5)\n#define TERMS 37\ncode\n");
         assertThat(source.origins().get(3).file()).isEqualTo("<defines>");
-        assertThat(source.origins().get(5)).isEqualTo(new SourceLine("root.glsl", 3, "code"));
+        assertThat(source.origins().get(5)).isEqualTo(new ShaderSource.Line("root.glsl", 3, "code"));
     }
 
     @Test
@@ -61,7 +60,7 @@ class IncludeExpansionTest {
         assertThat(load(Map.of("root.glsl", VERSION + "x // λ²\r\ny\r\n")).text())
                 .isEqualTo(VERSION + "x\ny\n");
         assertThatThrownBy(() -> load(Map.of("root.glsl", VERSION + "float λ;\n")))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageStartingWith("root.glsl:2: ");
     }
 
@@ -71,7 +70,7 @@ class IncludeExpansionTest {
                         "root.glsl", VERSION + "#include \"a.glsl\"\n",
                         "a.glsl", "\n#include \"b.glsl\"\n",
                         "b.glsl", "#include \"a.glsl\"\n")))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageStartingWith("b.glsl:1: cycle of includes: root.glsl -> a.glsl -> b.glsl -> a.glsl");
     }
 
@@ -79,10 +78,10 @@ class IncludeExpansionTest {
     void aMissingFileIsNamedWithItsIncluderAndLine() {
         assertThatThrownBy(() -> load(Map.of(
                         "root.glsl", VERSION + "#include \"a.glsl\"\n", "a.glsl", "x\n#include \"gone.glsl\"\n")))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageStartingWith("a.glsl:2: included file gone.glsl is missing");
         assertThatThrownBy(() -> load(Map.of()))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("root.glsl is missing");
     }
 
@@ -107,7 +106,7 @@ class IncludeExpansionTest {
                 .endsWith("four\n")
                 .doesNotContain("three");
         assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism")))
-                .isInstanceOf(ShaderException.class)
+                .isInstanceOf(GraphicsException.class)
                 .hasMessageStartingWith("root.glsl:2: #include uses the define SIDES, which is not set");
         assertThatThrownBy(() -> library.load("root.glsl", Map.of("SHAPE", "prism", "SIDES", "5")))
                 .hasMessageStartingWith("root.glsl:2: included file shape/prism_5.glsl is missing");

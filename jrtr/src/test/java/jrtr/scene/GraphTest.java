@@ -54,7 +54,7 @@ class GraphTest {
     private Shape ball(String label) {
         return new Shape(
                 context.createVertexBuffer(label, TestMeshes.sphere(4, 4)),
-                new Material(program, List.of(), Map.of(), Faces.BOTH));
+                new Material(program, Map.of(), Map.of(), Faces.BOTH));
     }
 
     @Test

@@ -4,17 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import java.util.Map;
 import jrtr.Faces;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.NeedsDisplay;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import jrtr.glsl.EngineShaders;
+import jrtr.glsl.ShaderLibrary;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
@@ -40,7 +38,7 @@ class SceneRendererTest {
     void open() {
         context = RenderContext.offscreen();
         renderer = new SceneRenderer(context);
-        target = context.createFloatTarget("picture", new FloatTargetSpec(WIDTH, HEIGHT, 1, true));
+        target = context.createFloatTarget("picture", new FloatTarget.Spec(WIDTH, HEIGHT, 1, true));
     }
 
     @AfterAll
@@ -52,7 +50,7 @@ class SceneRendererTest {
         String text = "#version 330 core\n#include \"jrtr/tangent_frame.glsl\"\n" + declarations
                 + "\nlayout(location = 0) out vec4 color;\nvoid main() { color = " + color + "; }\n";
         return context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", text))
-                .orElse(EngineShaders.library())
+                .orElse(ShaderLibrary.ofEngine())
                 .load("test.frag"));
     }
 
@@ -62,7 +60,7 @@ class SceneRendererTest {
 
     private Shape shape(VertexData data, ShaderProgram program, Map<String, Float> uniforms) {
         return new Shape(
-                context.createVertexBuffer("mesh", data), new Material(program, List.of(), uniforms, Faces.BOTH));
+                context.createVertexBuffer("mesh", data), new Material(program, Map.of(), uniforms, Faces.BOTH));
     }
 
     private static SceneGraph scene(Node root) {
@@ -154,7 +152,7 @@ class SceneRendererTest {
         SceneGraph scene = scene(crowd());
         float[] whole = drawn(scene);
         Tile part = new Tile(33, 11, 40, 30);
-        try (FloatTarget small = context.createFloatTarget("part", new FloatTargetSpec(40, 30, 1, true))) {
+        try (FloatTarget small = context.createFloatTarget("part", new FloatTarget.Spec(40, 30, 1, true))) {
             renderer.draw(scene, new PictureArea(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
             float[] pixels = small.read(0);
 
@@ -222,19 +220,19 @@ class SceneRendererTest {
                 .load("two.frag"));
         Tile whole = Tile.whole(WIDTH, HEIGHT);
         try (FloatTarget other = context.createFloatTarget("other", target.spec());
-                FloatTarget flat = context.createFloatTarget("flat", FloatTargetSpec.color(WIDTH, HEIGHT))) {
+                FloatTarget flat = context.createFloatTarget("flat", FloatTarget.Spec.color(WIDTH, HEIGHT))) {
             other.clear(whole, 0, 0, 0, 0);
             other.copyDepthFrom(target);
-            context.drawCovered(two, List.of(), other, whole);
+            context.drawCovered(two, Map.of(), other, whole);
             // The draw keeps the depth.
-            context.drawCovered(two, List.of(), other, whole);
+            context.drawCovered(two, Map.of(), other, whole);
 
             float[] covered = other.read(0);
             assertThat(shapes).contains(0, 1);
             for (int i = 0; i < shapes.length; i++) {
                 assertThat(covered[i]).isEqualTo(2 * shapes[i]);
             }
-            assertThatThrownBy(() -> context.drawCovered(two, List.of(), flat, whole))
+            assertThatThrownBy(() -> context.drawCovered(two, Map.of(), flat, whole))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessageContaining("'flat' has no depth");
         }

@@ -5,13 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import jrtr.Faces;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.NeedsDisplay;
 import jrtr.gl.RenderContext;
-import jrtr.glsl.EngineShaders;
+import jrtr.glsl.ShaderLibrary;
 import jrtr.glsl.ShaderTexts;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
@@ -74,16 +73,16 @@ class TangentFrameTest {
     private Images drawn(VertexData data, Matrix4f place, float rotation) {
         Material material = new Material(
                 context.createMeshProgram(ShaderTexts.of(Map.of("frame.frag", SHADER))
-                        .orElse(EngineShaders.library())
+                        .orElse(ShaderLibrary.ofEngine())
                         .load("frame.frag")),
-                List.of(),
+                Map.of(),
                 Material.tangentsTurned(rotation),
                 Faces.BOTH);
         Group all = new Group(
                 new Group(place, new Shape(context.createVertexBuffer("mesh", data), material)),
                 new Light(towardsLight, new Vector3f(1)));
         Frustum frustum = new Frustum(0.5f, 0.5f, 20);
-        try (FloatTarget target = context.createFloatTarget("frames", new FloatTargetSpec(SIDE, SIDE, 5, true))) {
+        try (FloatTarget target = context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
             new SceneRenderer(context)
                     .draw(
                             new SceneGraph(all, camera, frustum),

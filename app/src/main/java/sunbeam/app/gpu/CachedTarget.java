@@ -1,6 +1,5 @@
 package sunbeam.app.gpu;
 
-import jrtr.FloatTargetSpec;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 
@@ -8,12 +7,12 @@ import jrtr.gl.RenderContext;
 public final class CachedTarget implements AutoCloseable {
     private final RenderContext context;
     private final String label;
-    private final FloatTargetSpec.Format format;
+    private final FloatTarget.Format format;
     private final boolean depth;
     private FloatTarget target;
 
     /** The target is created on first use. */
-    public CachedTarget(RenderContext context, String label, FloatTargetSpec.Format format, boolean depth) {
+    public CachedTarget(RenderContext context, String label, FloatTarget.Format format, boolean depth) {
         this.context = context;
         this.label = label;
         this.format = format;
@@ -22,7 +21,7 @@ public final class CachedTarget implements AutoCloseable {
 
     /** Returns the target; valid until a call with another size. Its contents are those of the last draw, if any. */
     public FloatTarget of(int width, int height) {
-        FloatTargetSpec spec = new FloatTargetSpec(width, height, 1, depth, format);
+        FloatTarget.Spec spec = new FloatTarget.Spec(width, height, 1, depth, format);
         if (target == null || !target.spec().equals(spec)) {
             close();
             target = context.createFloatTarget(label, spec);

@@ -1,6 +1,5 @@
 package sunbeam.app.gpu;
 
-import jrtr.glsl.EngineShaders;
 import jrtr.glsl.ShaderLibrary;
 
 /** Library of Sunbeam's shader files and, under {@code jrtr/}, the engine's. */
@@ -9,6 +8,6 @@ public final class Shaders {
 
     public static ShaderLibrary library() {
         return ShaderLibrary.ofClassPath(Shaders.class.getClassLoader(), "sunbeam/shaders")
-                .orElse(EngineShaders.library());
+                .orElse(ShaderLibrary.ofEngine());
     }
 }

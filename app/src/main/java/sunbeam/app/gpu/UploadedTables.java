@@ -1,17 +1,12 @@
 package sunbeam.app.gpu;
 
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import jrtr.Filter;
-import jrtr.FloatFormat;
-import jrtr.FloatTextureSpec;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
@@ -21,8 +16,7 @@ import sunbeam.precompute.shader.UniformValue;
 public final class UploadedTables implements AutoCloseable {
     private final RenderContext context;
     private final ShaderTables tables;
-    private final List<FloatTexture> textures = new ArrayList<>();
-    private final List<Binding> bindings = new ArrayList<>();
+    private final Map<String, Texture> textures = new HashMap<>();
 
     private UploadedTables(RenderContext context, ShaderTables tables) {
         this.context = context;
@@ -48,26 +42,25 @@ public final class UploadedTables implements AutoCloseable {
     private void upload(TableArray array) {
         ArrayLayout layout = array.layout();
         FloatTexture texture = context.createFloatTexture(layout.sampler(), spec(layout));
-        textures.add(texture);
-        bindings.add(new Binding(layout.sampler(), texture));
+        textures.put(layout.sampler(), texture);
         for (int layer = 0; layer < layout.layers(); layer++) {
             texture.uploadLayer(layer, array.layer(layer));
         }
     }
 
-    private static FloatTextureSpec spec(ArrayLayout layout) {
-        FloatFormat format = format(layout.channels());
-        FloatTextureSpec spec = layout.kind() == ArrayLayout.Kind.LAYERED
-                ? FloatTextureSpec.array(layout.width(), layout.height(), layout.layers(), format)
-                : FloatTextureSpec.flat(layout.width(), layout.height(), format);
-        return layout.reading() == ArrayLayout.Reading.LINEAR ? spec.with(Filter.LINEAR) : spec;
+    private static FloatTexture.Spec spec(ArrayLayout layout) {
+        FloatTexture.Format format = format(layout.channels());
+        FloatTexture.Spec spec = layout.kind() == ArrayLayout.Kind.LAYERED
+                ? FloatTexture.Spec.array(layout.width(), layout.height(), layout.layers(), format)
+                : FloatTexture.Spec.flat(layout.width(), layout.height(), format);
+        return layout.reading() == ArrayLayout.Reading.LINEAR ? spec.with(FloatTexture.Filter.LINEAR) : spec;
     }
 
-    private static FloatFormat format(int channels) {
+    private static FloatTexture.Format format(int channels) {
         return switch (channels) {
-            case 1 -> FloatFormat.R32F;
-            case 2 -> FloatFormat.RG32F;
-            case 4 -> FloatFormat.RGBA32F;
+            case 1 -> FloatTexture.Format.R32F;
+            case 2 -> FloatTexture.Format.RG32F;
+            case 4 -> FloatTexture.Format.RGBA32F;
             default -> throw new IllegalArgumentException("no texture has " + channels + " channels");
         };
     }
@@ -110,8 +103,8 @@ public final class UploadedTables implements AutoCloseable {
         }
     }
 
-    public List<Binding> bindings() {
-        return bindings;
+    public Map<String, Texture> textures() {
+        return textures;
     }
 
     /**
@@ -137,6 +130,6 @@ public final class UploadedTables implements AutoCloseable {
 
     @Override
     public void close() {
-        textures.forEach(FloatTexture::close);
+        textures.values().forEach(Texture::close);
     }
 }

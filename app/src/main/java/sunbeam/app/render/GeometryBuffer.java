@@ -1,12 +1,11 @@
 package sunbeam.app.render;
 
-import java.util.List;
-import java.util.stream.IntStream;
-import jrtr.FloatTargetSpec;
+import java.util.HashMap;
+import java.util.Map;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Texture;
 
 /** Geometry buffer of a block: surface attributes of its pixels. */
 record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements AutoCloseable {
@@ -15,15 +14,16 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
         return new GeometryBuffer(
                 layout,
                 context.createFloatTarget(
-                        "geometry", new FloatTargetSpec(block.width(), block.height(), images, true)));
+                        "geometry", new FloatTarget.Spec(block.width(), block.height(), images, true)));
     }
 
-    /** Binds image i to sampler i of the shading pass. */
-    List<Binding> bindings() {
-        List<String> samplers = layout.samplers();
-        return IntStream.range(0, samplers.size())
-                .mapToObj(i -> new Binding(samplers.get(i), attributes.texture(i)))
-                .toList();
+    /** Returns the images by the names of the shading pass's samplers. */
+    Map<String, Texture> textures() {
+        Map<String, Texture> textures = new HashMap<>();
+        for (String sampler : layout.samplers()) {
+            textures.put(sampler, attributes.texture(textures.size()));
+        }
+        return textures;
     }
 
     /**

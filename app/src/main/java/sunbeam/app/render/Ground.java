@@ -1,19 +1,15 @@
 package sunbeam.app.render;
 
-import java.util.List;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import jrtr.BoundingSphere;
-import jrtr.Filter;
-import jrtr.FloatFormat;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.scene.LightUniforms;
 import jrtr.scene.ViewRays;
 import org.joml.Matrix4f;
@@ -47,8 +43,8 @@ final class Ground implements AutoCloseable {
         this.height = height;
         this.sky = sky;
         this.program = program;
-        this.target = new CachedTarget(context, "ground", FloatTargetSpec.Format.RGBA32F, false);
-        this.movingTarget = new CachedTarget(context, "moving ground", FloatTargetSpec.Format.RGBA8, false);
+        this.target = new CachedTarget(context, "ground", FloatTarget.Format.RGBA32F, false);
+        this.movingTarget = new CachedTarget(context, "moving ground", FloatTarget.Format.RGBA8, false);
     }
 
     /** Creates the ground at a height, that of the mesh's lowest point in meters, with its visible share of the sky. */
@@ -56,7 +52,7 @@ final class Ground implements AutoCloseable {
         int side = SkyVisibility.GROUND_SIDE;
         FloatTexture sky = context.createFloatTexture(
                 "sky above the ground",
-                FloatTextureSpec.flat(side, side, FloatFormat.R32F).with(Filter.LINEAR));
+                FloatTexture.Spec.flat(side, side, FloatTexture.Format.R32F).with(FloatTexture.Filter.LINEAR));
         try {
             sky.upload(seen.ofGround());
             return new Ground(context, height, sky, program(context, 0));
@@ -131,8 +127,10 @@ final class Ground implements AutoCloseable {
         block.fill(drawn);
     }
 
-    private List<Binding> textures(SkinGeometry geometry) {
-        return List.of(new Binding("groundSky", sky), geometry.shadows().binding());
+    private Map<String, Texture> textures(SkinGeometry geometry) {
+        Map<String, Texture> textures = new HashMap<>(geometry.shadows().textures());
+        textures.put("groundSky", sky);
+        return textures;
     }
 
     private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, ViewRays rays) {

@@ -1,15 +1,13 @@
 package sunbeam.app.render;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.scene.ViewRays;
 import org.joml.Vector2f;
 import sunbeam.app.gpu.CachedTarget;
@@ -42,7 +40,7 @@ final class MovingSkin implements AutoCloseable {
         this.program = method.program(
                 "moving.frag", Map.of("MOST_TAPS", Integer.toString(mostTaps), "LIGHTS", Integer.toString(lights)));
         this.levels = levels;
-        this.targets = new CachedTarget(context, "moving", FloatTargetSpec.Format.RGBA8, true);
+        this.targets = new CachedTarget(context, "moving", FloatTarget.Format.RGBA8, true);
     }
 
     int lights() {
@@ -66,7 +64,7 @@ final class MovingSkin implements AutoCloseable {
             SkinGeometry geometry,
             GeometryBuffer buffer,
             Tile block,
-            List<Binding> method,
+            Map<String, Texture> method,
             double exposure) {
         FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1, false);
         ViewRays rays = geometry.viewRays(block);
@@ -75,11 +73,11 @@ final class MovingSkin implements AutoCloseable {
         geometry.shadows().applyTo(program, scene.effectiveSurroundings().shadows());
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
-        List<Binding> textures = new ArrayList<>(method);
-        textures.addAll(buffer.bindings());
-        textures.add(new Binding("depths", buffer.attributes().depth()));
-        textures.add(geometry.shadows().binding());
-        textures.addAll(levels.bindings());
+        Map<String, Texture> textures = new HashMap<>(method);
+        textures.putAll(buffer.textures());
+        textures.put("depths", buffer.attributes().depth());
+        textures.putAll(geometry.shadows().textures());
+        textures.putAll(levels.textures());
         Tile whole = Tile.whole(block.width(), block.height());
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());

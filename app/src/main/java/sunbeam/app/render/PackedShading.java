@@ -1,14 +1,11 @@
 package sunbeam.app.render;
 
 import java.util.Arrays;
-import jrtr.FloatFormat;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
-import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -32,10 +29,10 @@ final class PackedShading implements AutoCloseable {
     PackedShading(RenderContext context) {
         this.context = context;
         this.sources = context.createFloatTexture(
-                "sources", FloatTextureSpec.flat(Packing.COLUMNS, Packing.ROWS, FloatFormat.R32F));
-        this.target = Opening.orClose(
+                "sources", FloatTexture.Spec.flat(Packing.COLUMNS, Packing.ROWS, FloatTexture.Format.R32F));
+        this.target = Resource.orClose(
                 () -> context.createFloatTarget(
-                        "packed radiance", new FloatTargetSpec(Packing.COLUMNS, Packing.ROWS, IMAGES, false)),
+                        "packed radiance", new FloatTarget.Spec(Packing.COLUMNS, Packing.ROWS, IMAGES, false)),
                 sources::close);
     }
 

@@ -1,13 +1,12 @@
 package sunbeam.app.render;
 
-import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import jrtr.Faces;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
-import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Material;
@@ -28,12 +27,12 @@ final class Picking implements AutoCloseable {
 
     Picking(RenderContext context) {
         this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
-        this.target = Opening.orClose(
-                () -> context.createFloatTarget("pick", new FloatTargetSpec(1, 1, IMAGES, true)), program::close);
+        this.target = Resource.orClose(
+                () -> context.createFloatTarget("pick", new FloatTarget.Spec(1, 1, IMAGES, true)), program::close);
     }
 
     Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
-        Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, List.of());
+        Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, Map.of());
         renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];
         for (int i = 0; i < IMAGES; i++) {

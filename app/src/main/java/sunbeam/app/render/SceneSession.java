@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import jrtr.Tile;
-import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.UploadedTables;
@@ -60,7 +60,7 @@ public final class SceneSession implements AutoCloseable {
         this.moving = new MovingPictures(context, renderer);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
-        this.uploaded = Opening.orClose(() -> upload.apply(renderer), this::close);
+        this.uploaded = Resource.orClose(() -> upload.apply(renderer), this::close);
     }
 
     public SceneData data() {

@@ -1,17 +1,15 @@
 package sunbeam.app.render;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import jrtr.BoundingSphere;
 import jrtr.Faces;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Camera;
 import jrtr.scene.Frustum;
@@ -50,8 +48,8 @@ final class Shadows implements AutoCloseable {
     private final Map<Integer, Key> shown = new HashMap<>();
     private int side;
 
-    private static FloatTargetSpec spec(int side) {
-        return new FloatTargetSpec(side, side, 1, true, FloatTargetSpec.Format.RGBA8);
+    private static FloatTarget.Spec spec(int side) {
+        return new FloatTarget.Spec(side, side, 1, true, FloatTarget.Format.RGBA8);
     }
 
     private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
@@ -74,7 +72,7 @@ final class Shadows implements AutoCloseable {
         if (program.isEmpty()) {
             program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
         }
-        Material material = new Material(program.get(), List.of(), Map.of(), closed ? Faces.FRONT : Faces.BOTH);
+        Material material = new Material(program.get(), Map.of(), Map.of(), closed ? Faces.FRONT : Faces.BOTH);
         SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
         renderer.draw(graph, PictureArea.whole(side, side), map, Tile.whole(side, side));
         shown.put(side, key);
@@ -92,8 +90,9 @@ final class Shadows implements AutoCloseable {
         lift = LIFT * 2 * reach / side;
     }
 
-    Binding binding() {
-        return new Binding("shadowMap", maps.getOrDefault(side, noShadows).depth());
+    /** Returns the map by its sampler's name. */
+    Map<String, Texture> textures() {
+        return Map.of("shadowMap", maps.getOrDefault(side, noShadows).depth());
     }
 
     void applyTo(ShaderProgram lit, boolean on) {

@@ -1,11 +1,11 @@
 package sunbeam.app.render;
 
-import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import jrtr.Faces;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Frustum;
 import jrtr.scene.Material;
@@ -57,7 +57,7 @@ record SkinGeometry(
         if (isShaded) {
             shadows.applyTo(program, shadowLight.isPresent());
         }
-        List<Binding> further = isShaded ? List.of(shadows.binding()) : List.of();
+        Map<String, Texture> further = isShaded ? shadows.textures() : Map.of();
         Material material = body.material(program, rotatePatch, faces, further);
         return SceneGraphs.unlit(view, orientation, mesh, material);
     }

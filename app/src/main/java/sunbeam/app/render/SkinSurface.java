@@ -1,16 +1,15 @@
 package sunbeam.app.render;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
-import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.scene.LightUniforms;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
@@ -59,8 +58,8 @@ final class SkinSurface implements AutoCloseable {
         UploadedTables method = UploadedTables.upload(context, data.tables());
         String colorLevels = data.bakers().isPresent() ? "1" : "0";
         ShaderProgram program =
-                Opening.orClose(() -> method.program("skin.frag", Map.of("COLOR_LEVELS", colorLevels)), method::close);
-        Optional<VirtualTexture> texture = Opening.orClose(
+                Resource.orClose(() -> method.program("skin.frag", Map.of("COLOR_LEVELS", colorLevels)), method::close);
+        Optional<VirtualTexture> texture = Resource.orClose(
                 () -> data.bakers().map(sources -> new VirtualTexture(context, sources)),
                 program::close,
                 method::close);
@@ -112,20 +111,20 @@ final class SkinSurface implements AutoCloseable {
         Scene scene = request.scene();
         setLight(program, scene);
         program.set("lightVariance", (float) Math.pow(scene.deviation(scene.light()), 2));
-        List<Binding> textures = new ArrayList<>(method.bindings());
-        textures.addAll(buffer.bindings());
+        Map<String, Texture> textures = new HashMap<>(method.textures());
+        textures.putAll(buffer.textures());
         if (texture.isPresent()) {
             FootprintUniforms.apply(
                     program, texture.get().table(), scene, MOST_TAPS, request.samples(), request.isCoarsest());
             program.set("stride", (float) request.stride());
             program.set("lookUps", pass.hasColors() ? 1 : 0);
             program.set("nextLevel", (float) (pass.hasColors() ? 0 : pass.draw()));
-            textures.addAll(texture.get().bindings());
+            textures.putAll(texture.get().textures());
         } else {
             program.set("slopeDeviation", (float) scene.slopeDeviation());
             program.set("slopeDraw", pass.draw());
         }
-        textures.add(new Binding("sources", sources));
+        textures.put("sources", sources);
         context.drawFullScreen(program, textures, target, tile);
     }
 
@@ -145,7 +144,7 @@ final class SkinSurface implements AutoCloseable {
         }
         setLight(moving.program(), scene);
         moving.program().set("lightVariances", SceneGraphs.variances(scene));
-        return moving.draw(scene, ground, geometry, buffer, block, method.bindings(), exposure);
+        return moving.draw(scene, ground, geometry, buffer, block, method.textures(), exposure);
     }
 
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */

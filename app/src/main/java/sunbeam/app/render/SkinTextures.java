@@ -4,14 +4,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import jrtr.ColorEncoding;
 import jrtr.Faces;
-import jrtr.ImageTextureSpec;
-import jrtr.Wrap;
-import jrtr.gl.Binding;
 import jrtr.gl.ImageTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.scene.Material;
 import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
@@ -38,10 +35,10 @@ final class SkinTextures implements AutoCloseable {
     static SkinTextures upload(RenderContext context, Body body) {
         List<ImageTexture> uploaded = new ArrayList<>();
         try {
-            uploaded.add(upload(context, "body", body.colors(), ColorEncoding.SRGB));
-            uploaded.add(upload(context, "relief", body.relief(), ColorEncoding.LINEAR));
-            uploaded.add(upload(context, "directions", body.directions(), ColorEncoding.LINEAR));
-            uploaded.add(upload(context, "patches", body.patches(), ColorEncoding.LINEAR));
+            uploaded.add(upload(context, "body", body.colors(), ImageTexture.Encoding.SRGB));
+            uploaded.add(upload(context, "relief", body.relief(), ImageTexture.Encoding.LINEAR));
+            uploaded.add(upload(context, "directions", body.directions(), ImageTexture.Encoding.LINEAR));
+            uploaded.add(upload(context, "patches", body.patches(), ImageTexture.Encoding.LINEAR));
             return new SkinTextures(body, uploaded);
         } catch (RuntimeException failure) {
             uploaded.forEach(ImageTexture::close);
@@ -50,11 +47,8 @@ final class SkinTextures implements AutoCloseable {
     }
 
     private static ImageTexture upload(
-            RenderContext context, String label, BodyTexture texture, ColorEncoding encoding) {
-        ImageTexture uploaded = context.createImageTexture(
-                label, new ImageTextureSpec(texture.width(), texture.height(), encoding, Wrap.REPEAT));
-        uploaded.upload(texture.rgba());
-        return uploaded;
+            RenderContext context, String label, BodyTexture texture, ImageTexture.Encoding encoding) {
+        return context.createImageTexture(label, texture.width(), texture.height(), texture.rgba(), encoding);
     }
 
     @SuppressWarnings("ReferenceEquality") // comparing texels would take as long as uploading them
@@ -63,12 +57,12 @@ final class SkinTextures implements AutoCloseable {
     }
 
     /** Returns the material for a pass that draws the mesh. */
-    Material material(ShaderProgram program, double rotatePatch, Faces faces, List<Binding> furtherTextures) {
-        List<Binding> textures =
-                new ArrayList<>(List.of(new Binding("skinRelief", relief), new Binding("patchDirections", directions)));
-        textures.addAll(furtherTextures);
+    Material material(ShaderProgram program, double rotatePatch, Faces faces, Map<String, Texture> furtherTextures) {
+        Map<String, Texture> textures = new HashMap<>(furtherTextures);
+        textures.put("skinRelief", relief);
+        textures.put("patchDirections", directions);
         if (program.isActive("bodyTexture")) {
-            textures.add(new Binding("bodyTexture", colors));
+            textures.put("bodyTexture", colors);
         }
         Map<String, Float> uniforms = new HashMap<>(Material.tangentsTurned(rotatePatch));
         boolean hasScales = body.scales() != Scales.NONE;
@@ -80,7 +74,7 @@ final class SkinTextures implements AutoCloseable {
             uniforms.put("reliefLightest", (float) ScaleRelief.LIGHTEST);
         }
         if (program.isActive("patchMap")) {
-            textures.add(new Binding("patchMap", patches));
+            textures.put("patchMap", patches);
         }
         if (program.isActive("patchColor")) {
             uniforms.put("patchColor", (float) body.patchColor());

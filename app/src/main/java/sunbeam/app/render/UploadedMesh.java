@@ -2,8 +2,8 @@ package sunbeam.app.render;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import jrtr.gl.Opening;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.gl.VertexBuffer;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.Mesh;
@@ -23,7 +23,7 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
         }
         SkyVisibility seen = sky.get();
         VertexBuffer buffer = context.createVertexBuffer("mesh", mesh.toVertexData(seen.ofVertices()));
-        Ground ground = Opening.orClose(() -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
+        Ground ground = Resource.orClose(() -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
         return new UploadedMesh(mesh, buffer, Optional.of(ground));
     }
 

@@ -4,9 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
-import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.ShaderProgram;
@@ -87,7 +86,7 @@ class FootprintTest extends InAContext {
         ShaderLibrary library = name -> name.equals("find.frag") ? Optional.of(TEXT) : Optional.empty();
         try (ShaderProgram program = context.createFullScreenProgram(
                         library.orElse(Shaders.library()).load("find.frag"));
-                FloatTarget target = context.createFloatTarget("footprint", FloatTargetSpec.color(2, 1))) {
+                FloatTarget target = context.createFloatTarget("footprint", FloatTarget.Spec.color(2, 1))) {
             program.set("pointLevels", (float) pointLevels);
             program.set("finestVariance", (float) (SIGMA * SIGMA));
             program.set("levels", LEVELS);
@@ -96,7 +95,7 @@ class FootprintTest extends InAContext {
             program.set("slopeVariance", (float) (slope * slope));
             program.set("du", new Vector3f(du));
             program.set("dv", new Vector3f(dv));
-            context.drawFullScreen(program, List.of(), target, Tile.whole(2, 1));
+            context.drawFullScreen(program, Map.of(), target, Tile.whole(2, 1));
             float[] found = target.read(0);
             return new Footprint((int) found[3], (int) found[7], new double[] {found[4], found[5], found[6]});
         }

@@ -6,7 +6,6 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import jrtr.ContextInfo;
-import jrtr.ContextLimits;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.cache.CacheFolder;
@@ -46,7 +45,7 @@ final class Machine {
     }
 
     private static List<Check> describe(ContextInfo info) {
-        ContextLimits limits = info.limits();
+        ContextInfo.Limits limits = info.limits();
         return List.of(
                 Check.ok("GL vendor", info.vendor()),
                 Check.ok("GL renderer", info.renderer() + (info.software() ? ", in software" : "")),

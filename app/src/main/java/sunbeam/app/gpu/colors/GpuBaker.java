@@ -1,16 +1,13 @@
 package sunbeam.app.gpu.colors;
 
-import java.util.ArrayList;
-import java.util.List;
-import jrtr.FloatFormat;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
+import java.util.HashMap;
+import java.util.Map;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.colortable.BakeToken;
@@ -30,17 +27,18 @@ public final class GpuBaker implements ColorBaker {
     private final FloatTexture samples;
     private final FloatTarget target;
     private final ShaderProgram program;
-    private final List<Binding> bindings = new ArrayList<>();
+    private final Map<String, Texture> textures = new HashMap<>();
 
     private GpuBaker(RenderContext context, ShaderTables tables) {
         this.context = context;
         try {
             UploadedTables method = UploadedTables.upload(context, tables);
             program = method.program("colors.frag");
-            samples = context.createFloatTexture("samples", FloatTextureSpec.flat(SIDE, SIDE, FloatFormat.RGBA32F));
-            target = context.createFloatTarget("colors", FloatTargetSpec.color(SIDE, SIDE));
-            bindings.addAll(method.bindings());
-            bindings.add(new Binding("samples", samples));
+            samples = context.createFloatTexture(
+                    "samples", FloatTexture.Spec.flat(SIDE, SIDE, FloatTexture.Format.RGBA32F));
+            target = context.createFloatTarget("colors", FloatTarget.Spec.color(SIDE, SIDE));
+            textures.putAll(method.textures());
+            textures.put("samples", samples);
         } catch (RuntimeException | Error failure) {
             close();
             throw failure;
@@ -83,7 +81,7 @@ public final class GpuBaker implements ColorBaker {
         samples.upload(texels);
         // The tile's y counts rows from the top, the texture's from the bottom.
         Tile tile = new Tile(0, SIDE - rows, SIDE, rows);
-        context.drawFullScreen(program, bindings, target, tile);
+        context.drawFullScreen(program, textures, target, tile);
         float[] rgba = LoopLimit.checked(target.read(0, tile));
         for (int i = 0; i < count; i++) {
             int row = rows - 1 - MortonOrder.y(i);

@@ -4,12 +4,10 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.BitSet;
 import java.util.List;
-import jrtr.Filter;
-import jrtr.FloatFormat;
-import jrtr.FloatTextureSpec;
-import jrtr.gl.Binding;
+import java.util.Map;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Texture;
 import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
@@ -47,7 +45,7 @@ final class TileAtlas implements AutoCloseable {
         expectedTiles = expected;
     }
 
-    /** Adds a tile; it is on the card from the next {@link #bindings()} on. */
+    /** Adds a tile; it is on the card from the next {@link #textures()} on. */
     void add(int level, int tile, byte[] coefficients) {
         changed.set(pages.add(level, tile, coefficients));
     }
@@ -57,11 +55,11 @@ final class TileAtlas implements AutoCloseable {
     }
 
     /** Valid until a tile is added. */
-    List<Binding> bindings() {
+    Map<String, Texture> textures() {
         if (!changed.isEmpty()) {
             upload();
         }
-        return List.of(new Binding("colorTexels", texels), new Binding("colorTiles", pageTable));
+        return Map.of("colorTexels", texels, "colorTiles", pageTable);
     }
 
     private void closeTexels() {
@@ -91,12 +89,12 @@ final class TileAtlas implements AutoCloseable {
         if (texels == null || texels.spec().layers() < layers.size()) {
             int capacity = layerCapacity();
             closeTexels();
-            FloatTextureSpec spec = FloatTextureSpec.array(
+            FloatTexture.Spec spec = FloatTexture.Spec.array(
                     AtlasPages.LAYER_SIDE,
                     AtlasPages.LAYER_SIDE,
                     capacity,
-                    format == NumberFormat.HALF ? FloatFormat.RGBA16F : FloatFormat.RGBA32F);
-            texels = context.createFloatTexture("colors", spec.with(Filter.LINEAR));
+                    format == NumberFormat.HALF ? FloatTexture.Format.RGBA16F : FloatTexture.Format.RGBA32F);
+            texels = context.createFloatTexture("colors", spec.with(FloatTexture.Filter.LINEAR));
             changed.set(0, layers.size());
             ByteBuffer empty = pages.newLayer();
             for (int layer = layers.size(); layer < capacity; layer++) {
@@ -109,7 +107,8 @@ final class TileAtlas implements AutoCloseable {
         if (pageTable == null) {
             pageTable = context.createFloatTexture(
                     "color tiles",
-                    FloatTextureSpec.array(finest.columns(), finest.rows(), pageTables.length, FloatFormat.RG32F));
+                    FloatTexture.Spec.array(
+                            finest.columns(), finest.rows(), pageTables.length, FloatTexture.Format.RG32F));
         }
         for (int layer = 0; layer < pageTables.length; layer++) {
             pageTable.uploadLayer(layer, FloatBuffer.wrap(pageTables[layer]));

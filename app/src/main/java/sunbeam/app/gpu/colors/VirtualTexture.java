@@ -1,12 +1,13 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import jrtr.GraphicsException;
-import jrtr.gl.Binding;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Texture;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
@@ -334,8 +335,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /** Returns the textures by sampler name; valid until more tiles become resident. */
-    public List<Binding> bindings() {
-        return atlas.bindings();
+    public Map<String, Texture> textures() {
+        return atlas.textures();
     }
 
     @Override

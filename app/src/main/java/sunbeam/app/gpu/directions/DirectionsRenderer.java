@@ -1,18 +1,16 @@
 package sunbeam.app.gpu.directions;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongConsumer;
-import jrtr.FloatFormat;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
@@ -64,14 +62,14 @@ public final class DirectionsRenderer implements AutoCloseable {
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
         try (FloatTexture texture = context.createFloatTexture(
-                        "directions", FloatTextureSpec.flat(BATCH, ROWS, FloatFormat.RGBA32F));
-                FloatTarget target = context.createFloatTarget("directions", FloatTargetSpec.color(BATCH, 1))) {
-            List<Binding> bindings = new ArrayList<>(method.bindings());
-            bindings.add(new Binding("directions", texture));
+                        "directions", FloatTexture.Spec.flat(BATCH, ROWS, FloatTexture.Format.RGBA32F));
+                FloatTarget target = context.createFloatTarget("directions", FloatTarget.Spec.color(BATCH, 1))) {
+            Map<String, Texture> textures = new HashMap<>(method.textures());
+            textures.put("directions", texture);
             for (int start = 0; start < queries.size(); start += BATCH) {
                 List<Query> batch = queries.subList(start, Math.min(queries.size(), start + BATCH));
                 texture.upload(texels(batch));
-                context.drawFullScreen(program, bindings, target, new Tile(0, 0, batch.size(), 1));
+                context.drawFullScreen(program, textures, target, new Tile(0, 0, batch.size(), 1));
                 float[] rgba = LoopLimit.checked(target.read(0, new Tile(0, 0, batch.size(), 1)));
                 for (int i = 0; i < batch.size(); i++) {
                     results.add(new float[] {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]});

@@ -3,7 +3,6 @@ package sunbeam.app.gpu.map;
 import java.util.Optional;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
-import jrtr.FloatTargetSpec;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
@@ -40,7 +39,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
         this.size = size;
         this.turn = turn;
         this.program = method.program("brdf_map.frag");
-        this.target = context.createFloatTarget("BRDF map", FloatTargetSpec.color(size, size));
+        this.target = context.createFloatTarget("BRDF map", FloatTarget.Spec.color(size, size));
         program.set("mapSize", new Vector2f(size, size));
         program.set("patchTurn", new Vector2f((float) Math.cos(turn), (float) Math.sin(turn)));
     }
@@ -74,7 +73,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
     public void draw(Direction light, Tile tile) {
         Direction inPatch = light.turned(-turn);
         program.set("lightDirection", new Vector3f((float) inPatch.x(), (float) inPatch.y(), (float) inPatch.z()));
-        context.drawFullScreen(program, method.bindings(), target, tile);
+        context.drawFullScreen(program, method.textures(), target, tile);
         context.finish();
     }
 

@@ -5,20 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.regex.Pattern;
-import jrtr.Filter;
-import jrtr.FloatFormat;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.ShaderProgram;
@@ -37,6 +32,8 @@ class ShaderLanguageTest extends InAContext {
     private static final int SIDE = 64;
     private static final int TABLE = 32;
     private static final int SLICES = 6;
+    // Four floats a texel.
+    private static final int LAYER = 4 * TABLE * TABLE;
 
     // Both do the same operations in float32, but llvmpipe fuses and reorders them, and Kirchhoff's factor magnifies
     // small differences.
@@ -128,10 +125,10 @@ class ShaderLanguageTest extends InAContext {
 
     private float[] drawn(String shader) {
         ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
-        FloatTextureSpec spec = FloatTextureSpec.array(TABLE, TABLE, SLICES, FloatFormat.RGBA32F)
-                .with(Filter.LINEAR);
+        FloatTexture.Spec spec = FloatTexture.Spec.array(TABLE, TABLE, SLICES, FloatTexture.Format.RGBA32F)
+                .with(FloatTexture.Filter.LINEAR);
         SplittableRandom random = new SplittableRandom(3);
-        float[] roots = new float[Math.toIntExact(spec.floats())];
+        float[] roots = new float[SLICES * LAYER];
         for (int i = 0; i < roots.length; i++) {
             roots[i] = (float) (256 * random.nextDouble());
         }
@@ -143,9 +140,11 @@ class ShaderLanguageTest extends InAContext {
                 .orElseThrow();
         try (ShaderProgram program = context.createFullScreenProgram(library.load("test.frag"));
                 FloatTexture table = context.createFloatTexture("table", spec);
-                FloatTarget target = context.createFloatTarget("test", FloatTargetSpec.color(SIDE, SIDE))) {
-            table.upload(roots);
-            context.drawFullScreen(program, List.of(new Binding(sampler, table)), target, Tile.whole(SIDE, SIDE));
+                FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(SIDE, SIDE))) {
+            for (int slice = 0; slice < SLICES; slice++) {
+                table.uploadLayer(slice, FloatBuffer.wrap(roots, slice * LAYER, LAYER));
+            }
+            context.drawFullScreen(program, Map.of(sampler, table), target, Tile.whole(SIDE, SIDE));
             return target.read(0);
         }
     }

@@ -5,15 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import jrtr.FloatFormat;
-import jrtr.FloatTargetSpec;
-import jrtr.FloatTextureSpec;
 import jrtr.Tile;
-import jrtr.gl.Binding;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -29,16 +27,16 @@ class DisplayShaderTest extends InAContext {
     // The shader's matrices have seven digits behind the point, its numbers 24 bits.
     private static final double DIGITS = 1e-7;
 
-    private static float[] drawn(String shader, int width, List<Binding> bindings, double exposure, Tone tone) {
+    private static float[] drawn(String shader, int width, Map<String, Texture> textures, double exposure, Tone tone) {
         ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
         try (ShaderProgram program = context.createFullScreenProgram(
                         library.orElse(Shaders.library()).load("test.frag"));
-                FloatTarget target = context.createFloatTarget("test", FloatTargetSpec.color(width, 1))) {
-            if (!bindings.isEmpty()) {
+                FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(width, 1))) {
+            if (!textures.isEmpty()) {
                 program.set("exposure", (float) exposure);
                 program.set("toneStart", (float) tone.start());
             }
-            context.drawFullScreen(program, bindings, target, Tile.whole(width, 1));
+            context.drawFullScreen(program, textures, target, Tile.whole(width, 1));
             return target.read(0);
         }
     }
@@ -73,10 +71,10 @@ class DisplayShaderTest extends InAContext {
             System.arraycopy(colors.get(i), 0, texels, 4 * i, 4);
         }
         float[] shown;
-        try (FloatTexture texture =
-                context.createFloatTexture("xyz", FloatTextureSpec.flat(colors.size(), 1, FloatFormat.RGBA32F))) {
+        try (FloatTexture texture = context.createFloatTexture(
+                "xyz", FloatTexture.Spec.flat(colors.size(), 1, FloatTexture.Format.RGBA32F))) {
             texture.upload(texels);
-            shown = drawn(shader, colors.size(), List.of(new Binding("xyz", texture)), exposure, tone);
+            shown = drawn(shader, colors.size(), Map.of("xyz", texture), exposure, tone);
         }
 
         double[] expected = new double[3];
