@@ -1,5 +1,7 @@
 package sunbeam.app.cli.export;
 
+import static sunbeam.app.cli.export.ColorGrid.mix;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -27,7 +29,7 @@ import sunbeam.precompute.optics.Gain;
  */
 record BsdfMaterial(
         BsdfShape shape,
-        LinearDensity azimuths,
+        HalfVectors.Density azimuths,
         List<float[]> densities,
         List<float[]> spectra,
         List<float[]> luminance) {
@@ -44,7 +46,7 @@ record BsdfMaterial(
             List<ColorGrid> bands,
             ProgressDisplay display,
             Optional<EnergyDivisor> divisor) {
-        LinearDensity azimuths = azimuths(grid, shape.rows());
+        HalfVectors.Density azimuths = azimuths(grid, shape.rows());
         float[][] densities = new float[shape.slices()][];
         float[][] spectra = new float[shape.slices()][];
         float[][] luminance = new float[shape.slices()][];
@@ -74,7 +76,7 @@ record BsdfMaterial(
     }
 
     /** Returns a density of rows that grows with the brightness of (u, v) at each azimuth. */
-    private static LinearDensity azimuths(ColorGrid grid, int rows) {
+    private static HalfVectors.Density azimuths(ColorGrid grid, int rows) {
         double[] bright = new double[rows];
         double step = grid.shape().u().step();
         for (int row = 0; row < rows; row++) {
@@ -89,7 +91,7 @@ record BsdfMaterial(
                 .average()
                 .orElseThrow();
         Arrays.setAll(bright, row -> mean > 0 ? EVEN_SHARE + (1 - EVEN_SHARE) * bright[row] / mean : 1);
-        return LinearDensity.of(bright);
+        return HalfVectors.Density.of(bright);
     }
 
     /** Returns the factor 1 / h.z^2 by which readers multiply a spectrum, for the half vector's angle to the normal in radians. */
@@ -165,10 +167,6 @@ record BsdfMaterial(
         return mix(both[0], both[1], band - b);
     }
 
-    private static double mix(double from, double to, double share) {
-        return from + share * (to - from);
-    }
-
     /** Computes the spectra of one first direction, the slice's, from its map and from color grids of all bands. */
     private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
         // Least cosine of the second direction in the divisor of the luminance, which would else be infinite at the
@@ -179,7 +177,7 @@ record BsdfMaterial(
             int side = shape.side();
             for (int i = 0; i < side; i++) {
                 double row = map.azimuths().place((double) i / (side - 1));
-                LinearDensity along = HalfVectors.row(map.density(), shape.columns(), row);
+                HalfVectors.Density along = HalfVectors.row(map.density(), shape.columns(), row);
                 for (int j = 0; j < side; j++) {
                     double column = along.place((double) j / (side - 1));
                     fill(i * side + j, row, column, along.at(column), spectra, luminance);

@@ -1,15 +1,11 @@
 package sunbeam.app.cli.export;
 
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
+import sunbeam.app.cli.export.TensorFile.Field;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.precompute.color.WavelengthBand;
@@ -19,7 +15,7 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
-/** Writes a tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
+/** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class BsdfTable implements TableWriter {
     private static final int CURVE_SAMPLES = 1024;
 
@@ -39,12 +35,6 @@ final class BsdfTable implements TableWriter {
     BsdfTable(WavelengthBand range, int bandCount) {
         this.range = range;
         this.bandCount = bandCount;
-    }
-
-    @Override
-    public void check(Path output, Overwrite overwrite) {
-        Ending.BSDF.require("--output", output);
-        AtomicFile.checkWritable(output, overwrite);
     }
 
     @Override
@@ -77,7 +67,7 @@ final class BsdfTable implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         BsdfShape shape = shape(grid.shape());
         BsdfMaterial material = BsdfMaterial.of(
                 shape, grid, baker.bands(grid, shape.bands()), metadata.setup().progress(), metadata.divisor());
@@ -93,37 +83,35 @@ final class BsdfTable implements TableWriter {
                 LEAST_POWER,
                 errors.count(),
                 errors);
-        return List.of(
-                AtomicFile.write(output, overwrite, stream -> TensorFile.write(stream, fields(material, metadata))));
+        return Map.of(".bsdf", stream -> TensorFile.write(stream, fields(material, metadata)));
     }
 
-    private List<TensorFile.Field> fields(BsdfMaterial material, TableMetadata metadata) {
+    private List<Field> fields(BsdfMaterial material, TableMetadata metadata) {
         BsdfShape shape = material.shape();
-        List<TensorFile.Field> fields = new ArrayList<>();
-        fields.add(TensorFile.Field.of("description", metadata.summary()));
-        fields.add(TensorFile.Field.of("metadata", description(metadata)));
-        fields.add(TensorFile.Field.of("jacobian", (byte) 1));
-        fields.add(curve("phi_i", shape.phis(), shape::phi));
-        fields.add(curve("theta_i", shape.thetas(), shape::theta));
-        double[] nanometers = shape.bands().nanometers();
-        fields.add(curve("wavelengths", nanometers.length, i -> nanometers[i]));
-        fields.add(atAllAzimuths("sigma", i -> Math.cos(angle(i))));
-        fields.add(atAllAzimuths("ndf", i -> BsdfMaterial.normalFactor(angle(i))));
+        int phis = shape.phis();
+        int thetas = shape.thetas();
         int side = shape.side();
-        fields.add(TensorFile.Field.of(
-                "vndf", material.densities(), shape.phis(), shape.thetas(), shape.rows(), shape.columns()));
-        fields.add(TensorFile.Field.of("luminance", material.luminance(), shape.phis(), shape.thetas(), side, side));
-        fields.add(TensorFile.Field.of(
-                "spectra", material.spectra(), shape.phis(), shape.thetas(), nanometers.length, side, side));
-        return fields;
+        double[] nanometers = shape.bands().nanometers();
+        // Readers interpolate sigma and ndf between the first and the last azimuth, where the curves are the same.
+        return List.of(
+                Field.of("description", metadata.summary()),
+                Field.of("metadata", description(metadata)),
+                Field.of("jacobian", (byte) 1),
+                Field.curve("phi_i", shape::phi, phis),
+                Field.curve("theta_i", shape::theta, thetas),
+                Field.curve("wavelengths", i -> nanometers[i], nanometers.length),
+                Field.curve("sigma", i -> Math.cos(angle(i)), 2, CURVE_SAMPLES),
+                Field.curve("ndf", i -> BsdfMaterial.normalFactor(angle(i)), 2, CURVE_SAMPLES),
+                Field.of("vndf", material.densities(), phis, thetas, shape.rows(), shape.columns()),
+                Field.of("luminance", material.luminance(), phis, thetas, side, side),
+                Field.of("spectra", material.spectra(), phis, thetas, nanometers.length, side, side));
     }
 
     private String description(TableMetadata metadata) {
         Map<String, Object> fields = metadata.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
                 "linear in all angles and wavelengths, along the unit square of half vectors");
-        fields.put("illuminant", "none: power is the same in all light");
-        fields.put("observer", "none");
+        TableMetadata.putNoLight(fields);
         fields.put("power_scale", 1);
         fields.put("unit", "1/sr");
         fields.put("read", note);
@@ -132,24 +120,6 @@ final class BsdfTable implements TableWriter {
 
     private static double angle(int i) {
         return HalfVectors.angle(i, CURVE_SAMPLES);
-    }
-
-    private static float[] values(int count, IntToDoubleFunction curve) {
-        float[] values = new float[count];
-        for (int i = 0; i < count; i++) {
-            values[i] = (float) curve.applyAsDouble(i);
-        }
-        return values;
-    }
-
-    private static TensorFile.Field curve(String name, int count, IntToDoubleFunction curve) {
-        return TensorFile.Field.of(name, List.of(values(count, curve)), count);
-    }
-
-    /** Returns a field with the same curve at the first and the last azimuth, between which readers interpolate. */
-    private static TensorFile.Field atAllAzimuths(String name, IntToDoubleFunction curve) {
-        float[] values = values(CURVE_SAMPLES, curve);
-        return TensorFile.Field.of(name, List.of(values, values), 2, CURVE_SAMPLES);
     }
 
     /** Measures errors of power against the exact reference, at pairs aimed at orders: most other pairs are dark. */

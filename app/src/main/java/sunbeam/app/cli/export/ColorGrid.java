@@ -21,9 +21,6 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     // Power below which a texel counts as dark; a tenth of the least power that errors are measured at.
     private static final double DARK = 1e-10;
 
-    /** Largest |(u, v)| of any two directions. */
-    private static final double FARTHEST = 2;
-
     static ColorGrid empty(ColorTable.Level level, GridShape shape) {
         return new ColorGrid(level, shape, new float[shape.depth().count()][CHANNELS * shape.texels()]);
     }
@@ -57,14 +54,14 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return roots[slice][CHANNELS * (inColumn * shape.u().count() + inRow) + channel];
     }
 
-    private static double mix(double from, double to, double share) {
+    static double mix(double from, double to, double share) {
         return from + share * (to - from);
     }
 
     /** Returns the bounding box, in the (u, v) plane, of all texels that are not dark; the whole range if all are dark. */
     GridShape.Box brightBox() {
-        GridAxis u = shape.u();
-        GridAxis v = shape.v();
+        GridShape.Axis u = shape.u();
+        GridShape.Axis v = shape.v();
         int left = u.count();
         int right = -1;
         int bottom = v.count();
@@ -119,7 +116,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         float[] uvw = new float[CHANNELS * samples];
         int at = 0;
         for (int texel : texels) {
-            double inside = FARTHEST / Math.max(FARTHEST, Math.hypot(u(texel), v(texel)));
+            double inside = GridShape.REACH / Math.max(GridShape.REACH, Math.hypot(u(texel), v(texel)));
             for (int slice = 0; slice < slices(texel); slice++) {
                 uvw[at++] = (float) (inside * u(texel));
                 uvw[at++] = (float) (inside * v(texel));

@@ -8,6 +8,7 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
@@ -28,6 +29,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
@@ -36,6 +38,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
@@ -57,6 +60,8 @@ public final class ExportCommand extends ReportingCommand {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;
     private static final long SEED = 3;
+    /** Bands of 10 nm from 380 to 780 nm. */
+    private static final int BANDS = 41;
 
     @Mixin
     private final TableOptions table = new TableOptions(Map.of(
@@ -82,8 +87,20 @@ public final class ExportCommand extends ReportingCommand {
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
     private ExportFormat format;
 
-    @Mixin
-    private final ArrayOptions arrays = new ArrayOptions();
+    @Option(
+            names = "--channels",
+            paramLabel = "COLORS",
+            description = "For npz: xyz (default); rec709, linear and negative where a color is outside of its gamut;"
+                    + " or spectral, the power in --bands of wavelengths, whatever the light.")
+    private NpzTable.Channels channels;
+
+    @Option(
+            names = "--bands",
+            paramLabel = "N",
+            description =
+                    "Bands of --channels spectral and of bsdf, from the first to the last of --wavelengths. Default: "
+                            + BANDS + ", every 10 nm; for bsdf as many as the width of orders needs.")
+    private Integer bands;
 
     @Option(
             names = "--theta-max",
@@ -130,9 +147,9 @@ public final class ExportCommand extends ReportingCommand {
                     + " has no divisor by direction of light; leave it out");
         }
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
-        TableWriter writer = format.writer(arrays, asked, tolerance);
-        OutputLimit limit = new OutputLimit(writer, output, most());
-        writer.check(output, force.overwrite());
+        TableWriter writer = writer(asked, tolerance);
+        GridBaker.Limit limit = new GridBaker.Limit(writer, output, most());
+        format.check(output, force.overwrite());
         if (size != null) {
             limit.requireRoom();
         }
@@ -156,7 +173,7 @@ public final class ExportCommand extends ReportingCommand {
                 read,
                 errors(setup, baker, read, writer),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
-        List<Path> written = writer.write(output, force.overwrite(), grid, baker, metadata);
+        List<Path> written = format.write(output, force.overwrite(), writer.files(grid, baker, metadata));
         PrintWriter out = out(output);
         PrintWriter text = json.text(out);
         text.println(metadata.summary());
@@ -173,6 +190,40 @@ public final class ExportCommand extends ReportingCommand {
                         + " and, for room, a larger --size",
                 errors.median(), limits.median(), errors.percentile95(), limits.percentile95())));
         return ExitCode.TOLERANCE_MISSED.code();
+    }
+
+    private TableWriter writer(Choices asked, double tolerance) {
+        boolean isSpectral = format == ExportFormat.BSDF || channels == NpzTable.Channels.SPECTRAL;
+        if (channels != null && format != ExportFormat.NPZ) {
+            throw new UsageException("--channels " + channels.name().toLowerCase(Locale.ROOT)
+                    + " is for --format npz, and " + format + " has channels of its own; leave it out");
+        }
+        if (bands != null && !isSpectral) {
+            throw new UsageException("--bands is of --format bsdf, and of npz with --channels spectral; leave it out");
+        }
+        if (isSpectral) {
+            LightTable.requireNone(asked, List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER));
+        }
+        return switch (format) {
+            case NPZ ->
+                isSpectral
+                        ? new NpzTable(channels, bands(asked, BANDS))
+                        : new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels, null);
+            case BSDF ->
+                new BsdfTable(
+                        asked.get(LightSettings.WAVELENGTHS),
+                        bands == null ? 0 : bands(asked, bands).count());
+            case HTML -> new HtmlTable(tolerance);
+            case GLSL, OSL -> new FolderTable(format == ExportFormat.GLSL);
+        };
+    }
+
+    private SpectralBands bands(Choices asked, int standard) {
+        try {
+            return new SpectralBands(asked.get(LightSettings.WAVELENGTHS), bands == null ? standard : bands);
+        } catch (IllegalArgumentException wrong) {
+            throw new UsageException("--bands " + wrong.getMessage());
+        }
     }
 
     private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {

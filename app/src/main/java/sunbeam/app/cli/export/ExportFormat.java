@@ -1,21 +1,32 @@
 package sunbeam.app.cli.export;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
-import sunbeam.precompute.setting.Choices;
+import java.util.Map;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
 
 enum ExportFormat {
-    NPZ("100MB", 0.02),
-    BSDF("100MB", 0.05),
-    HTML("1MB", 0.05),
-    GLSL("50MB", 0.05),
-    OSL("50MB", 0.05);
+    NPZ("100MB", 0.02, Ending.NPZ),
+    BSDF("100MB", 0.05, Ending.BSDF),
+    HTML("1MB", 0.05, Ending.HTML),
+    GLSL("50MB", 0.05, null),
+    OSL("50MB", 0.05, null);
 
     private final String size;
     private final double tolerance;
+    /** Ending of the file; null for a folder. */
+    private final Ending ending;
 
-    ExportFormat(String size, double tolerance) {
+    ExportFormat(String size, double tolerance, Ending ending) {
         this.size = size;
         this.tolerance = tolerance;
+        this.ending = ending;
     }
 
     String size() {
@@ -36,16 +47,31 @@ enum ExportFormat {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    TableWriter writer(ArrayOptions arrays, Choices asked, double tolerance) {
-        if (!dividesByLight()) {
-            arrays.refuse(toString());
+    /** Refuses a wrong file name or an unwritable output; called before anything is computed. */
+    void check(Path output, Overwrite overwrite) {
+        if (ending != null) {
+            ending.require("--output", output);
+            AtomicFile.checkWritable(output, overwrite);
+            return;
         }
-        return switch (this) {
-            case NPZ -> new NpzTable(arrays.channels(asked));
-            case BSDF -> arrays.bsdfTable(asked);
-            case HTML -> new HtmlTable(tolerance);
-            case GLSL -> new FolderTable(FolderTable.Language.GLSL);
-            case OSL -> new FolderTable(FolderTable.Language.OSL);
-        };
+        OutputFolder.check(output);
+        if (Files.isDirectory(output)) {
+            group(output, overwrite).checkWritable();
+        }
+    }
+
+    /** @param files contents by ending; of a format that is one file, the only content */
+    List<Path> write(Path output, Overwrite overwrite, Map<String, AtomicFile.StreamContent> files) {
+        return ending != null
+                ? List.of(AtomicFile.write(
+                        output, overwrite, files.values().iterator().next()))
+                : OutputFolder.filled(output, () -> group(output, overwrite).write(files));
+    }
+
+    private FileGroup group(Path folder, Overwrite overwrite) {
+        List<String> endings = this == GLSL
+                ? List.of(".glsl", ".hlsl", ".wgsl", ".ktx2", ".exr", ".html", ".md", ".json")
+                : List.of(".osl", ".exr", ".md", ".json");
+        return new FileGroup(folder.resolve("sunbeam"), endings, overwrite);
     }
 }

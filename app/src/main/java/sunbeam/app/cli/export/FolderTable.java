@@ -1,79 +1,47 @@
 package sunbeam.app.cli.export;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
-import sunbeam.app.files.output.FileGroup;
-import sunbeam.app.files.output.OutputFolder;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.colortable.NumberFormat;
 
-/** Writes a folder for renderers: shader source that evaluates the color for light and view, and the table as textures. */
-record FolderTable(Language language) implements TableWriter {
+/**
+ * A folder for renderers: shader source that evaluates the color for light and view, and the table as textures.
+ *
+ * @param isGlsl true for GLSL, HLSL and WGSL with mip levels and an example page; false for Open Shading Language, whose renderers filter
+ *     by averaging samples
+ */
+record FolderTable(boolean isGlsl) implements TableWriter {
+    /** Mip levels of the KTX2 texture beside the finest. */
+    private static final int MOST_DOUBLINGS = 4;
+    // Bytes per texel of KTX2: four half floats; coarser levels add a third to the bytes of the finest.
+    private static final double TEXEL_BYTES = 8 * 4 / 3.0;
     // Bytes per evaluated texel in EXR: three half floats, which ZIP compresses by a third.
     private static final double EVALUATED_BYTES = 4;
 
     /** Factor of the stored roots: without it dark ones would be subnormal half floats. */
     private static final float SCALE = 256;
 
+    private static final String QUANTITY =
+            "square roots of CIE X, Y, Z of diffracted power, times 256: of sunbeam.exr the slices one below the other, from the"
+                    + " first w on, rows of ascending v from the top";
+    private static final String KTX2_QUANTITY =
+            "; layers of sunbeam.ktx2, whose mip levels have orders twice as wide each";
     private static final String INTERPOLATION =
             "square roots linear along u and v; their squares by the cubic polynomial through the four nearest slices of w";
 
-    enum Language {
-        /**
-         * GLSL, HLSL and WGSL, with an example page. The KTX2 texture has mip levels of four half floats per texel; coarser levels add a third to the
-         * bytes of the finest.
-         */
-        GLSL(4, 8 * 4 / 3.0),
-        /** Open Shading Language, without mip levels: its renderers filter by averaging samples. */
-        OSL(0, 0);
-
-        private final int mostDoublings;
-        private final double texelBytes;
-
-        Language(int mostDoublings, double texelBytes) {
-            this.mostDoublings = mostDoublings;
-            this.texelBytes = texelBytes;
-        }
-
-        private String ending() {
-            return name().toLowerCase(Locale.ROOT);
-        }
-
-        private List<String> endings() {
-            String function = "." + ending();
-            return this == GLSL
-                    ? List.of(function, ".hlsl", ".wgsl", ".ktx2", ".exr", ".html", ".md", ".json")
-                    : List.of(function, ".exr", ".md", ".json");
-        }
-    }
-
-    @Override
-    public void check(Path output, Overwrite overwrite) {
-        OutputFolder.check(output);
-        if (Files.isDirectory(output)) {
-            group(output, overwrite).checkWritable();
-        }
-    }
-
-    private FileGroup group(Path folder, Overwrite overwrite) {
-        return new FileGroup(folder.resolve("sunbeam"), language.endings(), overwrite);
-    }
-
     @Override
     public GridShape fit(GridShape shape) {
-        return shape.padded(language.mostDoublings);
+        return isGlsl ? shape.padded(MOST_DOUBLINGS) : shape;
     }
 
     @Override
     public long leastBytes(GridShape shape) {
-        return (long) (language.texelBytes * shape.allTexels() + EVALUATED_BYTES * shape.evaluated());
+        return (long) ((isGlsl ? TEXEL_BYTES * shape.allTexels() : 0) + EVALUATED_BYTES * shape.evaluated());
     }
 
     @Override
@@ -94,24 +62,20 @@ record FolderTable(Language language) implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
-        Map<String, AtomicFile.StreamContent> files = files(grid, baker, metadata);
-        return OutputFolder.filled(output, () -> group(output, overwrite).write(files));
-    }
-
-    private Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
-        String json = metadata.json(quantity(), INTERPOLATION);
+    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        String json = JsonOption.text(metadata.fields(QUANTITY + (isGlsl ? KTX2_QUANTITY : ""), INTERPOLATION));
         GridShape shape = grid.shape();
         int columns = shape.u().count();
         int rows = shape.v().count();
         int slices = shape.depth().count();
-        int doublings = Math.min(language.mostDoublings, baker.doublings(grid));
+        int doublings = isGlsl ? Math.min(MOST_DOUBLINGS, baker.doublings(grid)) : 0;
         Map<String, AtomicFile.StreamContent> files = new LinkedHashMap<>();
-        String function = ShaderText.function("sunbeam." + language.ending(), metadata, doublings);
-        if (language == Language.OSL) {
+        String language = isGlsl ? "glsl" : "osl";
+        String function = ShaderText.of("sunbeam." + language, metadata, doublings);
+        if (!isGlsl) {
             files.put(".osl", AtomicFile.StreamContent.of(function));
         } else {
-            for (ShaderLanguage each : ShaderLanguage.values()) {
+            for (ShaderText.Language each : ShaderText.Language.values()) {
                 files.put(each.ending(), AtomicFile.StreamContent.of(each.translate(function)));
             }
         }
@@ -119,25 +83,18 @@ record FolderTable(Language language) implements TableWriter {
                 ".exr",
                 stream -> ExrFile.ofHalves(columns, rows * slices, halves(grid, 3), json)
                         .write(stream));
-        files.put(".md", AtomicFile.StreamContent.of(ShaderText.about(language.ending() + ".md", metadata)));
+        files.put(".md", AtomicFile.StreamContent.of(ShaderText.of(language + ".md", metadata, doublings)));
         files.put(".json", AtomicFile.StreamContent.of(json));
-        if (language == Language.GLSL) {
+        if (isGlsl) {
             List<short[]> levels = new ArrayList<>();
             for (int level = 0; level <= doublings; level++) {
                 levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
             }
             files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
-            files.put(".html", AtomicFile.StreamContent.of(ShaderText.page("example.html", metadata)));
+            String page = ShaderText.read("example.html").replace("@EXPOSURE@", "" + (float) metadata.exposure());
+            files.put(".html", AtomicFile.StreamContent.of(page));
         }
         return files;
-    }
-
-    private String quantity() {
-        return "square roots of CIE X, Y, Z of diffracted power, times 256: of sunbeam.exr the slices one below the other, from the"
-                + " first w on, rows of ascending v from the top"
-                + (language == Language.GLSL
-                        ? "; layers of sunbeam.ktx2, whose mip levels have orders twice as wide each"
-                        : "");
     }
 
     private static short[] halves(ColorGrid grid, int channels) {

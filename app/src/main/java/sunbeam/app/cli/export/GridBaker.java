@@ -1,8 +1,11 @@
 package sunbeam.app.cli.export;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
@@ -19,6 +22,46 @@ import sunbeam.precompute.radial.RadialBaker;
 
 /** Bakes color grids for the ensemble-averaged levels of a color table; coarser levels have wider orders (docs/color-tables.md). */
 final class GridBaker {
+    /** Limit of an output's size: {@code most} bytes on disk, and a fraction of Java's heap in memory. */
+    record Limit(TableWriter writer, Path output, long most) {
+        // A table may take this fraction of Java's heap; a writer needs as much again for its copy.
+        private static final int HEAP_SHARE = 3;
+
+        void requireRoom() {
+            requireRoom(most);
+        }
+
+        private void requireRoom(long bytes) {
+            AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
+        }
+
+        /** True if a table of this shape may fit on disk and in memory, by a lower bound of its size before it is computed. */
+        boolean mayHold(GridShape shape) {
+            long bytes = writer.leastBytes(shape);
+            if (bytes <= most) {
+                requireRoom(bytes);
+            }
+            long numbers = writer.numbers(shape);
+            return bytes <= most
+                    && numbers < Integer.MAX_VALUE
+                    && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
+        }
+
+        boolean holds(ColorGrid grid) {
+            return writer.bytes(grid) <= most;
+        }
+
+        UsageException refusal(GridShape coarsest) {
+            long bytes = writer.leastBytes(coarsest);
+            return new UsageException(
+                    bytes <= most
+                            ? "--size " + ByteSize.format(most) + " or Java's memory holds no table of this surface;"
+                                    + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
+                            : "--size " + ByteSize.format(most) + " holds no table of this surface: that of the widest"
+                                    + " orders takes " + ByteSize.format(bytes) + "; give more");
+        }
+    }
+
     private final ColorTable all;
     private final List<ColorTable.Level> levels;
     private final PowerSpectrum spectrum;
@@ -45,7 +88,7 @@ final class GridBaker {
      *
      * @throws UsageException if not even the coarsest grid fits
      */
-    ColorGrid finest(GridShape.AngleRange range, OutputLimit limit) {
+    ColorGrid finest(GridShape.AngleRange range, Limit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
         GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
         GridShape.Box box = bake(widest, whole).brightBox();

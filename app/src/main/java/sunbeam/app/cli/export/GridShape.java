@@ -10,12 +10,43 @@ import sunbeam.precompute.optics.CoherenceWindow;
  * @param depth slices of |w|, at least {@link TableDesign#TAPS}
  * @param range angles of light and view that the grid serves
  */
-record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
+record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
     /** Largest |(u, v)|, and largest |w|, of any two directions. */
-    private static final double REACH = 2;
+    static final double REACH = 2;
     // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest, and linear interpolation
     // errs most.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
+
+    /** Axis of a grid: equally spaced values, at least one; the step is positive. */
+    record Axis(double first, double step, int count) {
+
+        /** Returns the shortest axis with this step that covers the interval and has the same center. */
+        static Axis covering(double from, double to, double step) {
+            int count = 1 + (int) Math.ceil((to - from) / step);
+            return new Axis(0.5 * (from + to - (count - 1) * step), step, count);
+        }
+
+        /** Returns an axis of the same step, extended on both sides until the number of values is a multiple of {@code multiple}. */
+        Axis padded(int multiple) {
+            int more = (multiple - count % multiple) % multiple;
+            int before = more / 2;
+            return new Axis(first - before * step, step, count + more);
+        }
+
+        /** Returns an axis whose values are means of {@code factor} values each. */
+        Axis coarser(int factor) {
+            return new Axis(first + 0.5 * (factor - 1) * step, factor * step, count / factor);
+        }
+
+        double at(int index) {
+            return first + index * step;
+        }
+
+        /** Returns the fractional index of a value, clamped to 0 to count - 1. */
+        double place(double value) {
+            return Math.max(0, Math.min(count - 1.0, (value - first) / step));
+        }
+    }
 
     record AngleRange(double largest) {
         double radius() {
@@ -43,12 +74,9 @@ record GridShape(GridAxis u, GridAxis v, GridAxis depth, AngleRange range) {
         double sliceStep = TableDesign.within(tolerance, level.area(), relief).sliceStep();
         double least = range.leastDepth();
         int slices = Math.max(TableDesign.TAPS, 1 + (int) Math.ceil((REACH - least) / sliceStep));
-        GridAxis depth = new GridAxis(least, (REACH - least) / (slices - 1), slices);
+        Axis depth = new Axis(least, (REACH - least) / (slices - 1), slices);
         return new GridShape(
-                GridAxis.covering(box.left, box.right, step),
-                GridAxis.covering(box.bottom, box.top, step),
-                depth,
-                range);
+                Axis.covering(box.left, box.right, step), Axis.covering(box.bottom, box.top, step), depth, range);
     }
 
     /** Standard deviation in (u, v) of a sharp order seen under a window. */

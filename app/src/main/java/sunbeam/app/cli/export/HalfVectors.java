@@ -12,14 +12,63 @@ import java.util.Arrays;
  * @param density density at each azimuth (row) and angle (column) of the half vector, {@code [row * columns + column]}; its integral over
  *     the unit square is 1
  */
-record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
+record HalfVectors(Density azimuths, float[] density, int columns) {
     // Decrease of the density with |(u, v)|: fewer pairs of directions reach long (u, v) than short ones.
     private static final double FEWER_OUTSIDE = 0.35;
 
-    /** Largest |(u, v)| of any two directions. */
-    private static final double FARTHEST = 2;
+    /**
+     * A density that is linear between equally spaced nodes, as tensor files define it along each axis.
+     *
+     * @param sums integral of the density up to each node; the distance between nodes is 1
+     * @param values density at each node, not negative, not all 0
+     */
+    record Density(double[] sums, double[] values) {
+        static Density of(double[] values) {
+            double[] sums = new double[values.length];
+            for (int i = 1; i < values.length; i++) {
+                sums[i] = sums[i - 1] + 0.5 * (values[i - 1] + values[i]);
+            }
+            return new Density(sums, values);
+        }
 
-    static HalfVectors of(LinearDensity azimuths, double phi, double theta, int columns) {
+        double total() {
+            return sums[sums.length - 1];
+        }
+
+        double at(double place) {
+            int below = below(place);
+            return values[below] + (place - below) * (values[below + 1] - values[below]);
+        }
+
+        /** Returns the integral up to a fractional node index, relative to the whole integral, 0 to 1. */
+        double share(double place) {
+            int below = below(place);
+            double beyond = place - below;
+            double slope = values[below + 1] - values[below];
+            return (sums[below] + beyond * (values[below] + 0.5 * beyond * slope)) / total();
+        }
+
+        /** Returns the fractional node index up to which the integral is this share of the whole; the inverse of {@link #share}. */
+        double place(double share) {
+            double wanted = share * total();
+            int below = 0;
+            while (below < sums.length - 2 && sums[below + 1] < wanted) {
+                below++;
+            }
+            double rest = Math.max(0, wanted - sums[below]);
+            double slope = values[below + 1] - values[below];
+            // The root of rest = value x + slope x^2 / 2, in a form that is stable for every slope.
+            double root = Math.sqrt(Math.max(0, values[below] * values[below] + 2 * slope * rest));
+            double sum = values[below] + root;
+            return below + (sum > 0 ? Math.min(1, 2 * rest / sum) : 0);
+        }
+
+        private int below(double place) {
+            return Math.max(0, Math.min(values.length - 2, (int) place));
+        }
+    }
+
+    static HalfVectors of(Density azimuths, double phi, double theta, int columns) {
         int rows = azimuths.values().length;
         float[] density = new float[rows * columns];
         for (int row = 0; row < rows; row++) {
@@ -28,7 +77,7 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
                     * (rows - 1)
                     / azimuths.total()
                     * (columns - 1)
-                    / LinearDensity.of(values).total();
+                    / Density.of(values).total();
             for (int column = 0; column < columns; column++) {
                 density[row * columns + column] = (float) (scale * values[column]);
             }
@@ -47,7 +96,9 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
 
     /** Returns the share of the square's columns for (u, v) that are not longer than {@code length}. */
     private static double share(double length) {
-        return length * (1 - 0.5 * FEWER_OUTSIDE * length) / (FARTHEST * (1 - 0.5 * FEWER_OUTSIDE * FARTHEST));
+        return length
+                * (1 - 0.5 * FEWER_OUTSIDE * length)
+                / (GridShape.REACH * (1 - 0.5 * FEWER_OUTSIDE * GridShape.REACH));
     }
 
     /** @param cosine cosine of the azimuth from the first direction to the half vector */
@@ -66,7 +117,7 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         }
         double longest = along * (1 - Math.cos(2 * horizon)) + up * Math.sin(2 * horizon);
         double seen = share(longest);
-        double sum = LinearDensity.of(values).total();
+        double sum = Density.of(values).total();
         for (int column = 0; column < hidden; column++) {
             values[column] *= seen / sum;
         }
@@ -77,7 +128,7 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
         return values;
     }
 
-    static LinearDensity row(float[] density, int columns, double row) {
+    static Density row(float[] density, int columns, double row) {
         int below = Math.max(0, Math.min(density.length / columns - 2, (int) row));
         double beyond = row - below;
         double[] values = new double[columns];
@@ -85,6 +136,6 @@ record HalfVectors(LinearDensity azimuths, float[] density, int columns) {
             values[column] =
                     (1 - beyond) * density[below * columns + column] + beyond * density[(below + 1) * columns + column];
         }
-        return LinearDensity.of(values);
+        return Density.of(values);
     }
 }

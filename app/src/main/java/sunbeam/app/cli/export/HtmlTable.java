@@ -1,31 +1,15 @@
 package sunbeam.app.cli.export;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.nio.file.Path;
 import java.util.Base64;
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.zip.Deflater;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Deflated;
-import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.gpu.map.DiscDirections;
-import sunbeam.app.gpu.picture.AutoExposure;
-import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.text.Text;
-import sunbeam.precompute.units.Lengths;
 
-/** Writes a self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
+/** A self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
 final class HtmlTable implements TableWriter {
-    static final double THETA = 30;
-
-    private static final int MAP_SIDE = 200;
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
 
@@ -43,12 +27,6 @@ final class HtmlTable implements TableWriter {
 
     HtmlTable(double tolerance) {
         this.tolerance = tolerance;
-    }
-
-    @Override
-    public void check(Path output, Overwrite overwrite) {
-        Ending.HTML.require("--output", output);
-        AtomicFile.checkWritable(output, overwrite);
     }
 
     @Override
@@ -75,10 +53,10 @@ final class HtmlTable implements TableWriter {
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
-        Map<String, Object> table = new LinkedHashMap<>(metadata.fields(
+    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        Map<String, Object> table = metadata.fields(
                 "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
-                "square roots linear along u and v, their squares cubic along w"));
+                "square roots linear along u and v, their squares cubic along w");
         GridShape shape = grid.shape();
         table.put("columns", shape.u().count());
         table.put("rows", shape.v().count());
@@ -86,49 +64,17 @@ final class HtmlTable implements TableWriter {
         table.put("octaves", OCTAVES_PER_TOLERANCE * tolerance);
         table.put("floor", QuantizedGrid.FLOOR);
         table.put("most", packed(grid).most());
-        double largest = Math.toDegrees(shape.range().largest());
-        table.put("largest", largest);
-        table.put("theta", Math.min(THETA, largest));
-        table.put("exposure", exposure(metadata.grid(), Math.min(THETA, largest)));
-        Map<String, String> values = new LinkedHashMap<>();
-        values.put("PATCH", ShaderText.plain(metadata.setup().patch().name()));
-        values.put("CAPTION", caption(metadata));
-        // In a script element "</" would end the element.
-        values.put("JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"));
-        String function = ShaderLanguage.GLSL.translate(ShaderText.function("sunbeam.glsl", metadata, 0));
-        values.put("SHADER", function + "\n" + ShaderText.read("display.glsl"));
-        values.put("DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
-        String page = ShaderText.fill(ShaderText.read("page.html"), values);
-        return List.of(AtomicFile.write(output, overwrite, AtomicFile.StreamContent.of(page)));
-    }
-
-    private static String caption(TableMetadata metadata) {
-        return Text.format(
-                "Surface %s, light of a coherence length of %s (%s asked): an order is %.2g&deg; wide. %s, mean over"
-                        + " all positions of the coherence area. %s. Made by Sunbeam.",
-                ShaderText.plain(metadata.setup().patch().name()),
-                Lengths.rounded(metadata.coherenceLength(), 3),
-                Lengths.rounded(metadata.requestedCoherenceLength(), 3),
-                metadata.resolutionDegrees(),
-                ShaderText.plain(metadata.setup().cie().description()),
-                metadata.error().replaceFirst("^e", "E"));
-    }
-
-    /** Returns the automatic exposure that {@code brdf-map} would choose for light at this angle, in degrees. */
-    static double exposure(ColorGrid grid, double theta) {
-        DiscDirections directions = new DiscDirections(MAP_SIDE, Direction.ofDegrees(theta, 0));
-        float[] xyz = new float[ColorGrid.CHANNELS * MAP_SIDE * MAP_SIDE];
-        for (int pixel = 0; pixel < MAP_SIDE * MAP_SIDE; pixel++) {
-            DirectionPair pair = directions.at(pixel);
-            if (pair.cosThetaR() > 0) {
-                double gain = Gain.relativeRadiance(pair);
-                double[] power = grid.xyz(pair.u(), pair.v(), pair.w());
-                for (int c = 0; c < ColorGrid.CHANNELS; c++) {
-                    xyz[ColorGrid.CHANNELS * pixel + c] = (float) (gain * power[c]);
-                }
-            }
-        }
-        return AutoExposure.of(new LinearPicture(MAP_SIDE, MAP_SIDE, xyz));
+        table.put("largest", Math.toDegrees(shape.range().largest()));
+        table.put("theta", metadata.theta());
+        table.put("exposure", metadata.exposure());
+        String function = ShaderText.Language.GLSL.translate(ShaderText.of("sunbeam.glsl", metadata, 0));
+        Map<String, String> values = Map.of(
+                // In a script element "</" would end the element.
+                "JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"),
+                "SHADER", function + "\n" + ShaderText.read("display.glsl"),
+                "DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
+        String page = ShaderText.fill(ShaderText.of("page.html", metadata, 0), values);
+        return Map.of(".html", AtomicFile.StreamContent.of(page));
     }
 
     /**

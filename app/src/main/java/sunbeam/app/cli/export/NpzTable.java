@@ -3,21 +3,27 @@ package sunbeam.app.cli.export;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.NpyWriter;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.SpectralBands;
+import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.optics.Direction;
 
-/** Writes a NumPy archive: array {@code C} of shape (w, v, u, channel), the axes {@code w}, {@code v}, {@code u}, and metadata.json. */
-record NpzTable(Channels channels) implements TableWriter {
+/**
+ * A NumPy archive: array {@code C} of shape (w, v, u, channel), the axes {@code w}, {@code v}, {@code u}, and metadata.json.
+ *
+ * @param bands wavelength bands of spectral channels; unused for other kinds
+ */
+record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     private static final String INTERPOLATION =
             "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"
                     + " cubic polynomial through the four nearest slices of w";
@@ -28,41 +34,54 @@ record NpzTable(Channels channels) implements TableWriter {
     // Directions of light along each axis of the divisor.
     private static final int LIGHTS = 25;
 
-    @Override
-    public void check(Path output, Overwrite overwrite) {
-        Ending.NPZ.require("--output", output);
-        AtomicFile.checkWritable(output, overwrite);
+    enum Channels {
+        XYZ("CIE X, Y, Z of diffracted power"),
+        REC709("linear Rec. 709 red, green, blue of diffracted power, negative outside of the gamut"),
+        SPECTRAL("diffracted power, mean over each band, weighted by a triangle that ends at the bands beside it");
+
+        private final String quantity;
+
+        Channels(String quantity) {
+            this.quantity = quantity;
+        }
+    }
+
+    private boolean isSpectral() {
+        return channels == Channels.SPECTRAL;
+    }
+
+    private int count() {
+        return isSpectral() ? bands.count() : ColorGrid.CHANNELS;
     }
 
     @Override
     public long numbers(GridShape shape) {
-        return channels.numbers(shape);
+        return Math.max(ColorGrid.CHANNELS, count()) * shape.allTexels();
     }
 
     @Override
     public CieTable errorWeights(CieTable light) {
-        return channels.errorWeights(light);
+        return isSpectral() ? bands.table(bands.tables() / 2) : light;
     }
 
     @Override
     public long leastBytes(GridShape shape) {
-        return (long) (VALUE_BYTES * channels.count() * shape.evaluated());
+        return (long) (VALUE_BYTES * count() * shape.evaluated());
     }
 
     @Override
-    public List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata) {
-        String json = JsonOption.text(
-                channels.fields(metadata.fields(channels.words() + ": array C, axes w, v, u, channel", INTERPOLATION)));
+    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        String json = JsonOption.text(description(metadata));
         GridShape shape = grid.shape();
-        float[] colors = colors(shape, channels.grids(grid, baker));
-        return List.of(AtomicFile.write(output, overwrite, stream -> {
+        float[] colors = colors(shape, isSpectral() ? baker.bands(grid, bands) : List.of(grid));
+        return Map.of(".npz", stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
                 zip.putNextEntry(NpyWriter.entry("metadata.json"));
                 zip.write(json.getBytes(StandardCharsets.UTF_8));
-                axis(zip, "u", shape.u().values(1));
-                axis(zip, "v", shape.v().values(1));
-                axis(zip, "w", shape.depth().values(-1));
+                axis(zip, "u", shape.u(), 1);
+                axis(zip, "v", shape.v(), 1);
+                axis(zip, "w", shape.depth(), -1);
                 zip.putNextEntry(NpyWriter.entry("C.npy"));
                 NpyWriter.write(
                         zip,
@@ -70,23 +89,39 @@ record NpzTable(Channels channels) implements TableWriter {
                         shape.depth().count(),
                         shape.v().count(),
                         shape.u().count(),
-                        channels.count());
+                        count());
                 zip.closeEntry();
                 if (metadata.divisor().isPresent()) {
                     zip.putNextEntry(NpyWriter.entry("divisor.npy"));
                     float[] divisors =
                             divisors(metadata.divisor().get(), metadata.setup().cie());
-                    NpyWriter.write(zip, divisors, channels.count(), LIGHTS, LIGHTS);
+                    NpyWriter.write(zip, divisors, count(), LIGHTS, LIGHTS);
                     zip.closeEntry();
                 }
             }
-        }));
+        });
     }
 
-    private static void axis(ZipOutputStream zip, String name, double... along) throws IOException {
-        float[] values = new float[along.length];
+    private Map<String, Object> description(TableMetadata metadata) {
+        Map<String, Object> fields =
+                metadata.fields(channels.quantity + ": array C, axes w, v, u, channel", INTERPOLATION);
+        if (isSpectral()) {
+            TableMetadata.putNoLight(fields);
+            fields.put("unit", "1: a flat mirror in specular direction under the asked window, at each wavelength");
+            fields.put(
+                    "wavelengths_m",
+                    DoubleStream.of(bands.nanometers())
+                            .map(nanometers -> nanometers / 1e9)
+                            .boxed()
+                            .toList());
+        }
+        return fields;
+    }
+
+    private static void axis(ZipOutputStream zip, String name, GridShape.Axis axis, int sign) throws IOException {
+        float[] values = new float[axis.count()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = (float) along[i];
+            values[i] = (float) (sign * axis.at(i));
         }
         zip.putNextEntry(NpyWriter.entry(name + ".npy"));
         NpyWriter.write((OutputStream) zip, values, values.length);
@@ -95,12 +130,12 @@ record NpzTable(Channels channels) implements TableWriter {
     private float[] colors(GridShape shape, List<ColorGrid> grids) {
         int texels = shape.texels();
         int slices = shape.depth().count();
-        float[] colors = new float[Math.multiplyExact(channels.count(), Math.multiplyExact(texels, slices))];
-        double[] values = new double[channels.count()];
+        float[] colors = new float[Math.multiplyExact(count(), Math.multiplyExact(texels, slices))];
+        double[] values = new double[count()];
         int at = 0;
         for (int slice = 0; slice < slices; slice++) {
             for (int texel = 0; texel < texels; texel++) {
-                channels.at(grids, slice, texel, values);
+                read(grids, slice, texel, values);
                 for (double value : values) {
                     colors[at++] = rounded((float) value);
                 }
@@ -109,13 +144,28 @@ record NpzTable(Channels channels) implements TableWriter {
         return colors;
     }
 
-    /** Returns the divisor of each channel over y and x of the direction of light, -1 to 1. */
+    private void read(List<ColorGrid> grids, int slice, int texel, double[] values) {
+        for (int c = 0; c < values.length; c++) {
+            ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);
+            double root = grid.roots()[slice][ColorGrid.CHANNELS * texel + c % ColorGrid.CHANNELS];
+            values[c] = grid.level().scale() * root * root;
+        }
+        if (channels == Channels.REC709) {
+            double[] xyz = values.clone();
+            Arrays.setAll(values, c -> Srgb.linear(c, xyz[0], xyz[1], xyz[2]));
+        }
+    }
+
+    /** Returns the divisor of each channel over y and x of the direction of light, -1 to 1; of colors, the mean by luminance. */
     private float[] divisors(EnergyDivisor divisor, CieTable cie) {
-        float[] values = new float[channels.count() * LIGHTS * LIGHTS];
+        float[] values = new float[count() * LIGHTS * LIGHTS];
         IntStream.range(0, values.length).parallel().forEach(i -> {
             Direction light = EnergyDivisor.light(
                     2.0 * (i % LIGHTS) / (LIGHTS - 1) - 1, 2.0 * (i / LIGHTS % LIGHTS) / (LIGHTS - 1) - 1);
-            values[i] = (float) channels.divisor(divisor, i / (LIGHTS * LIGHTS), light, cie);
+            values[i] = (float)
+                    (isSpectral()
+                            ? divisor.at(light, 1e-9 * bands.nanometers()[i / (LIGHTS * LIGHTS)])
+                            : divisor.ofColors(light, cie));
         });
         return values;
     }

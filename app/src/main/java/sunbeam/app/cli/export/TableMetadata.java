@@ -6,14 +6,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Version;
 import sunbeam.precompute.analysis.EnergyBalance;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
@@ -26,6 +30,10 @@ import sunbeam.precompute.units.Lengths;
  */
 record TableMetadata(
         DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors, Optional<EnergyDivisor> divisor) {
+    private static final double FIRST_THETA = 30;
+    /** Pixels along a side of the map whose exposure is chosen. */
+    private static final int MAP_SIDE = 200;
+
     /** Full width at half maximum of a Gaussian, in standard deviations. */
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
@@ -65,6 +73,28 @@ record TableMetadata(
 
     private static String comparedWith(String what, ErrorStatistics errors) {
         return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
+    }
+
+    /** Returns the angle of light with which an exported page begins, degrees. */
+    double theta() {
+        return Math.min(FIRST_THETA, Math.toDegrees(grid.shape().range().largest()));
+    }
+
+    /** Returns the automatic exposure that {@code brdf-map} would choose for light at {@link #theta}. */
+    double exposure() {
+        DiscDirections directions = new DiscDirections(MAP_SIDE, Direction.ofDegrees(theta(), 0));
+        float[] xyz = new float[ColorGrid.CHANNELS * MAP_SIDE * MAP_SIDE];
+        for (int pixel = 0; pixel < MAP_SIDE * MAP_SIDE; pixel++) {
+            DirectionPair pair = directions.at(pixel);
+            if (pair.cosThetaR() > 0) {
+                double gain = Gain.relativeRadiance(pair);
+                double[] power = grid.xyz(pair.u(), pair.v(), pair.w());
+                for (int c = 0; c < ColorGrid.CHANNELS; c++) {
+                    xyz[ColorGrid.CHANNELS * pixel + c] = (float) (gain * power[c]);
+                }
+            }
+        }
+        return AutoExposure.of(new LinearPicture(MAP_SIDE, MAP_SIDE, xyz));
     }
 
     Map<String, Object> fields(String quantity, String interpolation) {
@@ -111,20 +141,22 @@ record TableMetadata(
         return fields;
     }
 
+    /** Replaces the light in the metadata of a table of bands. */
+    static void putNoLight(Map<String, Object> fields) {
+        fields.put("illuminant", "none: power is the same in all light");
+        fields.put("observer", "none");
+    }
+
     private List<Map<String, Object>> axes() {
         GridShape shape = grid.shape();
         return List.of(axis("w", shape.depth(), -1), axis("v", shape.v(), 1), axis("u", shape.u(), 1));
     }
 
-    private static Map<String, Object> axis(String name, GridAxis axis, int sign) {
+    private static Map<String, Object> axis(String name, GridShape.Axis axis, int sign) {
         Map<String, Object> fields = new LinkedHashMap<>(Map.of("name", name));
         fields.put("first", sign * axis.first());
         fields.put("step", sign * axis.step());
         fields.put("count", axis.count());
         return fields;
-    }
-
-    String json(String quantity, String interpolation) {
-        return JsonOption.text(fields(quantity, interpolation));
     }
 }

@@ -1,16 +1,13 @@
 package sunbeam.app.cli.export;
 
-import java.nio.file.Path;
 import java.util.List;
-import sunbeam.app.files.output.Overwrite;
+import java.util.Map;
+import sunbeam.app.files.output.AtomicFile;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 
-/** Writes a color grid as a file or folder of one format. A writer is used for one output only. */
+/** Converts a color grid to the files of one format. A writer is used for one output only. */
 interface TableWriter {
-
-    /** Refuses a wrong file name or an unwritable output; called before anything is computed. */
-    void check(Path output, Overwrite overwrite);
 
     /** Returns a lower bound of the output's bytes for a grid of this shape. */
     long leastBytes(GridShape shape);
@@ -51,9 +48,9 @@ interface TableWriter {
     }
 
     /**
-     * Writes all files.
+     * Returns the contents of the files by ending; of a format that is one file, one content.
      *
      * @param baker source of coarser grids
      */
-    List<Path> write(Path output, Overwrite overwrite, ColorGrid grid, GridBaker baker, TableMetadata metadata);
+    Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata);
 }

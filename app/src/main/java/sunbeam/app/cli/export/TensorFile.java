@@ -6,7 +6,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import sunbeam.app.files.output.NpyWriter;
 
 /** Named arrays in the format of Mitsuba's and pbrt's tensor files: version 1.0, little endian, the last index runs fastest. */
@@ -33,6 +35,15 @@ final class TensorFile {
 
         static Field of(String name, List<float[]> values, long... shape) {
             return new Field(name, shape, null, values);
+        }
+
+        /** Returns a field with a curve along its last axis, the same at each index of the axis before. */
+        static Field curve(String name, IntToDoubleFunction curve, long... shape) {
+            float[] values = new float[(int) shape[shape.length - 1]];
+            for (int i = 0; i < values.length; i++) {
+                values[i] = (float) curve.applyAsDouble(i);
+            }
+            return of(name, Collections.nCopies(shape.length == 1 ? 1 : (int) shape[0], values), shape);
         }
 
         private long size() {

@@ -73,7 +73,7 @@ class ShaderLanguageTest extends InAContext {
         require("spirv-cross", "--help");
         Files.writeString(
                 folder.resolve("hlsl.frag"),
-                ShaderLanguage.HLSL
+                ShaderText.Language.HLSL
                                 .translate(glsl())
                                 .replace(
                                         "shown(float2",
@@ -93,7 +93,7 @@ class ShaderLanguageTest extends InAContext {
         require("naga", "--version");
         Files.writeString(
                 folder.resolve("it.wgsl"),
-                ShaderLanguage.WGSL
+                ShaderText.Language.WGSL
                                 .translate(glsl().replace("vec3 shown(vec2 pixel) {", "@SHOWN@"))
                                 .replace(
                                         "@SHOWN@",
@@ -110,7 +110,7 @@ class ShaderLanguageTest extends InAContext {
     }
 
     private void assertAlike(String other) {
-        float[] expected = drawn("#version 330 core\n" + ShaderLanguage.GLSL.translate(glsl()) + FRAGMENT);
+        float[] expected = drawn("#version 330 core\n" + ShaderText.Language.GLSL.translate(glsl()) + FRAGMENT);
         float[] got = drawn(other);
 
         int lit = 0;
