@@ -3,7 +3,7 @@
 // Display transform: linear XYZ to linear sRGB of a screen (in double precision: sunbeam.precompute.color.DisplayTransform).
 
 uniform float exposure;
-// Largest channel value that is not compressed (sunbeam.precompute.color.Tone).
+// Largest channel value that is not compressed (sunbeam.precompute.color.DisplayTransform.Tone).
 uniform float toneStart;
 
 // A color is mixed half with white if its largest channel is 1 / DESATURATION above the compressed one.

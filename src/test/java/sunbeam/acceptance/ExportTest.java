@@ -25,7 +25,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.Srgb;
 
 /** Exported tables, read by other programs, hold the values of {@code reflectance}. */
@@ -322,7 +321,7 @@ class ExportTest extends InWorkplace {
             for (int x = 0; x < one.getWidth(); x++) {
                 CieLab lab = lab(one.getRGB(x, y));
                 if (lab.lightness() > 1) {
-                    differences.add(ColorDifference.ciede2000(lab, lab(other.getRGB(x, y))));
+                    differences.add(lab.difference(lab(other.getRGB(x, y))));
                 }
             }
         }

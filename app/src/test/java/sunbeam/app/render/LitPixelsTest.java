@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 
 class LitPixelsTest {
     private static final DisplayTransform DISPLAY = new DisplayTransform(1, Tone.CLIP);

@@ -21,7 +21,7 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.plan.MethodSettings;

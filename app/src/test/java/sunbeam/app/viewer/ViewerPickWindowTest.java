@@ -19,7 +19,6 @@ import sunbeam.app.render.Pick;
 import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
@@ -114,9 +113,8 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
                 .isEqualTo(first);
         BufferedImage shown = picture();
         int row = shown.getHeight() / 2;
-        double expected = ColorDifference.ciede2000(
-                CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2, row)),
-                CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2 + 24, row)));
+        double expected = CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2, row))
+                .difference(CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2 + 24, row)));
         String words = Text.format("CIEDE2000 %.1f", expected);
         await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
                 .anyMatch(label -> label.getText().equals(words))));

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import sunbeam.precompute.numerics.LogParabola;
+import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
@@ -68,8 +68,8 @@ final class WaveSearch {
         int jx = spectrum.bandX().first() + place % spectrum.bandX().count();
         int jy = spectrum.bandY().first() + place / spectrum.bandX().count();
         double here = spectrum.at(jx, jy);
-        double x = jx + LogParabola.top(spectrum.at(jx - 1, jy), here, spectrum.at(jx + 1, jy));
-        double y = jy + LogParabola.top(spectrum.at(jx, jy - 1), here, spectrum.at(jx, jy + 1));
+        double x = jx + Lagrange.top(spectrum.at(jx - 1, jy), here, spectrum.at(jx + 1, jy));
+        double y = jy + Lagrange.top(spectrum.at(jx, jy - 1), here, spectrum.at(jx, jy + 1));
         return new SpatialFrequency(x / spectrum.width(), y / spectrum.height());
     }
 

@@ -1,7 +1,14 @@
 package sunbeam.precompute.color;
 
+import de.siegmar.fastcsv.reader.CommentStrategy;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
 
@@ -22,6 +29,52 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     /** Width of the band in 1 / lambda, 1 / meters. */
     public static final double BAND_WIDTH = 1 / MINIMUM_WAVELENGTH - 1 / MAXIMUM_WAVELENGTH;
 
+    private static final String RESOURCE = "/sunbeam/color/cie_1nm.csv";
+    private static final List<NamedCsvRecord> ROWS = rows();
+
+    /** The CIE's standard observers (CIE 018:2019). */
+    public enum Observer {
+        /** CIE 1931, a field of 2 degrees, by which sRGB is defined. */
+        CIE1931("CIE 1931, 2 degrees", ""),
+        /** CIE 1964, a field of 10 degrees. */
+        CIE1964("CIE 1964, 10 degrees", "_10");
+
+        private final String label;
+        private final String suffix;
+
+        Observer(String label, String suffix) {
+            this.label = label;
+            this.suffix = suffix;
+        }
+
+        /** Returns the name in messages. */
+        public String label() {
+            return label;
+        }
+
+        /** Returns a color matching function at each nanometer from 380 to 780 nm; 0 for X, 1 for Y, 2 for Z. */
+        private double[] matching(int channel) {
+            return column("xyz".charAt(channel) + "_bar" + suffix);
+        }
+    }
+
+    private static List<NamedCsvRecord> rows() {
+        try (CsvReader<NamedCsvRecord> rows = CsvReader.builder()
+                .commentStrategy(CommentStrategy.SKIP)
+                .ofNamedCsvRecord(CieTable.class.getResourceAsStream(RESOURCE), StandardCharsets.UTF_8)) {
+            return rows.stream().toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot read " + RESOURCE, e);
+        }
+    }
+
+    /** Returns one of the CIE's functions of wavelength at each nanometer from 380 to 780 nm. */
+    static double[] column(String name) {
+        return ROWS.stream()
+                .mapToDouble(row -> Double.parseDouble(row.getField(name)))
+                .toArray();
+    }
+
     /** Returns the table of the CIE 1931 observer under D65, which define sRGB. */
     public static CieTable load() {
         return of(Observer.CIE1931, Illuminant.of("D65"));
@@ -36,7 +89,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
             }
         }
         return new CieTable(
-                weighted, integral(weighted), light.name() + ", observer " + observer.label(), light.isSmooth());
+                weighted, integral(weighted), light.name() + ", observer " + observer.label, light.isSmooth());
     }
 
     /** Returns the table for a light through a filter; {@link WavelengthBand#VISIBLE} filters nothing. */

@@ -37,7 +37,7 @@ public record Illuminant(String name, double[] power) {
     public static Illuminant of(String name) {
         double[] power = new double[LAST + 1];
         Arrays.fill(power, 100);
-        return new Illuminant(name, name.equals("E") ? power : CieData.column(name.toLowerCase(Locale.ROOT)));
+        return new Illuminant(name, name.equals("E") ? power : CieTable.column(name.toLowerCase(Locale.ROOT)));
     }
 
     Illuminant through(WavelengthBand band) {

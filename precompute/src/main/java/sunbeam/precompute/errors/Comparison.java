@@ -2,7 +2,6 @@ package sunbeam.precompute.errors;
 
 import java.util.List;
 import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.plan.ErrorBudget;
 
 /**
@@ -52,7 +51,7 @@ public record Comparison(double[] computed, double[] exact, double gain) {
 
     /** Returns the CIEDE2000 difference of computed and exact X, Y, Z times an exposure. */
     public double colorDifference(double exposure) {
-        return ColorDifference.ciede2000(lab(computed, exposure), lab(exact, exposure));
+        return lab(computed, exposure).difference(lab(exact, exposure));
     }
 
     private static CieLab lab(double[] xyz, double exposure) {

@@ -7,7 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import sunbeam.precompute.numerics.LogParabola;
+import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Follows the ridge of a first order through a response. The frequency f = u / lambda = +-1 / d has the largest sum of the response along
@@ -83,7 +83,7 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
                     <= CORRIDOR * sigmaFrequency;
             boolean maximum = values[column] > values[column - 1] && values[column] >= values[column + 1];
             if (near && maximum) {
-                double shift = LogParabola.top(values[column - 1], values[column], values[column + 1]);
+                double shift = Lagrange.top(values[column - 1], values[column], values[column + 1]);
                 double step = 0.5 * (grid.angles()[column + 1] - grid.angles()[column - 1]);
                 double angle = grid.angles()[column] + shift * step;
                 double peakFrequency = grid.plane().u(angle) / wavelength;

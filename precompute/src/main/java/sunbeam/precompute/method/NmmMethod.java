@@ -3,8 +3,8 @@ package sunbeam.precompute.method;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.OrderWeights;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
@@ -38,6 +38,15 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     // Deviation of the window's spectrum, in bins, above which orders overlap: neighbors interfere by exp(-1 / (4
     // sigma^2)).
     private static final double OVERLAP_SIGMA_BINS = 0.2;
+
+    // Size of the table of orders' weights. The step is 0.7 nm at 500 nm; color matching functions bend over tens of
+    // nanometers.
+    private static final int CENTERS = 768;
+    private static final int WIDTHS = 24;
+    // In widths: exp(-4.5^2) = 2e-9.
+    private static final double REACH = 4.5;
+    // The trapezoid rule for exp(-(x / width)^2) has the relative error 2 exp(-(pi width / step)^2).
+    private static final int NODES_PER_WIDTH = 4;
 
     public static final MethodType TYPE = new MethodType(
             "nmm",
@@ -101,8 +110,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
 
     private static ArrayLayout ownLayout(boolean weighted) {
         return weighted
-                ? ArrayLayout.flat("orderWeights", OrderWeights.COLUMNS, OrderWeights.ROWS, 4)
-                        .linear()
+                ? ArrayLayout.flat("orderWeights", CENTERS, WIDTHS, 4).linear()
                 : ColorArrays.cieWeightsLayout();
     }
 
@@ -131,22 +139,50 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         return fresnel.applyTo(tables.build(bins.windowSigma(), Math.max(bins.specularReach(), disc)));
     }
 
+    /**
+     * Adds the color weights of orders, each of which is a Gaussian of 1 / lambda with a center s and a width:
+     *
+     * <pre>W(s, width) = int S xbar exp(-((1 / lambda - s) / width)^2) dlambda / int S ybar dlambda</pre>
+     *
+     * tabulated as W / width, in meters, which hardly depends on width where orders are narrow: sqrt(pi) lambda^2 S xbar(lambda).
+     */
     private static void addWidths(Surface surface, ShaderTables.Builder tables, double sigma) {
-        OrderWeights weights =
-                OrderWeights.tabulate(surface.cie(), Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER), WIDEST_ORDER);
-        int texelCount = OrderWeights.COLUMNS * OrderWeights.ROWS;
-        float[] texels = new float[4 * texelCount];
-        for (int i = 0; i < texelCount; i++) {
-            System.arraycopy(weights.values(), 3 * i, texels, 4 * i, 3);
-        }
+        double narrowest = Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER);
+        // At the first and last center the widest order just misses the band: the texture's border is black.
+        double first = 1 / CieTable.MAXIMUM_WAVELENGTH - REACH * WIDEST_ORDER;
+        double last = 1 / CieTable.MINIMUM_WAVELENGTH + REACH * WIDEST_ORDER;
+        float[] texels = new float[4 * CENTERS * WIDTHS];
+        IntStream.range(0, WIDTHS).parallel().forEach(row -> {
+            double width = narrowest + (WIDEST_ORDER - narrowest) * row / (WIDTHS - 1);
+            for (int column = 0; column < CENTERS; column++) {
+                double[] weight = weight(surface.cie(), first + (last - first) * column / (CENTERS - 1), width);
+                for (int c = 0; c < 3; c++) {
+                    texels[4 * (row * CENTERS + column) + c] = (float) (weight[c] / width);
+                }
+            }
+        });
         tables.array(TableArray.of(ownLayout(true), texels))
                 .reals("windowSigmaFrequency", sigma)
                 .reals("orderWidest", WIDEST_ORDER)
-                .reals(
-                        "orderPlaceMap",
-                        SpectrumArrays.textureMap(weights.minimumPlace(), weights.maximumPlace(), OrderWeights.COLUMNS))
-                .reals(
-                        "orderWidthMap",
-                        SpectrumArrays.textureMap(weights.minimumWidth(), weights.maximumWidth(), OrderWeights.ROWS));
+                .reals("orderPlaceMap", SpectrumArrays.textureMap(first, last, CENTERS))
+                .reals("orderWidthMap", SpectrumArrays.textureMap(narrowest, WIDEST_ORDER, WIDTHS));
+    }
+
+    /** Returns W of one order for X, Y, Z, integrated over 1 / lambda: dlambda = lambda^2 d(1 / lambda). */
+    static double[] weight(CieTable cie, double center, double width) {
+        double step = width / NODES_PER_WIDTH;
+        int reach = (int) Math.ceil(REACH * NODES_PER_WIDTH);
+        double[] sum = new double[3];
+        for (int i = -reach; i <= reach; i++) {
+            double waveNumber = center + i * step;
+            if (waveNumber > 0) {
+                double wavelength = 1 / waveNumber;
+                double gauss = Math.exp(-Math.pow(i * step / width, 2)) * wavelength * wavelength * step;
+                for (int c = 0; c < 3; c++) {
+                    sum[c] += gauss * cie.at(wavelength, c) / cie.integralOfY();
+                }
+            }
+        }
+        return sum;
     }
 }

@@ -1,15 +1,19 @@
 package sunbeam.precompute.shader;
 
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.SmoothCieWeights;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /** CIE weights (color matching functions times the light's spectrum) for shaders: at any wavelength, or at fixed ones. */
 public final class ColorArrays {
+    private static final int TABLE_LAST = 400;
+    private static final int PER_NANOMETER = 8;
+    /** Eight samples per nanometer from 380 to 780 nm, both ends included. */
+    private static final int SAMPLES = TABLE_LAST * PER_NANOMETER + 1;
+
     private ColorArrays() {}
 
     public static ArrayLayout cieWeightsLayout() {
-        return ArrayLayout.flat("cieWeights", SmoothCieWeights.SAMPLES, 2, 4).linear();
+        return ArrayLayout.flat("cieWeights", SAMPLES, 2, 4).linear();
     }
 
     /**
@@ -17,17 +21,61 @@ public final class ColorArrays {
      * nanometers; row 1 has the table's own values, for narrower orders.
      */
     public static TableArray cieWeights(CieTable cie) {
-        int samples = SmoothCieWeights.SAMPLES;
         double norm = 1 / cie.integralOfY();
-        float[] texels = new float[2 * 4 * samples];
+        float[] texels = new float[2 * 4 * SAMPLES];
         for (int c = 0; c < 3; c++) {
-            double[] weights = SmoothCieWeights.of(cie, c);
-            for (int i = 0; i < samples; i++) {
+            double[] weights = smooth(cie, c);
+            for (int i = 0; i < SAMPLES; i++) {
                 texels[4 * i + c] = (float) (weights[i] * norm);
-                texels[4 * (samples + i) + c] = (float) (cie.at(SmoothCieWeights.wavelength(i), c) * norm);
+                texels[4 * (SAMPLES + i) + c] = (float) (cie.at(wavelength(i), c) * norm);
             }
         }
         return TableArray.of(cieWeightsLayout(), texels);
+    }
+
+    /** Returns the wavelength of a sample, meters. */
+    private static double wavelength(int sample) {
+        return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETER);
+    }
+
+    /**
+     * Returns S xbar, S ybar or S zbar (channel 0, 1, 2) at each sample, not normalized, without the kinks of the linear interpolation, which
+     * on the flanks of the color matching functions lies up to 1.5e-3 above the smooth function. An integral averages this excess; nodes a
+     * nanometer or more apart do not. The table is filtered with (w[i-1] + 10 w[i] + w[i+1]) / 12, which adds the chords' mean excess, and a
+     * cubic spline interpolates it (Catmull and Rom 1974).
+     */
+    private static double[] smooth(CieTable cie, int channel) {
+        double[] filtered = new double[TABLE_LAST + 1];
+        for (int i = 0; i <= TABLE_LAST; i++) {
+            filtered[i] = (at(cie, i - 1, channel) + 10 * at(cie, i, channel) + at(cie, i + 1, channel)) / 12;
+        }
+        double[] result = new double[SAMPLES];
+        for (int i = 0; i < SAMPLES; i++) {
+            int left = Math.min(TABLE_LAST - 1, i / PER_NANOMETER);
+            result[i] = cubic(filtered, left, (double) i / PER_NANOMETER - left);
+        }
+        return result;
+    }
+
+    /** Extrapolates linearly beyond the band's ends. */
+    private static double at(CieTable cie, int nanometer, int channel) {
+        int inside = Math.min(TABLE_LAST, Math.max(0, nanometer));
+        double value = cie.at(CieTable.MINIMUM_WAVELENGTH + inside * 1e-9, channel);
+        int inwards = Integer.compare(inside, nanometer);
+        return inwards == 0
+                ? value
+                : 2 * value - cie.at(CieTable.MINIMUM_WAVELENGTH + (inside + inwards) * 1e-9, channel);
+    }
+
+    private static double cubic(double[] values, int left, double t) {
+        double from = values[left];
+        double to = values[left + 1];
+        double before = left == 0 ? 2 * from - to : values[left - 1];
+        double after = left + 2 > TABLE_LAST ? 2 * to - from : values[left + 2];
+        double slope = 0.5 * (to - before);
+        double bend = before - 2.5 * from + 2 * to - 0.5 * after;
+        double twist = 0.5 * (after - before) + 1.5 * (from - to);
+        return from + t * (slope + t * (bend + t * twist));
     }
 
     public static ArrayLayout wavelengthsLayout(WavelengthNodes nodes) {

@@ -8,6 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.color.DisplayTransform.Primaries;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 
 class DisplayTransformTest {
     // XYZ are floats, and matrices have seven digits behind the point.
@@ -66,14 +68,6 @@ class DisplayTransformTest {
 
         // Its second derivative there is -2 / (1 - start).
         assertThat((above[0] - below[0]) / step).isCloseTo(1, within(2 * step / (1 - start) + 1e-2));
-    }
-
-    @Test
-    void aThousandTimesWhiteIsNearlyWhite() {
-        double[] rgb = light(times(1000, Srgb.xyz(1, 0, 0)), 1, Tone.COMPRESS);
-
-        assertThat(rgb[0]).isGreaterThan(0.99);
-        assertThat(rgb[1]).isGreaterThan(0.75);
     }
 
     @Test

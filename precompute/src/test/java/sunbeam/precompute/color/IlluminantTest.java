@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.color.CieTable.Observer;
 
 class IlluminantTest {
     /** CIE 15:2018, tables 3, 10 and 12. */

@@ -6,7 +6,6 @@ import java.util.Optional;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.text.Text;
@@ -101,7 +100,7 @@ record ViewColor(
             for (int c = 0; c < 3; c++) {
                 wrong[c] = xyz[c] * (1 + ((corner >> c & 1) == 0 ? -share : share));
             }
-            largest = Math.max(largest, ColorDifference.ciede2000(middle, lab(wrong)));
+            largest = Math.max(largest, middle.difference(lab(wrong)));
         }
         return largest;
     }

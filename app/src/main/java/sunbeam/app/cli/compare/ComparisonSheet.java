@@ -11,7 +11,7 @@ import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 
 /** Draws a comparison as one picture: photograph and scene, below them a map of their difference and histograms of their hues. */
 final class ComparisonSheet {

@@ -11,10 +11,9 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.render.LitPixels;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
-import sunbeam.precompute.color.Tone;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
@@ -91,7 +90,7 @@ record PhotoComparison(
         double[] differences = new double[photo.clipped().length];
         Arrays.fill(differences, Double.NaN);
         IntStream.range(0, covered.length)
-                .forEach(i -> differences[covered[i]] = ColorDifference.ciede2000(photoColors[i], sceneColors[i]));
+                .forEach(i -> differences[covered[i]] = photoColors[i].difference(sceneColors[i]));
         double[] compared =
                 Arrays.stream(covered).mapToDouble(pixel -> differences[pixel]).toArray();
         int[] unclipped = IntStream.range(0, covered.length)

@@ -14,8 +14,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.CieTable.Observer;
 import sunbeam.precompute.color.Illuminant;
-import sunbeam.precompute.color.Observer;
 
 /** Plot that no command draws: of formulas of the thesis, or of the results of a figure's other pictures. */
 enum FigurePlot {

@@ -21,7 +21,7 @@ import sunbeam.precompute.analysis.OrderLight.Efficiency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;

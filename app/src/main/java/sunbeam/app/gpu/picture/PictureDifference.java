@@ -3,7 +3,6 @@ package sunbeam.app.gpu.picture;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
@@ -27,7 +26,7 @@ public record PictureDifference(double median, double high) {
                 int color = picture.getRGB(x, y) & 0xffffff;
                 int first = base.getRGB(x, y) & 0xffffff;
                 if (color != 0 || first != 0) {
-                    differences[count++] = ColorDifference.ciede2000(CieLab.ofSrgb(color), CieLab.ofSrgb(first));
+                    differences[count++] = CieLab.ofSrgb(color).difference(CieLab.ofSrgb(first));
                 }
             }
         }

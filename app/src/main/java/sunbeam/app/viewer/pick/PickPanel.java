@@ -7,7 +7,6 @@ import javax.swing.BoxLayout;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import sunbeam.precompute.color.ColorDifference;
 import sunbeam.precompute.text.Text;
 
 /** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
@@ -56,9 +55,8 @@ public final class PickPanel extends JPanel {
     private String differenceWords() {
         return readouts.get(0)
                 .lab()
-                .flatMap(first -> readouts.get(1)
-                        .lab()
-                        .map(second -> Text.format("CIEDE2000 %.1f", ColorDifference.ciede2000(first, second))))
+                .flatMap(first ->
+                        readouts.get(1).lab().map(second -> Text.format("CIEDE2000 %.1f", first.difference(second))))
                 .orElse(" ");
     }
 

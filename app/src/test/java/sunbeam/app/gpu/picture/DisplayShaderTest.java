@@ -19,7 +19,7 @@ import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 
 /** display.glsl and srgb.glsl against their twins in double precision. */
 @NeedsDisplay

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.Tone;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 
 class ScreenExposureTest {
     private static final int SIDE = 80;
