@@ -1,9 +1,10 @@
 package sunbeam.app.cli;
 
 import java.io.PrintWriter;
-import java.io.Writer;
+import java.io.StringWriter;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -35,6 +36,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
 
@@ -87,10 +89,18 @@ public final class Sunbeam {
         if (quiet) {
             environment.progress().silence();
         }
-        Optional<Collection> collection = Optional.ofNullable(parsed.subcommand())
-                .flatMap(command -> Collection.of(
-                        command, (stdout, stderr, words) -> new Sunbeam(environment, stdout, stderr).run(words)));
+        Optional<Collection> collection =
+                Optional.ofNullable(parsed.subcommand()).flatMap(command -> Collection.of(command, this::inner));
         return collection.isPresent() ? run(collection.get(), parsed.subcommand()) : new RunLast().execute(parsed);
+    }
+
+    /** Runs a command line inside the program. */
+    private Collection.Outcome inner(List<String> words) {
+        StringWriter stdout = new StringWriter();
+        StringWriter stderr = new StringWriter();
+        int code = new Sunbeam(environment, new PrintWriter(stdout), new PrintWriter(stderr))
+                .run(words.toArray(String[]::new));
+        return new Collection.Outcome(code, stdout.toString(), Messages.last(stderr.toString()));
     }
 
     private int run(Collection collection, ParseResult command) {
@@ -134,12 +144,7 @@ public final class Sunbeam {
         commands.put("inspect", InspectCommand::new);
         commands.put("evaluate", EvaluateCommand::new);
         commands.put("orders", OrdersCommand::new);
-        commands.put(
-                "figures",
-                () -> new FiguresCommand(
-                        environment.progress(),
-                        (stderr, arguments) ->
-                                new Sunbeam(environment, new PrintWriter(Writer.nullWriter()), stderr).run(arguments)));
+        commands.put("figures", () -> new FiguresCommand(environment.progress(), this::inner));
         commands.put("export", ExportCommand::new);
         commands.put("sample", SampleCommand::new);
         commands.put("precompute", PrecomputeCommand::new);

@@ -3,7 +3,6 @@ package sunbeam.app.cli.collection;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Model.OptionSpec;
@@ -64,12 +64,19 @@ public final class Collection {
     private static final int NAMES_OF_FOLDER = 3;
 
     private final ParseResult parsed;
-    private final Runner runner;
+    private final Function<List<String>, Outcome> runner;
 
-    /** Runs a command line of this program with its own standard output and standard error, and returns the exit code. */
-    @FunctionalInterface
-    public interface Runner {
-        int run(PrintWriter out, PrintWriter err, String... arguments);
+    /**
+     * Result of a command line that a command has run.
+     *
+     * @param out standard output
+     * @param message the last line of standard error, without the program's name
+     */
+    public record Outcome(int code, String out, String message) {
+        /** True if the command has written its files, whether or not it has kept its tolerance. */
+        public boolean isWritten() {
+            return code == ExitCode.OK.code() || code == ExitCode.TOLERANCE_MISSED.code();
+        }
     }
 
     /**
@@ -81,13 +88,13 @@ public final class Collection {
      */
     private record Item(String patch, List<String> options, String stem) {}
 
-    private Collection(ParseResult parsed, Runner runner) {
+    private Collection(ParseResult parsed, Function<List<String>, Outcome> runner) {
         this.parsed = parsed;
         this.runner = runner;
     }
 
     /** Returns the collection that a command line means; empty if it means one surface under one light. */
-    public static Optional<Collection> of(ParseResult command, Runner runner) {
+    public static Optional<Collection> of(ParseResult command, Function<List<String>, Outcome> runner) {
         boolean possible = command.commandSpec().positionalParameters().stream()
                 .anyMatch(argument -> argument.arity().max() > 1);
         Collection collection = new Collection(command, runner);
@@ -275,12 +282,9 @@ public final class Collection {
         if (folder.replaces()) {
             words.add("--force");
         }
-        StringWriter out = new StringWriter();
-        StringWriter err = new StringWriter();
-        int code = runner.run(new PrintWriter(out), new PrintWriter(err), words.toArray(String[]::new));
-        boolean done = code == ExitCode.OK.code() || code == ExitCode.TOLERANCE_MISSED.code();
-        return folder.row(
-                item.patch(), item.stem(), hash, code, done ? out.toString() : "", Messages.last(err.toString()));
+        Outcome outcome = runner.apply(words);
+        String report = outcome.isWritten() ? outcome.out() : "";
+        return folder.row(item.patch(), item.stem(), hash, outcome.code(), report, outcome.message());
     }
 
     private static boolean failed(JsonNode row) {

@@ -6,7 +6,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.node.TextNode;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -66,9 +65,9 @@ record Figure(
             Map<String, Double> numbers) {}
 
     static List<Figure> all() {
-        try (InputStream manifest = Figure.class.getResourceAsStream("figures.json")) {
+        try {
             ObjectMapper mapper = new ObjectMapper();
-            JsonNode tree = mapper.readTree(manifest);
+            JsonNode tree = mapper.readTree(Figure.class.getResource("figures.json"));
             for (JsonNode figure : tree) {
                 expand(mapper, (ObjectNode) figure);
             }

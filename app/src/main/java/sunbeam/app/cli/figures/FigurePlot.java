@@ -37,14 +37,16 @@ enum FigurePlot {
     private static final double EQUAL_POWER = 100;
 
     /**
-     * Draws the plot, and writes its numbers, if it has any, as JSON. A plot of results is left out if there are fewer than two.
-     *
-     * @param others pictures of the same figure and patch
+     * Draws the plot, and writes its numbers, if it has any, as JSON. A plot of results, those of the same figure and patch, is left out if
+     * there are fewer than two.
      */
-    void draw(Figure.Drawing drawing, List<Figure.Drawing> others) {
+    void draw(Figure.Drawing drawing, List<Figure.Drawing> all) {
         String ending = this == ERRORS ? ".npy" : ".csv";
-        List<Figure.Drawing> results = others.stream()
-                .filter(other -> Files.isRegularFile(other.beside(ending)))
+        List<Figure.Drawing> results = all.stream()
+                .filter(other -> other.number().equals(drawing.number())
+                        && other.patch().equals(drawing.patch())
+                        && Files.exists(other.file())
+                        && Files.isRegularFile(other.beside(ending)))
                 .toList();
         if ((this == ERRORS || this == RESPONSES) && results.size() < 2) {
             return;
@@ -151,7 +153,7 @@ enum FigurePlot {
                 double largest = Arrays.stream(intensities).max().orElseThrow();
                 double[] relative = map(intensities, intensity -> intensity / largest);
                 String name = parallel ? "7, parallel rays" : count + (count == 1 ? " slit" : " slits");
-                double width = new Response(millimeters, relative).width();
+                double width = new Measure.Response(millimeters, relative).width();
                 numbers.put(parallel ? "parallel_7" : "width_" + count, width);
                 plot = parallel ? plot.outline(name, millimeters, relative) : plot.line(name, millimeters, relative);
             }
@@ -163,7 +165,7 @@ enum FigurePlot {
         Plot plot =
                 Plot.linear("Light of 500 nm", "angle to the viewer / degrees", "relative intensity", WIDTH, HEIGHT);
         for (Figure.Drawing drawing : results) {
-            Response response = Response.read(drawing);
+            Measure.Response response = Measure.Response.read(drawing);
             plot.line(drawing.picture().label(), response.angles(), response.values());
         }
         return plot;

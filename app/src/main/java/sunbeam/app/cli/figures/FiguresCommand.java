@@ -1,17 +1,16 @@
 package sunbeam.app.cli.figures;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.ToIntBiFunction;
+import java.util.function.Function;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.collection.Collection;
 import sunbeam.app.cli.options.ForceOption;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
@@ -47,7 +46,7 @@ public final class FiguresCommand extends ReportingCommand {
             Map.of("blaze", "blaze", "elaphe", "elaphe-like", "xenopeltis", "xenopeltis-like");
 
     private final ProgressDisplay display;
-    private final ToIntBiFunction<PrintWriter, String[]> runner;
+    private final Function<List<String>, Collection.Outcome> runner;
 
     @Option(
             names = "--output",
@@ -90,9 +89,9 @@ public final class FiguresCommand extends ReportingCommand {
     /**
      * Creates the command.
      *
-     * @param runner function that runs a command line of this program, writes its errors to the writer and returns the exit code
+     * @param runner function that runs a command line of this program
      */
-    public FiguresCommand(ProgressDisplay display, ToIntBiFunction<PrintWriter, String[]> runner) {
+    public FiguresCommand(ProgressDisplay display, Function<List<String>, Collection.Outcome> runner) {
         this.display = display;
         this.runner = runner;
     }
@@ -159,7 +158,7 @@ public final class FiguresCommand extends ReportingCommand {
 
     private int draw(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
         if (drawing.picture().plot() != null) {
-            plot(drawing, drawings);
+            drawing.picture().plot().draw(drawing, drawings);
             return ExitCode.OK.code();
         }
         FigureInput.write(drawing, output);
@@ -174,26 +173,14 @@ public final class FiguresCommand extends ReportingCommand {
         if (replaced) {
             words.add("--force");
         }
-        StringWriter err = new StringWriter();
-        int result = runner.applyAsInt(new PrintWriter(err), words.toArray(String[]::new));
-        // A command that misses its tolerance still writes a picture.
-        if (result == ExitCode.OK.code() || result == ExitCode.TOLERANCE_MISSED.code()) {
+        Collection.Outcome outcome = runner.apply(words);
+        if (outcome.isWritten()) {
             return ExitCode.OK.code();
         }
-        if (result != ExitCode.INTERRUPTED.code()) {
-            err().println(Messages.error(
-                    "figure " + drawing.file().getFileName() + ": " + Messages.last(err.toString())));
+        if (outcome.code() != ExitCode.INTERRUPTED.code()) {
+            err().println(Messages.error("figure " + drawing.file().getFileName() + ": " + outcome.message()));
         }
-        return result;
-    }
-
-    private static void plot(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
-        List<Figure.Drawing> others = drawings.stream()
-                .filter(other -> other.number().equals(drawing.number())
-                        && other.patch().equals(drawing.patch())
-                        && Files.exists(other.file()))
-                .toList();
-        drawing.picture().plot().draw(drawing, others);
+        return outcome.code();
     }
 
     private void checkPage() {

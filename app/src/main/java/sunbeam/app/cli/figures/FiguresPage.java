@@ -1,9 +1,12 @@
 package sunbeam.app.cli.figures;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.terminal.Version;
 
@@ -12,37 +15,12 @@ final class FiguresPage {
     /** Line by which a page written by this command is recognized. */
     static final String GENERATOR = "<meta name=\"generator\" content=\"Sunbeam figures\">\n";
 
-    private static final String START = """
-            <!DOCTYPE html>
-            <html lang="en">
-            <head>
-            <meta charset="utf-8">
-            <title>Result figures</title>
-            """ + GENERATOR + """
-            <style>
-            body { background: #16181c; color: #ddd; font: 15px/1.4 sans-serif; margin: 2em auto; max-width: 1400px; }
-            h1, h2 { color: #fff; } h2 { margin-top: 2.5em; } a { color: #8cf; }
-            .row { display: flex; flex-wrap: wrap; gap: 1em; margin-bottom: 1em; }
-            figure { margin: 0; width: 536px; } figure.map { width: 256px; } table { border-collapse: collapse; } td, th { padding: 2px 12px; text-align: left; } figure img { width: 100%; }
-            figure.map img { border-radius: 50%; box-shadow: 0 0 0 1px #777; }
-            figcaption, code { font-size: 12px; color: #aaa; }
-            </style>
-            </head>
-            <body>
-            <h1>Result figures</h1>
-            """;
+    private static final String TEMPLATE = "page.html";
 
     private FiguresPage() {}
 
     static String of(List<Figure> figures, List<Figure.Drawing> drawings, Path folder) {
-        StringBuilder html = new StringBuilder(START);
-        html.append(
-                paragraph(
-                        "The figures of M. Single's thesis \"An Interactive Shader for Natural Diffraction Gratings\" (Bern"
-                                + " 2014), computed anew by Sunbeam " + Version.number()
-                                + ". Light along the normal and one coherence area of"
-                                + " 65 um (sigma_s 16.25 um), centered, unless the caption says otherwise. Verdicts are of the measured"
-                                + " patches (--patches FOLDER); the built-in elaphe-like and xenopeltis-like have other periods."));
+        StringBuilder html = new StringBuilder();
         for (Figure figure : figures) {
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
             html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
@@ -60,7 +38,13 @@ final class FiguresPage {
                 html.append("</div>\n");
             }
         }
-        return html.append("</body>\n</html>\n").toString();
+        try (InputStream stream = FiguresPage.class.getResourceAsStream(TEMPLATE)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8)
+                    .replace("@VERSION@", Version.number())
+                    .replace("@FIGURES@", html);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(TEMPLATE, failure);
+        }
     }
 
     /** Returns a table of the thesis's numbers and Sunbeam's; an empty text if the figure has none. */
@@ -89,8 +73,7 @@ final class FiguresPage {
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
                 .map(base -> "; "
-                        + PictureDifference.of(
-                                        ImageFile.ours(drawing.file(), "remove it"), ImageFile.ours(base, "remove it"))
+                        + PictureDifference.of(Measure.image(drawing.file()), Measure.image(base))
                                 .text()
                         + " from the first")
                 .orElse("");
@@ -101,10 +84,6 @@ final class FiguresPage {
                                 ? ""
                                 : "./sunbeam " + String.join(" ", drawing.command()) + " --force")
                 + "</code></figcaption></figure>\n";
-    }
-
-    private static String paragraph(String text) {
-        return "<p>" + escape(text) + "</p>\n";
     }
 
     private static String escape(String text) {

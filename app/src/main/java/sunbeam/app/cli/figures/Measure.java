@@ -9,7 +9,10 @@ import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
@@ -48,6 +51,47 @@ enum Measure {
         return label;
     }
 
+    /** Response over the angle at one wavelength, as evaluate writes it; angles in degrees, the largest value being 1. */
+    record Response(double[] angles, double[] values) {
+        static Response read(Figure.Drawing drawing) {
+            Path file = drawing.beside(".csv");
+            try {
+                List<String> lines = Files.readAllLines(file);
+                double[] values = numbers(lines.get(1));
+                double largest = Arrays.stream(values).max().orElseThrow();
+                return new Response(
+                        numbers(lines.get(0)),
+                        Arrays.stream(values).map(value -> value / largest).toArray());
+            } catch (IOException failure) {
+                throw InputException.of(file, failure);
+            }
+        }
+
+        private static double[] numbers(String line) {
+            return Stream.of(line.split(",", -1))
+                    .skip(1)
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+        }
+
+        /** Returns the width of the largest maximum at half of its height. */
+        double width() {
+            int top = IntStream.range(0, values.length)
+                    .filter(i -> values[i] == 1)
+                    .findFirst()
+                    .orElseThrow();
+            int left = top;
+            while (left > 0 && values[left] >= 0.5) {
+                left--;
+            }
+            int right = top;
+            while (right < values.length - 1 && values[right] >= 0.5) {
+                right++;
+            }
+            return angles[right] - angles[left];
+        }
+    }
+
     /** Region of a map: x to the right, y up, from -1 to 1. */
     private interface Region {
         boolean contains(double x, double y);
@@ -65,15 +109,17 @@ enum Measure {
             case CHROMA -> chroma(drawing, (x, y) -> true);
             case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
             case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
-            case CHROMA_OF_THE_LIGHT -> chromaOfLight(image(drawing));
-            case VARIETY_OF_HUES -> varietyOfHues(image(drawing));
+            case CHROMA_OF_THE_LIGHT -> chromaOfLight(drawing);
+            case VARIETY_OF_HUES -> varietyOfHues(image(drawing.file()));
             case LIGHT_ON_THE_LEFT ->
                 light(drawing, (x, y) -> x < -NEAR) / light(drawing, (x, y) -> Math.abs(x) > NEAR);
             case LIGHT_ALONG_X ->
                 light(drawing, (x, y) -> Math.abs(x) > Math.max(NEAR, Math.abs(y)))
                         / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
-            case MEDIAN_DIFFERENCE -> difference(drawing, base).median();
-            case DIFFERENCE -> difference(drawing, base).high();
+            case MEDIAN_DIFFERENCE ->
+                PictureDifference.of(image(drawing.file()), image(base.file())).median();
+            case DIFFERENCE ->
+                PictureDifference.of(image(drawing.file()), image(base.file())).high();
             case ERROR -> has(drawing, ".npy") && has(base, ".npy") ? error(drawing, base) : Double.NaN;
             case WIDTH -> has(drawing, ".csv") ? Response.read(drawing).width() : Double.NaN;
             case NUMBER -> number(drawing, pointer);
@@ -89,31 +135,29 @@ enum Measure {
         return Files.isRegularFile(drawing.beside(ending));
     }
 
-    private static BufferedImage image(Figure.Drawing drawing) {
-        return ImageFile.ours(drawing.file(), "remove it");
+    static BufferedImage image(Path file) {
+        return ImageFile.ours(file, "remove it");
     }
 
     /** Returns the mean CIELAB chroma of a region's pixels that do not have the background's color, that of the picture's corner. */
     private static double chroma(Figure.Drawing drawing, Region region) {
-        BufferedImage image = image(drawing);
-        int background = image.getRGB(0, 0);
+        BufferedImage image = image(drawing.file());
+        int background = rgb(image, 0);
         return pixels(image, region)
-                .filter(pixel -> rgb(image, pixel) != background)
-                .mapToDouble(
-                        pixel -> CieLab.ofSrgb(rgb(image, pixel) & 0xffffff).chroma())
+                .map(pixel -> rgb(image, pixel))
+                .filter(rgb -> rgb != background)
+                .mapToDouble(rgb -> CieLab.ofSrgb(rgb).chroma())
                 .average()
                 .orElse(0);
     }
 
-    private static double chromaOfLight(BufferedImage image) {
-        double light = 0;
-        double colored = 0;
-        for (int pixel = 0; pixel < image.getWidth() * image.getHeight(); pixel++) {
-            double luminance = luminance(rgb(image, pixel));
-            light += luminance;
-            colored += luminance * CieLab.ofSrgb(rgb(image, pixel) & 0xffffff).chroma();
-        }
-        return colored / light;
+    private static double chromaOfLight(Figure.Drawing drawing) {
+        BufferedImage image = image(drawing.file());
+        double colored = pixels(image, (x, y) -> true)
+                .map(pixel -> rgb(image, pixel))
+                .mapToDouble(rgb -> luminance(rgb) * CieLab.ofSrgb(rgb).chroma())
+                .sum();
+        return colored / light(drawing, (x, y) -> true);
     }
 
     /** Returns the variety of hues, 1 - |mean of (a, b)| / mean chroma in CIELAB: 0 for a single hue, 1 for evenly spread ones. */
@@ -122,7 +166,7 @@ enum Measure {
         double b = 0;
         double chroma = 0;
         for (int pixel = 0; pixel < image.getWidth() * image.getHeight(); pixel++) {
-            CieLab color = CieLab.ofSrgb(rgb(image, pixel) & 0xffffff);
+            CieLab color = CieLab.ofSrgb(rgb(image, pixel));
             a += color.a();
             b += color.b();
             chroma += color.chroma();
@@ -131,7 +175,7 @@ enum Measure {
     }
 
     private static double light(Figure.Drawing drawing, Region region) {
-        BufferedImage image = image(drawing);
+        BufferedImage image = image(drawing.file());
         return pixels(image, region)
                 .mapToDouble(pixel -> luminance(rgb(image, pixel)))
                 .sum();
@@ -154,11 +198,7 @@ enum Measure {
     }
 
     private static int rgb(BufferedImage image, int pixel) {
-        return image.getRGB(pixel % image.getWidth(), pixel / image.getWidth());
-    }
-
-    private static PictureDifference difference(Figure.Drawing drawing, Figure.Drawing base) {
-        return PictureDifference.of(image(drawing), image(base));
+        return image.getRGB(pixel % image.getWidth(), pixel / image.getWidth()) & 0xffffff;
     }
 
     /** Returns the sum of the errors of luminance of a map's linear colors, relative to the sum of its luminance. */

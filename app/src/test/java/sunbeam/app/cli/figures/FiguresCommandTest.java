@@ -17,6 +17,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
+import sunbeam.app.cli.collection.Collection;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 
@@ -31,12 +32,10 @@ class FiguresCommandTest {
     private final StringWriter err = new StringWriter();
 
     /** Stands for the program: draws gray maps, those of 50 and 100 nm darker, and fails for 25 nm. */
-    private int draw(PrintWriter complaints, String... arguments) {
-        List<String> words = List.of(arguments);
+    private Collection.Outcome draw(List<String> words) {
         runs.add(words);
         if (words.contains("25nm")) {
-            complaints.println("sunbeam: no memory");
-            return 4;
+            return new Collection.Outcome(4, "", "no memory");
         }
         BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
         for (int i = 0; i < 16; i++) {
@@ -51,7 +50,7 @@ class FiguresCommandTest {
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
-        return 0;
+        return new Collection.Outcome(0, "", "");
     }
 
     private List<Figure.Drawing> drawings(Figure figure) {
