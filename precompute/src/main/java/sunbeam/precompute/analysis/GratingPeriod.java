@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.apache.commons.math3.distribution.TDistribution;
 import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
@@ -128,6 +129,11 @@ public record GratingPeriod(
         boolean isPiece =
                 piece.isSure() || (piece.isSeen() && exact.filter(piece::agrees).isEmpty());
         return small && !isPiece ? exact.orElse(piece) : piece;
+    }
+
+    /** Returns Student's factor of an interval's half width. */
+    static double student(int degreesOfFreedom) {
+        return new TDistribution(degreesOfFreedom).inverseCumulativeProbability(0.5 + 0.5 * PROBABILITY);
     }
 
     private boolean agrees(GratingPeriod other) {

@@ -81,9 +81,16 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
                 : 0;
     }
 
+    /** Returns the bin along x of a place in {@link #power}. */
+    int binX(int place) {
+        return bandX.first() + place % bandX.count();
+    }
+
+    int binY(int place) {
+        return bandY.first() + place / bandX.count();
+    }
+
     SpatialFrequency frequency(int place) {
-        int jx = bandX.first() + place % bandX.count();
-        int jy = bandY.first() + place / bandX.count();
-        return new SpatialFrequency(jx / width, jy / height);
+        return new SpatialFrequency(binX(place) / width, binY(place) / height);
     }
 }

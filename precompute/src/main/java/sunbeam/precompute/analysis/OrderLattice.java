@@ -1,7 +1,7 @@
 package sunbeam.precompute.analysis;
 
-import java.math.BigInteger;
 import java.util.Optional;
+import org.apache.commons.math3.util.ArithmeticUtils;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
@@ -54,8 +54,8 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         double[] power = spectrum.power();
         for (int place = power.length / 2 + 1; place < power.length; place++) {
             if (power[place] > WEAKEST * spectrum.total()) {
-                int x = spectrum.bandX().first() + place % spectrum.bandX().count();
-                int y = spectrum.bandY().first() + place / spectrum.bandX().count();
+                int x = spectrum.binX(place);
+                int y = spectrum.binY(place);
                 while (x != 0) {
                     int times = a / x;
                     int nextX = a - times * x;
@@ -65,7 +65,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
                     x = nextX;
                     y = nextY;
                 }
-                d = BigInteger.valueOf(d).gcd(BigInteger.valueOf(y)).intValueExact();
+                d = ArithmeticUtils.gcd(d, y);
                 b = d > 0 ? Math.floorMod(b, d) : b;
             }
         }

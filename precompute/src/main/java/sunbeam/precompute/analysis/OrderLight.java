@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.fourier.Band;
@@ -41,32 +40,30 @@ public record OrderLight(
      */
     public record Efficiency(double value, double low, double high) {}
 
+    private record Bin(int x, int y, double real, double imaginary) {}
+
     private static final class Field {
-        private final List<int[]> bins = new ArrayList<>();
-        private final List<double[]> amplitudes = new ArrayList<>();
+        private final List<Bin> bins = new ArrayList<>();
         private double power;
 
         void add(int x, int y, double real, double imaginary, boolean kept) {
             power += real * real + imaginary * imaginary;
             if (kept) {
-                bins.add(new int[] {x, y});
-                amplitudes.add(new double[] {real, imaginary});
+                bins.add(new Bin(x, y, real, imaginary));
             }
         }
 
         /** Returns the mean powers of up to 4 x 4 equal parts of the scan; their mean is the power (Parseval). */
         double[] parts() {
-            int left = bins.stream().mapToInt(bin -> bin[0]).min().orElse(0);
-            int bottom = bins.stream().mapToInt(bin -> bin[1]).min().orElse(0);
-            int columns = bins.stream().mapToInt(bin -> bin[0]).max().orElse(0) - left + 1;
-            int rows = bins.stream().mapToInt(bin -> bin[1]).max().orElse(0) - bottom + 1;
+            int left = bins.stream().mapToInt(Bin::x).min().orElse(0);
+            int bottom = bins.stream().mapToInt(Bin::y).min().orElse(0);
+            int columns = bins.stream().mapToInt(Bin::x).max().orElse(0) - left + 1;
+            int rows = bins.stream().mapToInt(Bin::y).max().orElse(0) - bottom + 1;
             double[][] real = new double[rows][columns];
             double[][] imaginary = new double[rows][columns];
-            for (int i = 0; i < bins.size(); i++) {
-                real[bins.get(i)[1] - bottom][bins.get(i)[0] - left] =
-                        amplitudes.get(i)[0];
-                imaginary[bins.get(i)[1] - bottom][bins.get(i)[0] - left] =
-                        amplitudes.get(i)[1];
+            for (Bin bin : bins) {
+                real[bin.y - bottom][bin.x - left] = bin.real;
+                imaginary[bin.y - bottom][bin.x - left] = bin.imaginary;
             }
             ComplexVector field = new BandTransform2d(columns, rows, Band.of(0, columns - 1), Band.of(0, rows - 1))
                     .transform((row, re, im) -> {
@@ -94,10 +91,7 @@ public record OrderLight(
             if (parts.length < 2) {
                 return new Efficiency(power, Double.NaN, Double.NaN);
             }
-            double error = Math.sqrt(StatUtils.variance(parts) / parts.length);
-            double half = error
-                    * new TDistribution(parts.length - 1.0)
-                            .inverseCumulativeProbability(0.5 * (1 + GratingPeriod.PROBABILITY));
+            double half = GratingPeriod.student(parts.length - 1) * Math.sqrt(StatUtils.variance(parts) / parts.length);
             return new Efficiency(power, Math.max(0, power - half), power + half);
         }
     }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
-import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
@@ -207,8 +206,7 @@ final class PeriodModel {
             lengths[i] = part.length();
             turns[i] = Math.IEEEremainder(part.azimuth() - wave.azimuth(), Math.PI);
         }
-        double student = new TDistribution(lengths.length - 1)
-                .inverseCumulativeProbability(0.5 + 0.5 * GratingPeriod.PROBABILITY);
+        double student = GratingPeriod.student(lengths.length - 1);
         double half = student * Math.sqrt(StatUtils.variance(lengths) / side);
         double turn = student * Math.sqrt(StatUtils.variance(turns) / side);
         Interval interval =

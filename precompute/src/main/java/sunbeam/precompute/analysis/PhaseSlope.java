@@ -1,7 +1,6 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
-import org.apache.commons.math3.distribution.TDistribution;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
@@ -145,8 +144,8 @@ record PhaseSlope(double value, double halfWidth) {
         }
         double white = Math.sqrt(squares / degrees / spread);
         double walk = SMOOTHED * Math.sqrt(steps * (degrees + 1) / degrees) / ((last - first) * step);
-        double student = new TDistribution(degrees).inverseCumulativeProbability(0.5 + 0.5 * GratingPeriod.PROBABILITY);
-        return new PhaseSlope(slope / (2 * Math.PI), student * Math.max(white, walk) / (2 * Math.PI));
+        double halfWidth = GratingPeriod.student(degrees) * Math.max(white, walk);
+        return new PhaseSlope(slope / (2 * Math.PI), halfWidth / (2 * Math.PI));
     }
 
     /**

@@ -1,12 +1,12 @@
 package sunbeam.precompute.analysis;
 
-import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.util.ArithmeticUtils;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Finds the exact periods of a surface that repeats one patch without end, from its strongest frequencies. */
@@ -69,29 +69,24 @@ final class RepeatedPeriod {
         int best = -1;
         for (int i = power.length / 2 + 1; i < power.length; i++) {
             if (power[i] > (best < 0 ? 0 : power[best]) && which.test(spectrum.frequency(i))) {
-                int jx = jx(i);
-                int jy = jy(i);
-                best = before.stream().noneMatch(family -> family.holds(jx, jy)) ? i : best;
+                int place = i;
+                boolean isNew =
+                        before.stream().noneMatch(family -> family.holds(spectrum.binX(place), spectrum.binY(place)));
+                best = isNew ? i : best;
             }
         }
-        return best < 0 ? Optional.empty() : Optional.of(family(jx(best), jy(best), spectrum.frequency(best)));
-    }
-
-    private int jx(int place) {
-        return spectrum.bandX().first() + place % spectrum.bandX().count();
-    }
-
-    private int jy(int place) {
-        return spectrum.bandY().first() + place / spectrum.bandX().count();
+        return best < 0
+                ? Optional.empty()
+                : Optional.of(family(spectrum.binX(best), spectrum.binY(best), spectrum.frequency(best)));
     }
 
     /** The bin may be an overtone: its family is that of the highest frequency whose overtones include all strong multiples. */
     private Family family(int jx, int jy, SpatialFrequency strongest) {
-        int number = gcd(jx, jy);
+        int number = ArithmeticUtils.gcd(jx, jy);
         double[] powers = overtones(jx / number, jy / number).toArray();
         int fundamental = number;
         for (int k = 1; k <= powers.length; k++) {
-            fundamental = powers[k - 1] > OVERTONE * all ? gcd(fundamental, k) : fundamental;
+            fundamental = powers[k - 1] > OVERTONE * all ? ArithmeticUtils.gcd(fundamental, k) : fundamental;
         }
         int x = jx / number * fundamental;
         int y = jy / number * fundamental;
@@ -109,9 +104,5 @@ final class RepeatedPeriod {
                         k -> spectrum.bandX().holds(k * jx) && spectrum.bandY().holds(k * jy),
                         k -> k + 1)
                 .mapToDouble(k -> spectrum.at(k * jx, k * jy));
-    }
-
-    private static int gcd(int a, int b) {
-        return BigInteger.valueOf(a).gcd(BigInteger.valueOf(b)).intValueExact();
     }
 }

@@ -65,8 +65,8 @@ final class WaveSearch {
     }
 
     private SpatialFrequency refined(int place) {
-        int jx = spectrum.bandX().first() + place % spectrum.bandX().count();
-        int jy = spectrum.bandY().first() + place / spectrum.bandX().count();
+        int jx = spectrum.binX(place);
+        int jy = spectrum.binY(place);
         double here = spectrum.at(jx, jy);
         double x = jx + Lagrange.top(spectrum.at(jx - 1, jy), here, spectrum.at(jx + 1, jy));
         double y = jy + Lagrange.top(spectrum.at(jx, jy - 1), here, spectrum.at(jx, jy + 1));

@@ -1,5 +1,6 @@
 package sunbeam.precompute.evaluation;
 
+import java.util.Optional;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
@@ -44,9 +45,9 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
 
     /** Returns the directions to the light and to the viewer in the patch's frame. */
     public DirectionPair pair(double thetaR) {
-        Direction wi = rotated(lightAlong(), lightAcross(), Math.cos(thetaI));
-        Direction wr = rotated(Math.sin(thetaR), -lightAcross(), cosine(thetaR));
-        return new DirectionPair(wi, wr);
+        Direction wi = new Direction(lightAlong(), lightAcross(), Math.cos(thetaI));
+        Direction wr = new Direction(Math.sin(thetaR), -lightAcross(), cosine(thetaR));
+        return new DirectionPair(wi, wr).turned(azimuth);
     }
 
     private double cosine(double thetaR) {
@@ -57,9 +58,42 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
         return Math.sqrt(Math.max(0, 1 - sine * sine - lightAcross() * lightAcross()));
     }
 
-    private Direction rotated(double along, double across, double z) {
-        double cosine = Math.cos(azimuth);
-        double sine = Math.sin(azimuth);
-        return new Direction(along * cosine - across * sine, along * sine + across * cosine, z);
+    /** Range of periods, in meters, in which a grating's first order is searched. */
+    public record FirstOrder(double shortest, double longest) {
+        public static FirstOrder around(double period, double factor) {
+            return new FirstOrder(period / factor, period * factor);
+        }
+
+        /** Returns the geometric mean of the range, meters. */
+        public double middle() {
+            return Math.sqrt(shortest * longest);
+        }
+
+        /**
+         * Returns evenly spaced angles theta_r to the viewer, radians. They span all directions that see the order +1 or -1 at a wavelength
+         * between two limits (meters); empty if no direction does.
+         */
+        public Optional<double[]> angles(
+                GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {
+            double horizon = Math.sin(plane.largestThetaR());
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int sign = -1; sign <= 1; sign += 2) {
+                double near = -plane.lightAlong() - sign * shortestWavelength / longest;
+                double far = -plane.lightAlong() - sign * longestWavelength / shortest;
+                double left = Math.max(-horizon, Math.min(near, far));
+                double right = Math.min(horizon, Math.max(near, far));
+                low = left < right ? Math.min(low, left) : low;
+                high = left < right ? Math.max(high, right) : high;
+            }
+            if (!(low < high)) {
+                return Optional.empty();
+            }
+            double[] angles = new double[count];
+            for (int i = 0; i < count; i++) {
+                angles[i] = Math.asin(low) + (Math.asin(high) - Math.asin(low)) * i / (count - 1);
+            }
+            return Optional.of(angles);
+        }
     }
 }

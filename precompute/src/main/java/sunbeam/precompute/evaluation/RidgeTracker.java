@@ -7,6 +7,8 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
+import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**

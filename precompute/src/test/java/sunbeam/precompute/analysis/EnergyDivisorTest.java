@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.CieTable.Observer;
 import sunbeam.precompute.color.Illuminant;
@@ -25,6 +26,8 @@ class EnergyDivisorTest {
     private static final int SAMPLES = 64;
     private static final CoherenceWindow SUNLIGHT =
             CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
+
+    private static final Direction ABOVE = Direction.ofDegrees(0, 0);
 
     /** Tracks of a DVD. */
     private static HeightMap tracks() {
@@ -106,14 +109,6 @@ class EnergyDivisorTest {
     }
 
     @Test
-    void theDiscsExcessIsKnown() {
-        double divisor =
-                new EnergyDivisor(tracks(), RefractiveIndex.KERATIN, SUNLIGHT).at(Direction.ofDegrees(0, 0), 720e-9);
-        // 1.53 of the sharp orders (EnergyBalanceTest), a little less as the Gaussians reach beyond the horizon.
-        assertThat(divisor).isBetween(1.5, 1.56);
-    }
-
-    @Test
     void aMirrorAndAShallowSurfaceAreNotDivided() {
         HeightMap mirror = Surfaces.of(16, 16, 100e-9, (x, y) -> 0);
         EnergyDivisor divisor = new EnergyDivisor(mirror, RefractiveIndex.KERATIN, SUNLIGHT);
@@ -149,5 +144,48 @@ class EnergyDivisorTest {
         CieTable laser = CieTable.of(Observer.CIE1931, Illuminant.of("E"), WavelengthBand.parse("700nm"));
         Direction wi = Direction.ofDegrees(0, 0);
         assertThat(divisor.ofColors(wi, laser)).isCloseTo(divisor.at(wi, 700e-9), within(0.01));
+    }
+
+    private static EnergyBalance at(HeightMap map, Direction wi, double wavelength) {
+        return new EnergyBalance(new OrderSpectrum(map).sum(RefractiveIndex.KERATIN, wi, wavelength, 0), wavelength);
+    }
+
+    /** Two levels of equal width, 120 nm apart: tracks of a DVD. */
+    private static HeightMap wideTracks(double period) {
+        return Surfaces.sampled(32, 4, period / 32, (column, row) -> column < 16 ? 0 : 120e-9);
+    }
+
+    @Test
+    void flatOrdersOfALamellarGratingTakeTheirClosedForm() {
+        double period = 740e-9;
+        double wavelength = 720e-9;
+        // Orders 0 and +-1 from above: |F_0|^2 = cos^2(k w h / 2), |F_1|^2 = sin^2(k w h / 2) (2 / pi)^2 up to the
+        // samples' sinc; order m is 1 / cos theta_m as bright by the BRDF's factor.
+        double cosine = Math.sqrt(1 - Math.pow(wavelength / period, 2));
+        double zero = Math.pow(Math.cos(2 * Math.PI / wavelength * 2 * 60e-9), 2);
+        double inOne = Math.pow(Math.sin(2 * Math.PI / wavelength * (1 + cosine) * 60e-9), 2)
+                * Math.pow(1.0 / 16 / Math.sin(Math.PI / 32), 2);
+
+        EnergyBalance balance = at(wideTracks(period), ABOVE, wavelength);
+
+        double reflectance = Gain.reflectance(Math.sqrt(0.5 * (1 + cosine))) / Gain.R0;
+        assertThat(balance.ratio())
+                .isCloseTo(zero + 2 * reflectance * inOne / cosine, within(1e-6)); // the error of the expansion
+        assertThat(balance.warning())
+                .hasValueSatisfying(words -> assertThat(words).contains("720 nm"));
+    }
+
+    @Test
+    void wideGratingsKeepTheirEnergyWithoutAWord() {
+        EnergyBalance balance = EnergyBalance.largest(wideTracks(20e-6), RefractiveIndex.KERATIN, ABOVE)
+                .orElseThrow();
+        assertThat(balance.ratio()).isBetween(0.95, EnergyBalance.LARGEST);
+        assertThat(balance.warning()).isEmpty();
+    }
+
+    @Test
+    void aDeepReliefIsNotEvaluated() {
+        HeightMap deep = Surfaces.sampled(32, 4, 1e-6, (column, row) -> column < 16 ? 0 : 7e-6);
+        assertThat(EnergyBalance.largest(deep, RefractiveIndex.KERATIN, ABOVE)).isEmpty();
     }
 }

@@ -32,7 +32,7 @@ class PeriodModelTest {
         assertThat(Math.abs(turn)).isLessThan(0.5 * 1e-6 * micrometers / map.height());
     }
 
-    /** The sums over all kinds that SimulatedGratingsRun and FaultyScansRun print, of few draws: 95 % of the answers hold the truth. */
+    /** 95 % of the answers hold the truth, in few draws of all kinds of gratings and faults. */
     @Test
     void estimatedIntervalsHoldTheTruth() {
         int held = 0;

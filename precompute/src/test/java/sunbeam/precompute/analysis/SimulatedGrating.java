@@ -10,12 +10,10 @@ import sunbeam.precompute.optics.HeightMap;
  * A randomly drawn scan of a grating with a known period.
  *
  * @param map heights
- * @param kind what disturbs it
  * @param truths meters: the period, or each of two
- * @param azimuth radians, across its lines
  * @param words for messages
  */
-record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimuth, String words) {
+record SimulatedGrating(HeightMap map, double[] truths, String words) {
     enum Kind {
         /** Undisturbed. */
         CLEAN,
@@ -38,19 +36,6 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
     /** The program's estimate; empty where it refuses. */
     Optional<GratingPeriod> estimate() {
         return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isSure);
-    }
-
-    /** Radians; a direction and its opposite are one. */
-    double directionError(GratingPeriod estimate) {
-        return Math.abs(Math.IEEEremainder(estimate.azimuth() - azimuth, Math.PI));
-    }
-
-    /** Error of the estimate relative to the nearer truth. */
-    double error(GratingPeriod estimate) {
-        return Arrays.stream(truths)
-                .map(truth -> Math.abs(estimate.period() / truth - 1))
-                .min()
-                .orElseThrow();
     }
 
     boolean holdsTruth(GratingPeriod estimate) {
@@ -107,7 +92,7 @@ record SimulatedGrating(HeightMap map, Kind kind, double[] truths, double azimut
         }
         String words = kind + " seed " + seed;
         double[] truths = kind == Kind.TWO ? new double[] {period, period * ratio} : new double[] {period};
-        return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), kind, truths, angle, words);
+        return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), truths, words);
     }
 
     private static double[] lines(Kind kind, SplittableRandom random, int count, double disorder) {

@@ -55,18 +55,18 @@ class VerdictTest {
                                 + " first-order colors at 19 to 36 degrees under light from above");
     }
 
-    /** sin theta = +-lambda / d - 1/2: -9.6 and 4.8, -56.4 and beyond -90 degrees for 1.2 um. */
-    @Test
-    void obliqueLightHasAnglesOnEitherSideOfItsMirrorDirection() {
-        assertThat(verdict(piece((x, y) -> sine(x, 1.2e-6)), 30))
-                .endsWith("first-order colors at -10 to 5 degrees and from -56 degrees on under light at 30 degrees");
-    }
-
-    /** sin theta = +-lambda / d - 0.17: 2.1 to 11.2 degrees for 1.9 um, and -22.6 to -32.8 on the other side. */
-    @Test
-    void anglesOnEitherSideOfTheMirrorDirectionAscend() {
-        assertThat(verdict(piece((x, y) -> sine(x, 1.9e-6)), 10))
-                .contains("first-order colors at 2 to 11 degrees and at -33 to -23 degrees under light");
+    /**
+     * sin theta = +-lambda / d - 1/2: -9.6 and 4.8, -56.4 and beyond -90 degrees for 1.2 um; +-lambda / d - 0.17: 2.1 to 11.2 degrees, and
+     * -22.6 to -32.8 for 1.9 um.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "1.2e-6, 30, at -10 to 5 degrees and from -56 degrees on",
+        "1.9e-6, 10, at 2 to 11 degrees and at -33 to -23 degrees"
+    })
+    void obliqueLightHasAscendingAnglesOnEitherSideOfItsMirrorDirection(double period, double light, String angles) {
+        assertThat(verdict(piece((x, y) -> sine(x, period)), light))
+                .contains("first-order colors " + angles + " under light at");
     }
 
     @Test

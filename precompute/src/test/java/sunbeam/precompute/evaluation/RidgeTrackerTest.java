@@ -10,6 +10,9 @@ import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
+import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
+import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
 
 /** Responses with ridges of Gaussian shape, as the orders of a grating have under a Gaussian window. */

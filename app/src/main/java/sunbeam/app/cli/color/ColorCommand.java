@@ -38,7 +38,7 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.analysis.EnergyBalance;
+import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.Methods;

@@ -19,7 +19,7 @@ import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.analysis.EnergyBalance;
+import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.ReflectionPart;

@@ -9,7 +9,7 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.evaluation.GratingPlane;
-import sunbeam.precompute.evaluation.ResponseGrid;
+import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.text.Text;
 
