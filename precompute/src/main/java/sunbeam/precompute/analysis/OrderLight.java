@@ -22,6 +22,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
  * @param wavelength meters
  * @param efficiencies efficiencies of the orders above the horizon
  * @param between share of the light that leaves between the orders of a grating
+ * @param sum share of the light that leaves the surface
  * @param mirror share that a flat mirror of the material reflects
  */
 public record OrderLight(
@@ -30,6 +31,7 @@ public record OrderLight(
         double wavelength,
         Map<Order, Efficiency> efficiencies,
         double between,
+        double sum,
         double mirror) {
     // Largest number of parts of a scan along each axis, whose differences give the interval.
     private static final int PARTS = 4;
@@ -38,7 +40,9 @@ public record OrderLight(
      * Efficiency of an order, with the 95 % interval of its mean over the surface that a scan is a sample of, or itself twice for a surface
      * that repeats; NaN for an interval of less than two parts.
      */
-    public record Efficiency(double value, double low, double high) {}
+    public record Efficiency(double value, double low, double high) {
+        static final Efficiency NONE = new Efficiency(0, 0, 0);
+    }
 
     private record Bin(int x, int y, double real, double imaginary) {}
 
@@ -127,8 +131,10 @@ public record OrderLight(
                 rest.power += field.power;
             }
         });
+        double sum =
+                efficiencies.values().stream().mapToDouble(Efficiency::value).sum() + rest.power;
         double mirror = index.reflectance(wavelength, wi.z());
-        return new OrderLight(lattice, wi, wavelength, efficiencies, rest.power, mirror);
+        return new OrderLight(lattice, wi, wavelength, efficiencies, rest.power, sum, mirror);
     }
 
     /** Returns the direction of an order; empty beyond the horizon. */
@@ -136,15 +142,8 @@ public record OrderLight(
         return lattice.direction(order, wi, wavelength);
     }
 
-    /** Returns the efficiency of an order: NaN beyond the horizon, 0 beside it if all light of the order is beyond. */
+    /** Returns the efficiency of an order above the horizon, 0 if all its light is beyond. */
     public Efficiency at(Order order) {
-        double none = direction(order).isPresent() ? 0 : Double.NaN;
-        return efficiencies.getOrDefault(order, new Efficiency(none, none, none));
-    }
-
-    /** Returns the share of the light that leaves the surface. */
-    public double sum() {
-        return between
-                + efficiencies.values().stream().mapToDouble(Efficiency::value).sum();
+        return efficiencies.getOrDefault(order, Efficiency.NONE);
     }
 }

@@ -4,7 +4,6 @@ import static sunbeam.app.cli.options.LightOptions.PHI_I;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import static sunbeam.precompute.plan.LightSettings.OBSERVER;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -57,11 +56,12 @@ import sunbeam.precompute.units.Lengths;
 public final class OrdersCommand extends ReportingCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
-    // Limits of a patch's orders (for a relief of 1 um: 500 MB of amplitudes), and of evaluated orders (minutes).
+    // Limits of a patch's orders (for a relief of 1 um: 500 MB of amplitudes), of evaluated orders (minutes), and of
+    // written ones (40 MB as CSV).
     private static final long MOST_ORDERS = 4_000_000;
     private static final double DEEPEST = 20e-6;
     private static final long MOST_EVALUATIONS = 4_000_000_000L;
-    private static final double MOST_RESULTS = 3e6;
+    private static final double MOST_RESULTS = 5e5;
 
     @Mixin
     private PatchOptions patchOptions;
@@ -132,9 +132,7 @@ public final class OrdersCommand extends ReportingCommand {
                     + Verdict.of(patch, period).sentence());
         }
         OrderTable table = table(patch, period, choices, material, cie);
-        PrintWriter out = json.text(out());
-        out.println(table.verdict().sentence());
-        table.lines().forEach(out::println);
+        table.lines().forEach(json.text(out())::println);
         Map<String, Object> tree = table.tree();
         tree.put("index", index.describe(material));
         Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
@@ -158,11 +156,13 @@ public final class OrdersCommand extends ReportingCommand {
         }
         OrderLattice lattice = OrderLattice.of(patch, period);
         long lights = (long) thetas.count() * wavelengths.count();
-        if (orders * lights > MOST_EVALUATIONS || lattice.most(CieTable.MINIMUM_WAVELENGTH) * lights > MOST_RESULTS) {
+        double visible = lattice.most(CieTable.MINIMUM_WAVELENGTH);
+        if (orders * lights > MOST_EVALUATIONS || visible * lights > MOST_RESULTS) {
             throw new UsageException(Text.format(
-                    "%d angles of --theta-i and %d --wavelengths are too many for this patch; take larger steps%s",
+                    "%d angles of --theta-i and %d --wavelengths are too many for this patch of %.0f orders; take larger steps%s",
                     thetas.count(),
                     wavelengths.count(),
+                    visible,
                     patch.repetition() == Patch.Repetition.PERIODIC
                             ? ", or --no-periodic, which adds up the light around each order of its lines"
                             : ""));
@@ -183,9 +183,12 @@ public final class OrdersCommand extends ReportingCommand {
                             Direction wi = Direction.ofDegrees(thetas.values()[i / meters.length], phi);
                             return OrderLight.of(spectrum, lattice, material, wi, meters[i % meters.length], sampled);
                         });
-        List<List<OrderLight>> byAngle = IntStream.range(0, thetas.count())
-                .mapToObj(i -> all.subList(i * meters.length, (i + 1) * meters.length))
+        List<OrderTable.Incidence> incidences = IntStream.range(0, thetas.count())
+                .mapToObj(i -> new OrderTable.Incidence(
+                        thetas.values()[i], all.subList(i * meters.length, (i + 1) * meters.length)))
                 .toList();
-        return new OrderTable(patch, period, lattice, thetas.values(), phi, meters, byAngle, cie);
+        // The verdict is for light across the lines.
+        Verdict verdict = Verdict.of(patch, period, choices.has(PHI_I) ? 0 : thetas.minimum());
+        return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
     }
 }

@@ -136,6 +136,21 @@ class OrdersCommandTest extends CommandLineFixture {
         assertThat(err.toString()).contains("--output '' names no file");
     }
 
+    @Test
+    void theVerdictIsForTheLightsAngle() {
+        assertSuccess(run("blaze", "--theta-i", "30", "--wavelengths", "500"));
+        assertThat(out.toString()).contains("under light at 30 degrees").doesNotContain("from above");
+    }
+
+    @Test
+    void aPeriodOf5MillimetersIsRefusedBeforeTheWork() throws IOException {
+        Path scan = file("wide.txt");
+        Files.writeString(scan, "0 ".repeat(256) + "50 ".repeat(256));
+        assertThat(run(scan.toString(), "--columns=512", "--width=5mm", "--height-unit=nm", "--periodic"))
+                .isEqualTo(2);
+        assertThat(err.toString()).contains("are too many for this patch of 26316 orders");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -145,7 +160,7 @@ class OrdersCommandTest extends CommandLineFixture {
                 "blaze --wavelengths 300:500:10 | 2 | --wavelengths 300:500:10 leaves the range 380 to 780",
                 "blaze --wavelengths green | 2 | is not a range",
                 "blaze --theta-i 0:80:0.001 --wavelengths 380:780:0.001 | 2 | are too many for this patch",
-                "elaphe-like | 2 | are too many for this patch; take larger steps, or --no-periodic",
+                "elaphe-like | 2 | are too many for this patch of 91920 orders; take larger steps, or --no-periodic",
                 "blaze --index 0 | 2 | --index 0",
             })
     void mistakesAreOneLine(String arguments, int code, String start) {
