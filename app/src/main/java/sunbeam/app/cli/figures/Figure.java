@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.node.TextNode;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -65,9 +66,9 @@ record Figure(
             Map<String, Double> numbers) {}
 
     static List<Figure> all() {
-        try {
+        try (InputStream manifest = Figure.class.getResourceAsStream("figures.json")) {
             ObjectMapper mapper = new ObjectMapper();
-            JsonNode tree = mapper.readTree(Figure.class.getResource("figures.json"));
+            JsonNode tree = mapper.readTree(manifest);
             for (JsonNode figure : tree) {
                 expand(mapper, (ObjectNode) figure);
             }

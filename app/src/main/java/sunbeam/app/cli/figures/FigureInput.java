@@ -10,6 +10,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -52,8 +53,8 @@ final class FigureInput {
     private static String scene(Map<String, JsonNode> values) {
         Map<String, JsonNode> own = new LinkedHashMap<>(values);
         String resource = "/sunbeam/scenes/" + own.remove("scene").asText() + ".json";
-        try {
-            JsonNode scene = new ObjectMapper().readTree(FigureInput.class.getResource(resource));
+        try (InputStream stream = FigureInput.class.getResourceAsStream(resource)) {
+            JsonNode scene = new ObjectMapper().readTree(stream);
             turn(
                     (ArrayNode) scene.at("/light/direction"),
                     own.containsKey(TURN) ? own.remove(TURN).asDouble() : 0);
