@@ -10,7 +10,6 @@ import jrtr.gl.Texture;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.shader.UniformValue;
 
 /** A method's tables in graphics memory, for any program that includes the method. Owns its textures. */
 public final class UploadedTables implements AutoCloseable {
@@ -81,25 +80,12 @@ public final class UploadedTables implements AutoCloseable {
         ShaderProgram program =
                 context.createFullScreenProgram(Shaders.library().load(fragment, defines));
         try {
-            tables.uniforms().forEach((name, value) -> set(program, name, value));
+            tables.reals().forEach(program::set);
+            tables.integers().forEach(program::set);
             return program;
         } catch (RuntimeException failure) {
             program.close();
             throw failure;
-        }
-    }
-
-    private static void set(ShaderProgram program, String name, UniformValue value) {
-        if (value instanceof UniformValue.Reals reals) {
-            float[] components = new float[reals.components().size()];
-            for (int i = 0; i < components.length; i++) {
-                components[i] = reals.components().get(i);
-            }
-            program.set(name, components);
-        } else if (value instanceof UniformValue.Integers integers) {
-            program.set(
-                    name,
-                    integers.components().stream().mapToInt(Integer::intValue).toArray());
         }
     }
 
@@ -112,15 +98,11 @@ public final class UploadedTables implements AutoCloseable {
      * method's tables have no DFT bins.
      */
     public Optional<double[]> binsPerFrequency() {
-        UniformValue roundingError = tables.uniforms().get("tablePeriodRest");
-        if (!(tables.uniforms().get("tablePeriod") instanceof UniformValue.Reals rounded)
-                || !(roundingError instanceof UniformValue.Reals remainder)) {
-            return Optional.empty();
-        }
-        return Optional.of(new double[] {
-            (double) rounded.components().get(0) + remainder.components().get(0),
-            (double) rounded.components().get(1) + remainder.components().get(1)
-        });
+        float[] rounded = tables.reals().get("tablePeriod");
+        float[] rest = tables.reals().get("tablePeriodRest");
+        return rounded == null || rest == null
+                ? Optional.empty()
+                : Optional.of(new double[] {(double) rounded[0] + rest[0], (double) rounded[1] + rest[1]});
     }
 
     /** Returns the standard deviation of the coherence window in meters. */

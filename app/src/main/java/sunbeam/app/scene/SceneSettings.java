@@ -10,7 +10,6 @@ import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
@@ -31,37 +30,39 @@ public final class SceneSettings {
     private static final double MOST_LIGHT_DEGREES = 15;
 
     public static final Setting<String> TITLE =
-            new Setting<>("title", Kinds.text("TITLE"), "For people.").withStandard("");
+            new Setting<>("title", ValueKind.text("TITLE"), "For people.").withStandard("");
 
     public static final Setting<String> MESH = new Setting<>(
-            "mesh", Kinds.text("MESH"), "snake, plane, sphere, cylinder, disc, or a file: OBJ, PLY, glTF.");
+            "mesh", ValueKind.text("MESH"), "snake, plane, sphere, cylinder, disc, or a file: OBJ, PLY, glTF.");
 
     public static final Setting<MeshUnit> MESH_UNIT = new Setting<>(
                     "meshUnit",
-                    Kinds.word("UNIT", MeshUnit.class),
+                    ValueKind.word("UNIT", MeshUnit.class),
                     "Unit of a mesh file: m, cm, mm, um or in (inches). glTF is always in m.")
             .withStandard(MeshUnit.M);
 
     public static final Setting<String> TEXTURE = new Setting<>(
-            "texture", Kinds.text("TEXTURE"), "Colors of the body: elaphe, xenopeltis, dark, none, or an image file.");
+            "texture",
+            ValueKind.text("TEXTURE"),
+            "Colors of the body: elaphe, xenopeltis, dark, none, or an image file.");
 
     public static final Setting<Scales> SCALES = new Setting<>(
                     "scales",
-                    Kinds.word("KIND", Scales.class),
+                    ValueKind.word("KIND", Scales.class),
                     "Scales of mesh snake: smooth (15 rows, as of a sunbeam snake), keeled (21 rows, as of a rat snake) or none.")
             .withStandard(Scales.NONE);
 
     /** Rotation of the patch in radians, counterclockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
                     "rotatePatch",
-                    Kinds.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
+                    ValueKind.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
                     "Rotation of the nanostructure in the tangent plane in degrees, counter-clockwise seen from outside.")
             .withStandard(0.0);
 
     /** Image of the directions of the nanostructure's x axis, relative to the tangent. */
     public static final Setting<String> ORIENTATION_MAP = new Setting<>(
                     "orientationMap",
-                    Kinds.text("FILE"),
+                    ValueKind.text("FILE"),
                     "Directions of the nanostructure's x axis, before its rotation: an image file on the mesh's texture"
                             + " coordinates whose red and green are x and y (a flow map), or none.")
             .withStandard(OrientationMap.NONE);
@@ -69,13 +70,13 @@ public final class SceneSettings {
     /** Key of the object {@code patch}: image whose colors select the patches. */
     static final Setting<String> PATCH_MAP = new Setting<>(
             "map",
-            Kinds.text("FILE"),
+            ValueKind.text("FILE"),
             "An image file on the mesh's texture coordinates, each of whose colors has a patch.");
 
     /** Standard deviation of the slopes, along either axis, of relief that is finer than a pixel, as an angle in radians. */
     public static final Setting<Double> ROUGHNESS = new Setting<>(
                     "roughness",
-                    Kinds.angle(0, Math.toRadians(MOST_ROUGHNESS_DEGREES)),
+                    ValueKind.angle(0, Math.toRadians(MOST_ROUGHNESS_DEGREES)),
                     "Standard deviation of the slopes of relief finer than a pixel, in degrees, 0 to 10; preset thesis has"
                             + " none.")
             .withStandard(0.0);
@@ -87,7 +88,7 @@ public final class SceneSettings {
     /** Treatment of highlights; by default compressed, with the thesis's preset clipped. */
     public static final Setting<Tone> TONE = new Setting<>(
             "tone",
-            Kinds.word("CURVE", Tone.class),
+            ValueKind.word("CURVE", Tone.class),
             "Light brighter than the screen: compress (default) keeps its hue, clip limits each channel (thesis), gamma"
                     + " limits each channel and has an exponent of 1 / 2.5 (the thesis's program).");
 
@@ -96,12 +97,12 @@ public final class SceneSettings {
 
     /** Primaries of pictures; by default sRGB, with the thesis's preset CIE RGB. */
     public static final Setting<Primaries> PRIMARIES =
-            new Setting<>("primaries", Kinds.word("RGB", Primaries.class), PRIMARIES_HELP);
+            new Setting<>("primaries", ValueKind.word("RGB", Primaries.class), PRIMARIES_HELP);
 
     /** Opacity of the diffracted light over the body; by default its luminance, with the thesis's preset Fresnel's reflectance. */
     public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(
                     "bodyAlpha",
-                    Kinds.word("WHAT", BodyAlpha.class),
+                    ValueKind.word("WHAT", BodyAlpha.class),
                     "Opacity of diffracted light over the body: light (default), its brightness relative to white; fresnel,"
                             + " the reflectance (the thesis's program; default with --preset thesis); draft, none: the"
                             + " unlit texture is added (algorithm 3.4 of the thesis's text 000).")
@@ -117,7 +118,7 @@ public final class SceneSettings {
 
     public static final Setting<SkinIndex> INDEX = new Setting<>(
                     "index",
-                    Kinds.text(
+                    ValueKind.text(
                             "N",
                             SkinIndex::parse,
                             SkinIndex::format,
@@ -128,14 +129,14 @@ public final class SceneSettings {
 
     public static final Setting<Energy> ENERGY = new Setting<>(
                     "energy",
-                    Kinds.word("RULE", Energy.class),
+                    ValueKind.word("RULE", Energy.class),
                     "scalar (default): scalar theory, in which orders at grazing angles can send out more light than"
                             + " arrives. conserve: radiance divided by this excess; not with preset thesis.")
             .withStandard(Energy.SCALAR);
 
     public static final Setting<Optional<SceneColor>> GROUND = new Setting<>(
                     "ground",
-                    Kinds.<Optional<SceneColor>>text(
+                    ValueKind.<Optional<SceneColor>>text(
                             "#rrggbb",
                             text -> text.strip().equals(NONE) ? Optional.empty() : Optional.of(SceneColor.parse(text)),
                             color -> color.map(SceneColor::toString).orElse(NONE),
@@ -145,40 +146,40 @@ public final class SceneSettings {
 
     public static final Setting<Double> SKY = new Setting<>(
                     "sky",
-                    Kinds.number("FACTOR", 0, 100),
+                    ValueKind.number("FACTOR", 0, 100),
                     "Radiance of the sky that gloss reflects, relative to lit white; preset thesis has 0.")
             .withStandard(0.0);
 
     public static final Setting<Boolean> SHADOWS = new Setting<>(
                     "shadows",
-                    Kinds.flag(),
+                    ValueKind.flag(),
                     "The mesh casts shadows on itself and on the ground; preset thesis has none.")
             .withStandard(false);
 
     /** Whether the thesis's preset, too, draws the surroundings; no setting of files or options. */
     static final Setting<Boolean> KEEPS_SURROUNDINGS =
-            new Setting<>("keepsSurroundings", Kinds.flag(), "").withStandard(false);
+            new Setting<>("keepsSurroundings", ValueKind.flag(), "").withStandard(false);
 
     public static final Setting<SceneColor> BACKGROUND = new Setting<>(
                     "background",
-                    Kinds.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
+                    ValueKind.text("#rrggbb", SceneColor::parse, SceneColor::toString, "#rrggbb"),
                     "Color behind the mesh; exposure does not change it.")
             .withStandard(new SceneColor(0));
 
     /** Angle between the picture's bottom and top in radians. */
     static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
                     "fieldOfView",
-                    Kinds.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
+                    ValueKind.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
                     "Angle between the bottom and top of a picture of 4:3 or wider; narrower ones have the horizontal angle of 4:3.")
             .withStandard(Math.toRadians(30));
 
     public static final Setting<Double> INTENSITY =
-            new Setting<>("intensity", Kinds.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
+            new Setting<>("intensity", ValueKind.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
 
     /** Diameter of the light's disc as an angle in radians; see {@link SceneLight#deviation}. */
     public static final Setting<Double> ANGULAR_DIAMETER = new Setting<>(
                     "angularDiameter",
-                    Kinds.angle(0, Math.toRadians(MOST_LIGHT_DEGREES)),
+                    ValueKind.angle(0, Math.toRadians(MOST_LIGHT_DEGREES)),
                     "Diameter of the light as seen from the scene in degrees, 0 to 15; the sun has 0.53; preset thesis has none.")
             .withStandard(0.0);
 
@@ -222,7 +223,7 @@ public final class SceneSettings {
     private SceneSettings() {}
 
     private static Setting<Double> weight(String name, String help, double standard) {
-        return new Setting<>(name + "Weight", Kinds.number("W", 0, LARGEST_WEIGHT), help)
+        return new Setting<>(name + "Weight", ValueKind.number("W", 0, LARGEST_WEIGHT), help)
                 .inFiles(name)
                 .withStandard(standard);
     }

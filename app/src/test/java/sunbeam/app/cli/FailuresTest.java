@@ -19,9 +19,9 @@ import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.table.TableException;
 
 final class FailuresTest {
@@ -53,7 +53,7 @@ final class FailuresTest {
 
     @Test
     void whatIsWrongWithAChoiceDependsOnItsPlace() {
-        Setting<String> setting = new Setting<>("mesh", Kinds.text("MESH"), "Which.");
+        Setting<String> setting = new Setting<>("mesh", ValueKind.text("MESH"), "Which.");
         assertThat(report(new SettingException(setting, "is odd"), false)).isEqualTo(2);
         Choices options = Choices.at(OptionOrigin.INSTANCE).with(setting, "cube");
         assertThat(report(options.complaint(setting, "is odd"), false)).isEqualTo(2);

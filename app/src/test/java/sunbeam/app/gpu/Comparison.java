@@ -17,7 +17,7 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.reference.WindowLight;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;

@@ -25,8 +25,8 @@ import sunbeam.precompute.plan.OrderSampling;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.table.TableBuilder;
 
 /** Mesa's software renderer silently ends loops after 65,535 steps; the partial sums must be refused. */

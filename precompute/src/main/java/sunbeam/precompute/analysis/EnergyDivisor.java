@@ -94,13 +94,8 @@ public final class EnergyDivisor {
             double y = 2 * (row + 0.5) / LIGHTS - 1;
             shares[i] = (float) (1 / ofColors(light(x, y), cie));
         });
-        return new ShaderTables.Builder(tables.shader())
-                .all(tables)
-                .define("ENERGY_CONSERVED", 1)
-                .array(TableArray.of(
-                        ArrayLayout.flat("energyShares", LIGHTS, LIGHTS, 1).linear(), shares))
-                .trial(tables.trial())
-                .build(tables.windowSigma(), tables.specularReach());
+        ArrayLayout layout = ArrayLayout.flat("energyShares", LIGHTS, LIGHTS, 1).linear();
+        return tables.with(all -> all.define("ENERGY_CONSERVED", 1).array(TableArray.of(layout, shares)));
     }
 
     /**

@@ -26,7 +26,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
      */
     public record Band(double blue, double red) {}
 
-    /** Kinds of surfaces by their colors, explained in docs/evaluation.md. The kinds up to ALL_DIRECTIONS have colors. */
+    /** ValueKind of surfaces by their colors, explained in docs/evaluation.md. The kinds up to ALL_DIRECTIONS have colors. */
     public enum Code {
         SURE_GRATING,
         PROBABLE_GRATING,

@@ -1,7 +1,7 @@
 package sunbeam.precompute.expansion;
 
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 
 /**
  * Expansion of exp(i k w h) = exp(-i zeta s), up to a constant phase. Each term is a function of direction and wavelength times a function
@@ -48,7 +48,7 @@ public interface Expansion {
     default String key() {
         return String.join(
                 "|",
-                Kinds.name(kind()),
+                ValueKind.name(kind()),
                 Integer.toString(terms()),
                 scale().toString(),
                 Double.toString(minimumPhase()),

@@ -19,8 +19,8 @@ import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 

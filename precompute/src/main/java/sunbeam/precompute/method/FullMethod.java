@@ -1,16 +1,8 @@
 package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
-import static sunbeam.precompute.plan.MethodSettings.TERMS;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
-import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.EnumSet;
 import java.util.List;
@@ -24,7 +16,7 @@ import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /**
  * Method {@code full}: sums power over all wavelengths, with a planned sampling or the thesis's, under a Gaussian window.
@@ -33,18 +25,8 @@ import sunbeam.precompute.shader.MethodUse;
  */
 public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
     /** Settings of methods that sum over bins under a Gaussian window, in the manual's order. */
-    static final List<Setting<?>> SETTINGS = List.of(
-            PRESET,
-            TOLERANCE,
-            EXPANSION,
-            TERMS,
-            RADIUS,
-            ANCHOR,
-            WAVELENGTH_STEP,
-            WINDOW_ORIGIN,
-            COHERENCE_LENGTH,
-            AVERAGE,
-            FRESNEL);
+    static final List<Setting<?>> SETTINGS =
+            Setting.union(TableChoices.SETTINGS, List.of(RADIUS, ANCHOR), GaussianArea.SETTINGS, List.of(FRESNEL));
 
     public static final MethodType TYPE =
             new MethodType("full", "all wavelengths, Gaussian coherence window.", SETTINGS, FullMethod::of);

@@ -21,8 +21,8 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.units.Lengths;
 
 /**

@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Sentence;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /**
  * Plan of a method for a surface and the directions that can occur.

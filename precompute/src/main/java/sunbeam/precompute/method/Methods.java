@@ -2,17 +2,15 @@ package sunbeam.precompute.method;
 
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 
 /** Registry of all methods. */
@@ -28,7 +26,7 @@ public final class Methods {
 
     public static final Setting<MethodType> METHOD = new Setting<>(
                     "method",
-                    Kinds.oneOf("METHOD", ALL, MethodType::label),
+                    ValueKind.oneOf("METHOD", ALL, MethodType::label),
                     "How colors are computed: "
                             + ALL.stream().map(MethodType::label).collect(Collectors.joining(", "))
                             + ". "
@@ -39,16 +37,12 @@ public final class Methods {
             .withStandard(FullMethod.TYPE);
 
     /** The method, all methods' settings, and the light's, in the manual's order. */
-    public static final List<Setting<?>> SETTINGS = settings();
+    public static final List<Setting<?>> SETTINGS = Setting.union(
+            List.of(METHOD),
+            ALL.stream().<Setting<?>>flatMap(type -> type.settings().stream()).toList(),
+            LightSettings.ALL);
 
     private Methods() {}
-
-    private static List<Setting<?>> settings() {
-        Set<Setting<?>> settings = new LinkedHashSet<>(List.of(METHOD));
-        ALL.forEach(type -> settings.addAll(type.settings()));
-        settings.addAll(LightSettings.ALL);
-        return List.copyOf(settings);
-    }
 
     /**
      * Returns the chosen method; settings other than {@link #SETTINGS} are ignored.

@@ -19,8 +19,8 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 
 /**

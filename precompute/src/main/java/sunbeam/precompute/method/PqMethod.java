@@ -6,7 +6,6 @@ import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -31,15 +30,15 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.resample.PeriodSpectrum;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
@@ -68,17 +67,14 @@ public record PqMethod(
     private static final String COEFFICIENTS = "periodCoefficients";
 
     public static final MethodType TYPE = new MethodType(
-                    "pq", "the patch repeated Q times, with sharp edges.", settings(), PqMethod::of)
+                    "pq",
+                    "the patch repeated Q times, with sharp edges.",
+                    Setting.union(TableChoices.SETTINGS, List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS, FRESNEL)),
+                    PqMethod::of)
             .fixing(AVERAGE, Average.COHERENT);
 
     public PqMethod {
         replicas.ifPresent(REPLICAS.kind()::check);
-    }
-
-    private static List<Setting<?>> settings() {
-        List<Setting<?>> settings = new ArrayList<>(TableChoices.SETTINGS);
-        settings.addAll(List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS, FRESNEL));
-        return settings;
     }
 
     private static PqMethod of(Choices choices) {
@@ -202,7 +198,7 @@ public record PqMethod(
             return List.of(
                     Text.format(
                             "sizes: %d %s terms, %s interpolation",
-                            expansion.terms(), Kinds.name(expansion.kind()), Kinds.name(interpolation)),
+                            expansion.terms(), ValueKind.name(expansion.kind()), ValueKind.name(interpolation)),
                     "replicas: chosen, or the number closest to the coherence length",
                     Text.format(
                             "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/theory.md for its error",

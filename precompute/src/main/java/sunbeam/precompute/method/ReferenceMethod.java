@@ -5,7 +5,6 @@ import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
-import java.util.ArrayList;
 import java.util.List;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
@@ -28,15 +27,8 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
     public static final MethodType TYPE = new MethodType(
             "reference",
             "exact sums in double precision on the processor; slow, not for maps.",
-            settings(),
+            Setting.union(List.of(PRESET), GaussianArea.SETTINGS, List.of(REPLICAS)),
             ReferenceMethod::of);
-
-    private static List<Setting<?>> settings() {
-        List<Setting<?>> settings = new ArrayList<>(List.of(PRESET));
-        settings.addAll(GaussianArea.SETTINGS);
-        settings.add(REPLICAS);
-        return settings;
-    }
 
     private static ReferenceMethod of(Choices choices) {
         if (!choices.has(REPLICAS)) {

@@ -20,9 +20,9 @@ import sunbeam.precompute.prepare.Preparation;
 import sunbeam.precompute.prepare.Seam;
 import sunbeam.precompute.prepare.Spikes;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -130,7 +130,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private String remedy(ScanFault fault) {
         return fault.part()
                 .map(part -> named(CROP, part.written()) + " leaves them out")
-                .or(() -> fault.leveling().map(by -> named(LEVEL, Kinds.name(by)) + " removes this"))
+                .or(() -> fault.leveling().map(by -> named(LEVEL, ValueKind.name(by)) + " removes this"))
                 .orElse("");
     }
 
@@ -170,8 +170,8 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
         String remedy = said
                 ? "crop it to a period (" + named(CROP) + ")"
-                : (takesTilt ? "" : "level it (" + named(LEVEL, Kinds.name(Leveling.PLANE)) + ") or ") + "blend them ("
-                        + named(EDGES, Kinds.name(Edges.BLEND)) + ")";
+                : (takesTilt ? "" : "level it (" + named(LEVEL, ValueKind.name(Leveling.PLANE)) + ") or ")
+                        + "blend them (" + named(EDGES, ValueKind.name(Edges.BLEND)) + ")";
         return Optional.of(step + "opposite borders differ by " + Lengths.rounded(seam.jump(), 2)
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }

@@ -2,15 +2,14 @@ package sunbeam.precompute.patch;
 
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.scan.text.DecimalMark;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 
 /** Settings of a patch. Their limits refuse nanometers typed for micrometers. */
 public final class PatchSettings {
@@ -25,12 +24,12 @@ public final class PatchSettings {
     /** Meters; of 255 for 8 bits, 65535 for 16 bits, 1.0 for floats and numbers without unit. */
     public static final Setting<Double> MAX_HEIGHT = new Setting<>(
             "maxHeight",
-            Kinds.length(1e-12, 1),
+            ValueKind.length(1e-12, 1),
             "Height of an image's full scale (255, 65535, or 1.0), for example 375nm.");
 
     public static final Setting<String> PATCH = new Setting<>(
                     "patch",
-                    Kinds.text("PATCH"),
+                    ValueKind.text("PATCH"),
                     "The surface: a built-in patch (" + String.join(", ", BuiltInPatches.names()) + "), a"
                             + " descriptor (.json), a scan in its instrument's format, or an image (PNG, TIFF, BMP)"
                             + " with ",
@@ -43,24 +42,24 @@ public final class PatchSettings {
 
     public static final Setting<String> HEIGHT_UNIT = new Setting<>(
             "heightUnit",
-            Kinds.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
+            ValueKind.oneOf("UNIT", List.of("pm", "nm", "um", "mm", "m"), unit -> unit)
                     .alsoWritten(Map.of("\u00b5m", "um", "\u03bcm", "um")),
             "Unit of the heights of a file without one: pm, nm, um, mm or m.");
 
     public static final Setting<Integer> COLUMNS = new Setting<>(
             "columns",
-            Kinds.integer("N", 1, ScanLimits.LONGEST_SIDE),
+            ValueKind.integer("N", 1, ScanLimits.LONGEST_SIDE),
             "Numbers per row of a file that does not state it.");
 
     public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
             "decimalMark",
-            Kinds.word("MARK", DecimalMark.class),
+            ValueKind.word("MARK", DecimalMark.class),
             "Decimal mark of a text file: point or comma. Default: comma if blanks, tabs or semicolons separate the"
                     + " numbers and no number has a point.");
 
     public static final Setting<String> CHANNEL = new Setting<>(
             "channel",
-            Kinds.text("CHANNEL").alsoWritten(Map.of("gray", "grey")),
+            ValueKind.text("CHANNEL").alsoWritten(Map.of("gray", "grey")),
             "Channel of the heights: a name or number that inspect lists; for an image grey, red, green, blue or alpha."
                     + " Default for scans: heights from a sensor before heights from a voltage, trace before retrace.");
 
@@ -72,7 +71,7 @@ public final class PatchSettings {
 
     public static final Setting<Leveling> LEVEL = new Setting<>(
                     "level",
-                    Kinds.word("KIND", Leveling.class),
+                    ValueKind.word("KIND", Leveling.class),
                     "Subtract from the heights: none, mean, plane, rows (the plane, then each row's mean), median-rows,"
                             + " quadratic (tilt and bow). Default: plane for files, mean for descriptors and periodic"
                             + " surfaces.")
@@ -80,19 +79,19 @@ public final class PatchSettings {
 
     public static final Setting<Boolean> DESPIKE = new Setting<>(
             "despike",
-            Kinds.flag(),
+            ValueKind.flag(),
             "Replace spikes, single samples far above or below their surroundings, by the median around them; reports"
                     + " their number and height.");
 
     public static final Setting<Edges> EDGES = new Setting<>(
             "edges",
-            Kinds.word("KIND", Edges.class),
+            ValueKind.word("KIND", Edges.class),
             "Borders of the repeated scan: repeat them as they are, or blend opposite ones over a tenth of each side."
                     + " Default: blend for files, repeat for descriptors and periodic surfaces.");
 
     public static final Setting<Boolean> PERIODIC = new Setting<>(
             "periodic",
-            Kinds.flag(),
+            ValueKind.flag(),
             "The patch is one period of the surface; negated, a piece of it. The coherence length of a piece is at most its"
                     + " shorter side.");
 
@@ -103,18 +102,15 @@ public final class PatchSettings {
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
     /** Settings of a file, given in its descriptor or together with the file's name. */
-    public static final List<Setting<?>> OF_FILES = Stream.of(SCALE, List.<Setting<?>>of(CHANNEL), PREPARING)
-            .<Setting<?>>flatMap(List::stream)
-            .toList();
+    public static final List<Setting<?>> OF_FILES = Setting.union(SCALE, List.of(CHANNEL), PREPARING);
 
     /** All settings, the patch first. */
-    public static final List<Setting<?>> ALL =
-            Stream.concat(Stream.<Setting<?>>of(PATCH), OF_FILES.stream()).toList();
+    public static final List<Setting<?>> ALL = Setting.union(List.of(PATCH), OF_FILES);
 
     private PatchSettings() {}
 
     /** A single column or row may be as narrow as a nanometer. */
     private static Setting<Double> side(String key, String help) {
-        return new Setting<>(key, Kinds.length(1e-9, 0.1), help);
+        return new Setting<>(key, ValueKind.length(1e-9, 0.1), help);
     }
 }

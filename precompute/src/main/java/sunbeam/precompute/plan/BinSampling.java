@@ -7,8 +7,8 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 
 /**

@@ -18,12 +18,6 @@ public enum FresnelFactor {
 
     /** Returns the tables for a shader with this factor. */
     public ShaderTables applyTo(ShaderTables tables) {
-        return this == ONCE
-                ? tables
-                : new ShaderTables.Builder(tables.shader())
-                        .all(tables)
-                        .define("FRESNEL_SQUARED", 1)
-                        .trial(tables.trial())
-                        .build(tables.windowSigma(), tables.specularReach());
+        return this == ONCE ? tables : tables.with(all -> all.define("FRESNEL_SQUARED", 1));
     }
 }

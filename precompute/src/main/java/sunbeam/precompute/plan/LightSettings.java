@@ -6,8 +6,8 @@ import java.util.function.UnaryOperator;
 import sunbeam.precompute.color.CieTable.Observer;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.color.WavelengthBand;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Similar;
 
@@ -16,7 +16,7 @@ public final class LightSettings {
     /** One of {@link Illuminant#NAMES}, or a CSV file. */
     public static final Setting<String> ILLUMINANT = new Setting<>(
                     "illuminant",
-                    Kinds.text(
+                    ValueKind.text(
                             "LIGHT",
                             LightSettings::illuminant,
                             UnaryOperator.identity(),
@@ -29,7 +29,7 @@ public final class LightSettings {
     /** Band of wavelengths that passes a filter. */
     public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
                     "wavelengths",
-                    Kinds.text(
+                    ValueKind.text(
                             "BAND",
                             WavelengthBand::parse,
                             WavelengthBand::toString,
@@ -39,7 +39,7 @@ public final class LightSettings {
 
     public static final Setting<Observer> OBSERVER = new Setting<>(
                     "observer",
-                    Kinds.word("OBSERVER", Observer.class),
+                    ValueKind.word("OBSERVER", Observer.class),
                     "Color matching functions: cie1931 (2 degrees) or cie1964 (10 degrees).")
             .withStandard(Observer.CIE1931);
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 
 /**

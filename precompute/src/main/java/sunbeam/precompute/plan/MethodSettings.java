@@ -5,8 +5,8 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.resample.PeriodInterpolation;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
@@ -19,7 +19,7 @@ public final class MethodSettings {
 
     public static final Setting<Preset> PRESET = new Setting<>(
             "preset",
-            Kinds.word("PRESET", Preset.class),
+            ValueKind.word("PRESET", Preset.class),
             "thesis: the thesis's values, each of which other options override: 37 Taylor terms, 380..780 nm in steps of"
                     + " 5 nm, 3 x 3 bins anchored with floor, window on the corner, coherent average, Fresnel's factor"
                     + " squared, CIE RGB, clipped highlights, light blended over meshes by Fresnel's factor, pq by ring, gem in"
@@ -27,12 +27,12 @@ public final class MethodSettings {
 
     public static final Setting<FresnelFactor> FRESNEL = new Setting<>(
             "fresnel",
-            Kinds.word("COUNT", FresnelFactor.class),
+            ValueKind.word("COUNT", FresnelFactor.class),
             "Power of Fresnel's reflectance in the radiance: once (default) or squared (thesis).");
 
     public static final Setting<Double> TOLERANCE = new Setting<>(
                     "tolerance",
-                    Kinds.number(
+                    ValueKind.number(
                             "ERROR",
                             ErrorBudget.FINEST,
                             ErrorBudget.COARSEST,
@@ -46,74 +46,74 @@ public final class MethodSettings {
             .withStandard(ErrorBudget.STANDARD);
 
     public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
-            "expansion", Kinds.word("KIND", ExpansionKind.class), "Expansion of exp(i k w h): taylor or lowrank.");
+            "expansion", ValueKind.word("KIND", ExpansionKind.class), "Expansion of exp(i k w h): taylor or lowrank.");
 
     public static final Setting<Integer> TERMS =
-            new Setting<>("terms", Kinds.integer("N", 1, MOST_TERMS), "Number of terms of the expansion.");
+            new Setting<>("terms", ValueKind.integer("N", 1, MOST_TERMS), "Number of terms of the expansion.");
 
     public static final Setting<Integer> RADIUS = new Setting<>(
             "radius",
-            Kinds.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
+            ValueKind.integer("R", 0, Neighborhood.MAXIMUM_RADIUS),
             "With preset thesis: sum (2 R + 1) x (2 R + 1) DFT bins around each frequency.");
 
     public static final Setting<Neighborhood.Anchor> ANCHOR = new Setting<>(
             "anchor",
-            Kinds.word("BIN", Neighborhood.Anchor.class),
+            ValueKind.word("BIN", Neighborhood.Anchor.class),
             "With preset thesis: the central bin, floor (default) or nearest.");
 
     public static final Setting<Double> WAVELENGTH_STEP = new Setting<>(
             "wavelengthStep",
-            Kinds.length(SMALLEST_STEP, LARGEST_STEP),
+            ValueKind.length(SMALLEST_STEP, LARGEST_STEP),
             "Equal steps of the wavelength, for example 5nm.");
 
     /** Sample under the window's maximum; the corner for the thesis, the center otherwise. */
     public static final Setting<WindowOrigin> WINDOW_ORIGIN = new Setting<>(
             "windowOrigin",
-            Kinds.word("PLACE", WindowOrigin.class),
+            ValueKind.word("PLACE", WindowOrigin.class),
             "Place of the coherence window's maximum on the patch: centre (default) or corner (thesis).");
 
     /** Four standard deviations of the window, meters. */
     public static final Setting<Double> COHERENCE_LENGTH = new Setting<>(
                     "coherenceLength",
-                    Kinds.length(100e-9, 10e-3),
+                    ValueKind.length(100e-9, 10e-3),
                     "Four standard deviations of the coherence window, 100nm to 10mm; sunlight: 65 um.")
             .withStandard(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
 
     public static final Setting<Average> AVERAGE = new Setting<>(
                     "average",
-                    Kinds.word("KIND", Average.class),
+                    ValueKind.word("KIND", Average.class),
                     "coherent: one coherence area, with speckle. ensemble: the mean over all positions of the window.")
             .withStandard(Average.COHERENT);
 
     /** Interpolation between the bins of one period's DFT. */
     public static final Setting<PeriodInterpolation> INTERPOLATION = new Setting<>(
             "interpolation",
-            Kinds.word("KIND", PeriodInterpolation.class),
+            ValueKind.word("KIND", PeriodInterpolation.class),
             "For pq: interpolation between the bins of one period's DFT: sinc (default), linear, or ring (sinc over nine bins, thesis).");
 
     public static final Setting<Integer> REPLICAS = new Setting<>(
             "replicas",
-            Kinds.integer("Q", 1, Replicas.MOST),
+            ValueKind.integer("Q", 1, Replicas.MOST),
             "For pq: repeat the patch Q times along both axes. Default: the number that fills the coherence length. For"
                     + " reference: sum over these replicas instead of the Gaussian window.");
 
     /** Distance of a grating's lines, meters. Finer lines diffract no visible light; coarser ones are no grating. */
     public static final Setting<Double> SPACING = new Setting<>(
             "spacing",
-            Kinds.length(100e-9, 1e-3),
+            ValueKind.length(100e-9, 1e-3),
             "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for patches of one"
                     + " period.");
 
     /** Orders of a grating beside the mirror's. */
     public static final Setting<Integer> ORDERS = new Setting<>(
             "orders",
-            Kinds.integer("N", 1, 100),
+            ValueKind.integer("N", 1, 100),
             "For gem: orders on each side of the mirror's: 8 (default, GPU Gems); in the thesis's form all visible ones.");
 
     /** Form of the grating formula. */
     public static final Setting<GemForm> GEM_FORM = new Setting<>(
             "gemForm",
-            Kinds.word("FORM", GemForm.class),
+            ValueKind.word("FORM", GemForm.class),
             "For gem: stam (default, GPU Gems), or thesis (its program for maps): light at |v| < 0.01 only, times"
                     + " exp(-(1.5 u / w)^2).");
 

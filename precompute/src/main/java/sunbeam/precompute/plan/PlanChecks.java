@@ -17,9 +17,9 @@ import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
@@ -145,7 +145,7 @@ final class PlanChecks {
                 lines.add(Sentence.of(
                         Text.format(
                                 "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
-                                expansion.terms(), Kinds.name(expansion.kind()), expansion.error(), tolerance),
+                                expansion.terms(), ValueKind.name(expansion.kind()), expansion.error(), tolerance),
                         TERMS,
                         ", or leave it out"));
             }

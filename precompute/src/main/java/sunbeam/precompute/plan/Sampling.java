@@ -5,8 +5,8 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.table.FourierTable;
 
 /** Rule for evaluating the windowed spectrum from DFT bins: the bins or grids to read, and the wavelengths. */

@@ -10,8 +10,8 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -57,7 +57,7 @@ public record SpectrumPlan(
     public String summary() {
         return Text.format(
                 "%s, coherence length %s, %s average, %s",
-                promise(), Lengths.format(window.coherenceLength()), Kinds.name(average), sampling.summary(range));
+                promise(), Lengths.format(window.coherenceLength()), ValueKind.name(average), sampling.summary(range));
     }
 
     private String promise() {
@@ -76,7 +76,7 @@ public record SpectrumPlan(
     }
 
     private String terms() {
-        return expansion.terms() + " " + Kinds.name(expansion.kind()) + " terms";
+        return expansion.terms() + " " + ValueKind.name(expansion.kind()) + " terms";
     }
 
     /** Such as "699 x 699 DFT bins". */

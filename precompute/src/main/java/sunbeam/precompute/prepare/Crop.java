@@ -3,7 +3,6 @@ package sunbeam.precompute.prepare;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
@@ -12,7 +11,7 @@ import sunbeam.precompute.units.Lengths;
 /** Rectangular part of a scan, in meters from its lower left corner. */
 public record Crop(double left, double right, double bottom, double top) {
     /** Text form on the command line and in files, such as {@code 5um:25um,0um:10um}. */
-    public static final ValueKind<Crop> KIND = Kinds.text(
+    public static final ValueKind<Crop> KIND = ValueKind.text(
             "AREA",
             Crop::parse,
             crop -> format(crop.left, crop.right, crop.bottom, crop.top),

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Lengths;
 
 /** Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges. */
@@ -35,7 +35,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
             steps.add("cropped from " + rounded(measured.width()) + " x " + rounded(measured.height()));
         }
         field = leveling.apply(field);
-        steps.add("levelling " + Kinds.name(leveling));
+        steps.add("levelling " + ValueKind.name(leveling));
         if (despike) {
             Spikes spikes = Spikes.remove(field);
             field = spikes.cleaned();

@@ -120,7 +120,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 
-    /** Kinds of channels in order of preference. */
+    /** ValueKind of channels in order of preference. */
     enum Kind {
         SENSOR_HEIGHT,
         /** Heights from the piezo voltage or an unnamed source. */

@@ -1,8 +1,10 @@
 package sunbeam.precompute.setting;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Declaration of a user's setting.
@@ -35,6 +37,12 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
 
     public Setting<T> inFiles(String name) {
         return new Setting<>(key, name, kind, help, standard);
+    }
+
+    /** Returns the settings of several lists, without repetitions. */
+    @SafeVarargs
+    public static List<Setting<?>> union(List<Setting<?>>... lists) {
+        return Stream.of(lists).<Setting<?>>flatMap(List::stream).distinct().toList();
     }
 
     public Optional<String> writtenStandard() {

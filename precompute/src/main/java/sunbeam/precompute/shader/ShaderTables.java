@@ -7,11 +7,14 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
+import java.util.function.UnaryOperator;
 
 /**
- * Tables of a method's shader: constants, uniforms and arrays.
+ * Tables of a method's shader: constants, uniforms and arrays. Callers must not change the uniforms' components.
  *
  * @param shader file in shaders/method, without its ending
+ * @param reals uniforms of type {@code float}, {@code vec2}, {@code vec3} or {@code vec4}, by the number of components
+ * @param integers uniforms of type {@code int} or {@code ivec2} to {@code ivec4}
  * @param windowSigma standard deviation of the coherence window, meters
  * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light
  * @param trial result of the tables' validation; empty if they were not validated
@@ -19,7 +22,8 @@ import java.util.function.DoubleConsumer;
 public record ShaderTables(
         String shader,
         Map<String, String> defines,
-        Map<String, UniformValue> uniforms,
+        Map<String, float[]> reals,
+        Map<String, int[]> integers,
         List<TableArray> arrays,
         double windowSigma,
         double specularReach,
@@ -27,7 +31,8 @@ public record ShaderTables(
 
     public ShaderTables {
         defines = Collections.unmodifiableMap(new TreeMap<>(defines));
-        uniforms = Collections.unmodifiableMap(new TreeMap<>(uniforms));
+        reals = Collections.unmodifiableMap(new TreeMap<>(reals));
+        integers = Collections.unmodifiableMap(new TreeMap<>(integers));
         arrays = List.copyOf(arrays);
     }
 
@@ -45,13 +50,24 @@ public record ShaderTables(
                     return array.layer(layer);
                 }))
                 .toList();
-        return new ShaderTables(shader, defines, uniforms, preceded, windowSigma, specularReach, trial);
+        return with(preceded);
+    }
+
+    ShaderTables with(List<TableArray> others) {
+        return new ShaderTables(shader, defines, reals, integers, others, windowSigma, specularReach, trial);
+    }
+
+    /** Returns these tables with additions. */
+    public ShaderTables with(UnaryOperator<Builder> additions) {
+        Builder all = new Builder(shader).all(this).trial(trial);
+        return additions.apply(all).build(windowSigma, specularReach);
     }
 
     public static final class Builder {
         private final String shader;
         private final Map<String, String> defines = new TreeMap<>();
-        private final Map<String, UniformValue> uniforms = new TreeMap<>();
+        private final Map<String, float[]> reals = new TreeMap<>();
+        private final Map<String, int[]> integers = new TreeMap<>();
         private final List<TableArray> arrays = new ArrayList<>();
         private String trial = "";
 
@@ -66,12 +82,16 @@ public record ShaderTables(
         }
 
         public Builder reals(String name, double... components) {
-            uniforms.put(name, UniformValue.reals(components));
+            float[] rounded = new float[components.length];
+            for (int i = 0; i < rounded.length; i++) {
+                rounded[i] = (float) components[i];
+            }
+            reals.put(name, rounded);
             return this;
         }
 
         public Builder integers(String name, int... components) {
-            uniforms.put(name, UniformValue.integers(components));
+            integers.put(name, components);
             return this;
         }
 
@@ -88,7 +108,8 @@ public record ShaderTables(
         /** Adds all defines, uniforms and arrays of other tables. */
         public Builder all(ShaderTables others) {
             defines.putAll(others.defines());
-            uniforms.putAll(others.uniforms());
+            reals.putAll(others.reals());
+            integers.putAll(others.integers());
             arrays.addAll(others.arrays());
             return this;
         }
@@ -97,7 +118,15 @@ public record ShaderTables(
         public ShaderTables build(double windowSigma, double specularReach) {
             // See shaders/include/loops.glsl.
             integers("loopProbe", 2);
-            return new ShaderTables(shader, defines, uniforms, arrays, windowSigma, specularReach, trial);
+            return new ShaderTables(shader, defines, reals, integers, arrays, windowSigma, specularReach, trial);
         }
+    }
+
+    /** Use of a method; its tables hold no more than the use needs. */
+    public enum MethodUse {
+        /** Colors of directions, over all wavelengths. */
+        COLOR,
+        /** Coherent and ensemble power at single wavelengths. */
+        SPECTRAL
     }
 }

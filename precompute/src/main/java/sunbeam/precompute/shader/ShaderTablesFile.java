@@ -1,5 +1,9 @@
 package sunbeam.precompute.shader;
 
+import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -12,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.zip.CRC32C;
 import java.util.zip.CheckedOutputStream;
@@ -23,7 +28,7 @@ import sunbeam.precompute.table.TableLabel;
  *
  * <pre>
  * 16 bytes   "SUNBEAM1", version and length of the header (int32, big-endian)
- * header     JSON: key, label, shader, defines, uniforms, shapes of the arrays
+ * header     JSON: key, label, tables without arrays, shapes of the arrays
  * arrays     layer by layer, float32, little-endian
  * 8 bytes    CRC-32C of all that comes before (int64, big-endian)
  * </pre>
@@ -32,13 +37,50 @@ import sunbeam.precompute.table.TableLabel;
  */
 public final class ShaderTablesFile {
     /** Part of every key. Raise it whenever the program changes the tables that it makes for a plan. */
-    public static final int VERSION = 18;
+    public static final int VERSION = 19;
 
     private static final long MAGIC = 0x53554e4245414d31L;
     private static final int PREFIX = Long.BYTES + 2 * Integer.BYTES;
     private static final int BLOCK = 1 << 20;
+    // Longer than any method's header.
+    private static final int LONGEST_HEADER = 1 << 20;
+    private static final int ALIGNMENT = 16;
+    private static final JsonMapper JSON = JsonMapper.builder()
+            .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .build();
 
     private ShaderTablesFile() {}
+
+    private record Header(String key, TableLabel label, ShaderTables tables, List<ArrayLayout> layouts) {
+        /**
+         * Returns the number of bytes of all arrays.
+         *
+         * @throws ArithmeticException if they overflow a long, or one layer an int, which limits a mapping to memory
+         */
+        long arrayBytes() {
+            long bytes = 0;
+            for (ArrayLayout layout : layouts) {
+                long layer = Math.multiplyExact(Float.BYTES, layout.floatsPerLayer());
+                bytes = Math.addExact(bytes, Math.multiplyExact(layer, layout.layers()));
+            }
+            return bytes;
+        }
+    }
+
+    static byte[] header(String key, TableLabel label, ShaderTables tables) {
+        List<ArrayLayout> layouts =
+                tables.arrays().stream().map(TableArray::layout).toList();
+        try {
+            byte[] json = JSON.writeValueAsBytes(new Header(key, label, tables.with(List.of()), layouts));
+            // Blanks align the floats.
+            byte[] bytes = Arrays.copyOf(json, (json.length + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+            Arrays.fill(bytes, json.length, bytes.length, (byte) ' ');
+            return bytes;
+        } catch (JsonProcessingException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 
     /**
      * Writes tables to a new file, layer by layer. The caller passes a temporary name, and renames the file when it is complete.
@@ -47,7 +89,7 @@ public final class ShaderTablesFile {
      * @param label description for lists of the cache
      */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
-        byte[] header = TablesHeader.of(key, label, tables).encoded();
+        byte[] header = header(key, label, tables);
         byte[] block = new byte[BLOCK];
         FloatBuffer floats =
                 ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
@@ -122,7 +164,7 @@ public final class ShaderTablesFile {
             throw new TableException("tables of version " + version + ", this Sunbeam reads version " + VERSION);
         }
         int headerBytes = prefix.getInt();
-        if (!TablesHeader.isPlausible(headerBytes) || headerBytes > size - PREFIX - Long.BYTES) {
+        if (headerBytes <= 0 || headerBytes > LONGEST_HEADER || headerBytes > size - PREFIX - Long.BYTES) {
             throw new TableException("its header cannot be read");
         }
         return headerBytes;
@@ -131,7 +173,7 @@ public final class ShaderTablesFile {
     private static ShaderTables read(FileChannel channel, String key) throws IOException {
         long size = channel.size();
         int headerBytes = headerBytes(channel);
-        TablesHeader header = header(channel, headerBytes);
+        Header header = header(channel, headerBytes);
         requireSize(size, header, headerBytes);
         if (!header.key().equals(key)) {
             throw new TableException("tables of another surface or plan");
@@ -144,13 +186,17 @@ public final class ShaderTablesFile {
         if (map(channel, size - Long.BYTES, Long.BYTES).getLong() != checksum.getValue()) {
             throw new TableException("its checksum does not fit: the file was altered or damaged");
         }
-        return header.tables(arrays);
+        return header.tables().with(arrays);
     }
 
-    private static TablesHeader header(FileChannel channel, int length) throws IOException {
+    private static Header header(FileChannel channel, int length) throws IOException {
         byte[] bytes = new byte[length];
         map(channel, PREFIX, length).get(bytes);
-        return TablesHeader.decoded(bytes);
+        try {
+            return JSON.readValue(bytes, Header.class);
+        } catch (JacksonException e) {
+            throw new TableException("its header cannot be read");
+        }
     }
 
     private static MappedByteBuffer map(FileChannel channel, long position, int bytes) throws IOException {
@@ -158,7 +204,7 @@ public final class ShaderTablesFile {
     }
 
     /** Called before memory is allocated. */
-    private static void requireSize(long size, TablesHeader header, int headerBytes) {
+    private static void requireSize(long size, Header header, int headerBytes) {
         long expected;
         try {
             expected = Math.addExact(PREFIX + headerBytes + Long.BYTES, header.arrayBytes());

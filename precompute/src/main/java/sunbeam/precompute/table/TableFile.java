@@ -5,7 +5,7 @@ import io.jhdf.WritableHdfFile;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 
 /**
  * Writer of Fourier tables as HDF5, for other programs: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and
@@ -49,7 +49,7 @@ public final class TableFile {
                 "columns_are", "bins of x, ascending from first_bin_x; frequency = bin / width, cycles per metre");
         hdf.putAttribute(
                 "window", "none: the Gaussian window acts when the table is used; phases refer to the top left sample");
-        hdf.putAttribute("expansion", Kinds.name(table.kind()));
+        hdf.putAttribute("expansion", ValueKind.name(table.kind()));
         hdf.putAttribute("height_centre_metres", table.scale().center());
         hdf.putAttribute("height_half_range_metres", table.scale().halfRange());
         hdf.putAttribute("first_bin_x", table.bandX().first());

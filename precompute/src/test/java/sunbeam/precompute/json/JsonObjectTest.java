@@ -14,19 +14,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 
 /** Settings in JSON files. */
 class JsonObjectTest {
     private static final Setting<Double> LENGTH =
-            new Setting<>("coherenceLength", Kinds.length(100e-9, 10e-3), "").inFiles("window");
-    private static final Setting<Double> ANGLE = new Setting<>("turn", Kinds.angle(-Math.PI, Math.PI), "");
-    private static final Setting<Integer> TERMS = new Setting<>("terms", Kinds.integer("N", 1, 500), "");
-    private static final Setting<Double> ERROR = new Setting<>("error", Kinds.number("ERROR", 1e-5, 1), "");
-    private static final Setting<String> NAME = new Setting<>("name", Kinds.text("NAME"), "");
+            new Setting<>("coherenceLength", ValueKind.length(100e-9, 10e-3), "").inFiles("window");
+    private static final Setting<Double> ANGLE = new Setting<>("turn", ValueKind.angle(-Math.PI, Math.PI), "");
+    private static final Setting<Integer> TERMS = new Setting<>("terms", ValueKind.integer("N", 1, 500), "");
+    private static final Setting<Double> ERROR = new Setting<>("error", ValueKind.number("ERROR", 1e-5, 1), "");
+    private static final Setting<String> NAME = new Setting<>("name", ValueKind.text("NAME"), "");
     private static final List<Setting<?>> ALL = List.of(LENGTH, ANGLE, TERMS, ERROR, NAME);
 
     private static JsonObject plan(String json) throws IOException {

@@ -9,6 +9,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.method.LevelBakers.Lazy;
 
 class LazyTest {
     private final AtomicInteger made = new AtomicInteger();

@@ -12,7 +12,7 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.table.PatchIdentity;
 
 /** What determines a table of colors. */

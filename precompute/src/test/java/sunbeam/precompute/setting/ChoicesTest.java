@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 /** Choices keep values and their origins. */
 class ChoicesTest {
     private static final Setting<Double> LENGTH =
-            new Setting<>("coherenceLength", Kinds.length(100e-9, 10e-3), "The window's size.");
-    private static final Setting<Integer> TERMS = new Setting<>("terms", Kinds.integer("N", 1, 500), "How many.");
+            new Setting<>("coherenceLength", ValueKind.length(100e-9, 10e-3), "The window's size.");
+    private static final Setting<Integer> TERMS = new Setting<>("terms", ValueKind.integer("N", 1, 500), "How many.");
 
     private static final Origin OPTION = OptionWords.INSTANCE;
 

@@ -16,9 +16,9 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.StatisticsCache;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.setting.Kinds;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -99,7 +99,7 @@ record Meter(RenderContext context, int size, Direction light) {
                         "%s, %d %s terms",
                         plan.summary(),
                         sums.expansion().terms(),
-                        Kinds.name(sums.expansion().kind())))
+                        ValueKind.name(sums.expansion().kind())))
                 .orElseGet(plan::summary);
     }
 }

@@ -29,8 +29,8 @@ import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /**
  * BRDF map of one patch of any material: the sum of one map for each part of its reflection. Shaders compute the standard material; for

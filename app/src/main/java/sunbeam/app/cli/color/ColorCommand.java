@@ -49,8 +49,8 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 
 /** Command {@code sunbeam color}: the color of a surface from each viewing angle, as a picture and as numbers. */
@@ -186,8 +186,9 @@ public final class ColorCommand extends ReportingCommand {
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
         settings.put("exposure", factor);
-        settings.put("tone", Kinds.name(exposure.display(factor, choices).tone()));
-        settings.put("primaries", Kinds.name(exposure.display(factor, choices).primaries()));
+        settings.put("tone", ValueKind.name(exposure.display(factor, choices).tone()));
+        settings.put(
+                "primaries", ValueKind.name(exposure.display(factor, choices).primaries()));
         settings.put("tolerance", choices.get(TOLERANCE));
     }
 

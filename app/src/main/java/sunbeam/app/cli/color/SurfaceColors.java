@@ -32,7 +32,7 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

@@ -50,7 +50,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 
 /** Command {@code sunbeam evaluate}: compares a patch's response to light with the grating equation, as the thesis does in chapter 4. */
 @Command(
@@ -224,8 +224,8 @@ public final class EvaluateCommand extends ReportingCommand {
         tree.put("method", method.type.label());
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
-        tree.put("average", Kinds.name(area.average()));
-        tree.put("window_origin", Kinds.name(area.origin()));
+        tree.put("average", ValueKind.name(area.average()));
+        tree.put("window_origin", ValueKind.name(area.origin()));
         tree.put("coherence_length_m", area.window().coherenceLength());
         return tree;
     }
@@ -250,6 +250,6 @@ public final class EvaluateCommand extends ReportingCommand {
     private String title(Choices choices) {
         return method.type.label()
                 + (Preset.isThesis(choices) ? ", preset thesis" : "")
-                + (method == Evaluator.PQ ? ", " + Kinds.name(PqMethod.interpolation(choices)) : "");
+                + (method == Evaluator.PQ ? ", " + ValueKind.name(PqMethod.interpolation(choices)) : "");
     }
 }

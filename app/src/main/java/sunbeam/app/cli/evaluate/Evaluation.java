@@ -25,7 +25,7 @@ import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -152,7 +152,7 @@ record Evaluation(
         tree.put("azimuth_deg", Math.toDegrees(grid.plane().azimuth()));
         tree.put("angles_deg", range(grid.angles(), Math.toDegrees(1)));
         tree.put("wavelengths_m", range(grid.wavelengths(), 1));
-        tree.put("peaks", Kinds.name(peaks));
+        tree.put("peaks", ValueKind.name(peaks));
         tree.put("ridge_left_out", noRidge.orElse(null));
         ridge.ifPresent(found -> {
             tree.put("order", found.order());

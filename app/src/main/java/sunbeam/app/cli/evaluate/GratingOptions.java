@@ -15,8 +15,8 @@ import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 import sunbeam.precompute.units.Lengths;
@@ -48,7 +48,7 @@ public final class GratingOptions extends SettingOptions {
                     + " spectrum shows.");
     private static final Setting<Peaks> PEAKS = new Setting<>(
                     "peaks",
-                    Kinds.word("HOW", Peaks.class),
+                    ValueKind.word("HOW", Peaks.class),
                     "Angle of the first order at each wavelength: ridge (default) follows the strongest; maximum takes the"
                             + " largest value, as algorithm 4.1 of the thesis; maximum-by-count also labels C wavelengths in"
                             + " steps of 1 / C of their range, as it is written, not 1 / (C - 1).")

@@ -15,8 +15,8 @@ import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Computes the diffracted power over a grid of wavelengths and angles, under the method's average. */
 final class Responses {

@@ -16,7 +16,6 @@ import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Decimals;
 
@@ -24,7 +23,7 @@ import sunbeam.precompute.units.Decimals;
 public final class DisplayOptions {
     private static final String AUTOMATIC = "auto";
     private static final String FIRST = "first";
-    private static final ValueKind<Tone> TONES = Kinds.word("CURVE", Tone.class);
+    private static final ValueKind<Tone> TONES = ValueKind.word("CURVE", Tone.class);
 
     @Option(
             names = "--exposure",

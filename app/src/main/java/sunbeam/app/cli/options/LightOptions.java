@@ -3,8 +3,8 @@ package sunbeam.app.cli.options;
 import java.util.List;
 import java.util.Map;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.setting.Kinds;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Angles;
 
 /** Options of the light's direction; a picocli mixin. */
@@ -17,13 +17,15 @@ public final class LightOptions extends SettingOptions {
 
     /** Angle between light and normal, radians. */
     public static final Setting<Double> THETA_I = new Setting<>(
-                    "thetaI", Kinds.angle(0, LARGEST_THETA), "Angle of the light to the normal in degrees, 0 to 89.9.")
+                    "thetaI",
+                    ValueKind.angle(0, LARGEST_THETA),
+                    "Angle of the light to the normal in degrees, 0 to 89.9.")
             .withStandard(0.0);
 
     /** Azimuth of the light, radians, counterclockwise from +x. */
     public static final Setting<Double> PHI_I = new Setting<>(
                     "phiI",
-                    Kinds.angle(-LARGEST_PHI, LARGEST_PHI),
+                    ValueKind.angle(-LARGEST_PHI, LARGEST_PHI),
                     "Azimuth of the light in degrees, counter-clockwise from +x.")
             .withStandard(0.0);
 

@@ -25,7 +25,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Kinds;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.TableFile;
 import sunbeam.precompute.text.Text;
@@ -120,14 +120,14 @@ public final class PrecomputeCommand extends ReportingCommand {
                 .println(Text.format(
                         "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s",
                         table.terms(),
-                        Kinds.name(table.kind()),
+                        ValueKind.name(table.kind()),
                         table.bandX().count(),
                         table.bandY().count(),
                         table.bytes() * 1e-6,
                         seconds));
         Map<String, Object> report = new LinkedHashMap<>();
         report.put("patch", setup.patch().name());
-        report.put("kind", Kinds.name(table.kind()));
+        report.put("kind", ValueKind.name(table.kind()));
         report.put("terms", table.terms());
         report.put("columns", table.bandX().count());
         report.put("rows", table.bandY().count());

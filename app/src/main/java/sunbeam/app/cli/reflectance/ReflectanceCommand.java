@@ -47,8 +47,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Command {@code sunbeam reflectance}: evaluates a list of directions, to compare with other programs. */
 @Command(

@@ -3,7 +3,7 @@ package sunbeam.app.viewer.window;
 import java.util.List;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Kinds of files that the viewer loads and saves, with the names and filters of its dialogs. */
+/** ValueKind of files that the viewer loads and saves, with the names and filters of its dialogs. */
 public enum FileKind {
     SCENE("scene", "json"),
     PATCH(

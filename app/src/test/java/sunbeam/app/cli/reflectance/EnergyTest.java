@@ -34,8 +34,8 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.shader.MethodUse;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** {@code --energy conserve} on tracks of a DVD: 740 nm wide, 120 nm deep. */
 @NeedsDisplay

@@ -25,7 +25,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.MethodUse;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Evaluates methods, given as command-line options, on one patch. */
 final class MethodProbe {
