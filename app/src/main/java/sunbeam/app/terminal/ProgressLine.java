@@ -8,7 +8,7 @@ import me.tongfei.progressbar.ProgressBarConsumer;
 
 /**
  * Line that shows a task's progress. On a terminal it is redrawn in place, and erased at the end; elsewhere copies of it are printed, a few
- * a minute. If several lines are open (for a task and its part), the newest is drawn.
+ * a minute, and the last state of a task that has printed one. If several lines are open (for a task and its part), the newest is drawn.
  */
 final class ProgressLine implements ProgressBarConsumer {
     /** Least time between printed lines if standard error is no terminal. */
@@ -20,6 +20,8 @@ final class ProgressLine implements ProgressBarConsumer {
     private final Deque<ProgressLine> open;
     private final long start;
     private int drawn;
+    private String printed = "";
+    private String last = "";
     private boolean closed;
 
     /**
@@ -50,10 +52,11 @@ final class ProgressLine implements ProgressBarConsumer {
             return;
         }
         if (!terminal.interactive()) {
+            last = text.strip();
             long now = nanoseconds.getAsLong();
             long before = lastPrinted.get();
             if (now - before >= INTERVAL.toNanos() && lastPrinted.compareAndSet(before, now)) {
-                print("sunbeam: " + text.strip() + System.lineSeparator());
+                printLast();
             }
             return;
         }
@@ -67,8 +70,16 @@ final class ProgressLine implements ProgressBarConsumer {
         if (!closed && drawn > 0) {
             print("\r" + " ".repeat(drawn) + "\r");
         }
+        if (!closed && !printed.isEmpty() && !printed.equals(last)) {
+            printLast();
+        }
         closed = true;
         open.remove(this);
+    }
+
+    private void printLast() {
+        print("sunbeam: " + last + System.lineSeparator());
+        printed = last;
     }
 
     private void print(String text) {

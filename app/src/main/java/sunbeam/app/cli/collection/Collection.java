@@ -157,7 +157,7 @@ public final class Collection {
         } finally {
             hook.close();
         }
-        print(out, rows, folder.write(parsed.commandSpec().name(), rows));
+        print(out, rows, folder.write(parsed.commandSpec().name(), rows, display));
         return Stream.concat(rows.stream().filter(Collection::failed), rows.stream())
                 .mapToInt(Collection::code)
                 .filter(code -> code != ExitCode.OK.code())

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
@@ -30,6 +31,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.plot.ThumbnailSheet;
 import sunbeam.app.files.plot.ThumbnailSheet.Thumbnail;
+import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.units.Decimals;
 
 /**
@@ -164,25 +167,36 @@ final class CollectionFolder {
         }
     }
 
-    List<Path> write(String command, List<ObjectNode> rows) {
+    List<Path> write(String command, List<ObjectNode> rows, ProgressDisplay display) {
         List<Path> written = new ArrayList<>();
         String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
         AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
         String table = CsvWriter.text(rows.stream().map(CollectionFolder::cells).toList());
         written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, AtomicFile.StreamContent.of(table)));
         written.add(file(REPORTS, ".jsonl"));
-        for (int first = 0; first < rows.size(); first += ThumbnailSheet.MOST) {
-            List<Thumbnail> page = rows.subList(first, Math.min(rows.size(), first + ThumbnailSheet.MOST)).stream()
-                    .map(CollectionFolder::thumbnail)
-                    .toList();
-            String title =
-                    command + ": surfaces " + (first + 1) + " to " + (first + page.size()) + " of " + rows.size();
-            int number = 1 + first / ThumbnailSheet.MOST;
-            Path sheet = file("sheet", (number == 1 ? "" : "-" + number) + ".png");
-            written.add(PngWriter.write(
-                    sheet, Overwrite.REPLACE, ThumbnailSheet.draw(title, page), Map.of("Title", title)));
+        Map<String, Long> files = rows.stream()
+                .map(row -> row.get("file").asText())
+                .distinct()
+                .collect(Collectors.groupingBy(file -> name(Path.of(file)), Collectors.counting()));
+        try (Progress progress = display.start("Sheets", rows.size())) {
+            for (int first = 0; first < rows.size(); first += ThumbnailSheet.MOST) {
+                int end = Math.min(rows.size(), first + ThumbnailSheet.MOST);
+                List<Thumbnail> page = rows.subList(first, end).parallelStream()
+                        .map(row -> thumbnail(row, files))
+                        .toList();
+                String title = command + ": surfaces " + (first + 1) + " to " + end + " of " + rows.size();
+                int number = 1 + first / ThumbnailSheet.MOST;
+                Path sheet = file("sheet", (number == 1 ? "" : "-" + number) + ".png");
+                written.add(PngWriter.write(
+                        sheet, Overwrite.REPLACE, ThumbnailSheet.draw(title, page), Map.of("Title", title)));
+                progress.step(page.size());
+            }
         }
         return written;
+    }
+
+    private static String name(Path file) {
+        return file.getFileName().toString();
     }
 
     private static Map<String, String> cells(ObjectNode row) {
@@ -205,8 +219,12 @@ final class CollectionFolder {
         return value.asText("");
     }
 
-    private static Thumbnail thumbnail(ObjectNode row) {
-        String name = Path.of(row.get("file").asText()).getFileName().toString();
+    /** @param files number of files by name; a file that shares its name is shown with its folder's */
+    private static Thumbnail thumbnail(ObjectNode row, Map<String, Long> files) {
+        Path file = Path.of(row.get("file").asText());
+        String name = files.get(name(file)) > 1 && file.getNameCount() > 1
+                ? name(file.getParent()) + File.separator + name(file)
+                : name(file);
         JsonNode report = row.path("report");
         if (report.isMissingNode()) {
             return new Thumbnail(Optional.empty(), name, row.get("message").asText());

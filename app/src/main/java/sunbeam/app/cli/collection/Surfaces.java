@@ -14,7 +14,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import sunbeam.app.files.input.InputException;
-import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 
 /** Lists the surfaces that the arguments of a command name. A folder stands for its files, in the order of their names. */
@@ -31,13 +30,12 @@ final class Surfaces {
     /**
      * Returns the names of surfaces.
      *
-     * @throws UsageException if a name is neither a built-in patch nor an existing file
-     * @throws InputException if a folder cannot be read or has no file
+     * @throws InputException if a name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file
      */
     static List<String> of(List<String> names) {
         for (String name : names) {
             if (!BuiltInPatches.names().contains(name) && !new File(name).exists()) {
-                throw new UsageException("'" + name
+                throw new InputException("'" + name
                         + "' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
             }
         }

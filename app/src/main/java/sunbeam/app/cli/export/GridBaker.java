@@ -145,7 +145,8 @@ final class GridBaker {
 
     private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
-        try (Progress progress = display.start("Colors", shape.evaluated())) {
+        String label = "Colors, grid " + (levels.size() - levels.indexOf(level)) + " of " + levels.size() + " at most";
+        try (Progress progress = display.start(label, shape.evaluated())) {
             grid.bake(baker(functions, level), progress);
         }
         return grid;

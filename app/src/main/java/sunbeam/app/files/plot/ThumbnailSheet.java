@@ -2,6 +2,7 @@ package sunbeam.app.files.plot;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -19,17 +20,21 @@ public final class ThumbnailSheet {
     private static final int LARGEST_HEIGHT = 260;
     private static final Color FAILURE = new Color(0xB00020);
 
-    public record Thumbnail(Optional<Image> picture, String name, String sentence) {
+    public record Thumbnail(Optional<BufferedImage> picture, String name, String sentence) {
         /** Reduces a picture to the size of a thumbnail. */
-        public static Image reduced(BufferedImage picture) {
+        public static BufferedImage reduced(BufferedImage picture) {
             double scale = Math.min(
                     1,
                     Math.min(
                             (CELL - GAP) / (double) picture.getWidth(), LARGEST_HEIGHT / (double) picture.getHeight()));
-            return picture.getScaledInstance(
-                    (int) Math.max(1, scale * picture.getWidth()),
-                    (int) Math.max(1, scale * picture.getHeight()),
-                    Image.SCALE_AREA_AVERAGING);
+            int width = (int) Math.max(1, scale * picture.getWidth());
+            int height = (int) Math.max(1, scale * picture.getHeight());
+            BufferedImage reduced = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
+            Graphics2D graphics = reduced.createGraphics();
+            // Drawn at once: a scaled instance keeps the whole picture.
+            graphics.drawImage(picture.getScaledInstance(width, height, Image.SCALE_AREA_AVERAGING), 0, 0, null);
+            graphics.dispose();
+            return reduced;
         }
     }
 
@@ -45,8 +50,7 @@ public final class ThumbnailSheet {
 
     private static void row(Sheet sheet, List<Thumbnail> cells) {
         int pictures = cells.stream()
-                .mapToInt(cell ->
-                        cell.picture().map(picture -> picture.getHeight(null)).orElse(0))
+                .mapToInt(cell -> cell.picture().map(BufferedImage::getHeight).orElse(0))
                 .max()
                 .orElseThrow();
         List<TextBlock> sentences = cells.stream()

@@ -134,6 +134,10 @@ final class CollectionTest extends CommandLineFixture {
                         other.resolve("two\nlines \"and\" blanks .txt ").toString());
         assertThat(report.resolve("surfaces").toFile().list())
                 .containsExactlyInAnyOrder("grating.png", "grating-2.png", "two\nlines \"and\" blanks .png");
+        // The sheet tells the equal files apart by their folders' names.
+        BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
+        assertThat(sheet.getRGB(16, 40, 284, sheet.getHeight() - 40, null, 0, 284))
+                .isNotEqualTo(sheet.getRGB(316, 40, 284, sheet.getHeight() - 40, null, 0, 284));
     }
 
     @Test
@@ -248,7 +252,7 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(err.toString()).contains("--with is for one patch").hasLineCount(1);
         assertThat(run("color", scans.toString(), "--output", "a.png")).isEqualTo(2);
         assertThat(err.toString()).contains("--output", "folder").hasLineCount(1);
-        assertThat(inspect("blaze", "no-such-file")).isEqualTo(2);
+        assertThat(inspect("blaze", "no-such-file")).isEqualTo(4);
         assertThat(err.toString()).contains("'no-such-file' is neither").hasLineCount(1);
         assertThat(run("evaluate", scans.toString())).isEqualTo(4);
         assertThat(err.toString()).contains("scans", "folder").hasLineCount(1);
