@@ -6,8 +6,7 @@
  * <ul>
  * <li>{@code jrtr.gl}: contexts, programs, textures and targets, on JOGL. Start at {@link jrtr.gl.RenderContext}.
  * <li>{@code jrtr.glsl}: include expansion, source maps and parsing of compiler logs. Plain string code without OpenGL.
- * <li>{@link jrtr.scene}: the scene graph (groups, shapes, lights, camera) and its renderer; uses
- *       {@code jrtr.gl}. Start at {@link jrtr.scene.SceneRenderer}.
+ * <li>{@link jrtr.scene}: the scene graph (groups, shapes, lights, view); uses {@code jrtr.gl}. Start at {@link jrtr.scene.SceneGraph}.
  * </ul>
  *
  * <p>Conventions: images and rectangles are counted from the top left, row 0 is the top one; the implementation converts to OpenGL's

@@ -3,7 +3,6 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.util.Map;
 import jrtr.ContextInfo;
-import jrtr.Faces;
 import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 import jrtr.Tile;
@@ -24,6 +23,16 @@ public final class RenderContext implements AutoCloseable {
     private final int[] noVertices = new int[1];
 
     private final ShaderSource fullScreenVertices = ShaderLibrary.ofEngine().load("jrtr/fullscreen.vert.glsl");
+
+    /** Sides of triangles that a draw rasterizes. */
+    public enum Faces {
+        BOTH,
+        /**
+         * Only triangles that are counter-clockwise in the picture. A closed surface with this winding, seen from outside, looks as with
+         * {@link #BOTH}, for half as many triangles.
+         */
+        FRONT
+    }
 
     private enum DepthTest {
         NONE,

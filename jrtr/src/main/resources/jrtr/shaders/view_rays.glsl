@@ -1,4 +1,4 @@
-// Direction towards the viewer as a linear function of the position in the target; jrtr.scene.ViewRays sets the uniforms.
+// Direction towards the viewer as a linear function of the position in the target; jrtr.scene.View sets the uniforms.
 
 // In world space, not of unit length: the direction at the target's lower left corner, and its change per pixel to the right and upwards.
 uniform vec3 viewAtCorner;

@@ -10,7 +10,6 @@ import jrtr.Tile;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
-@NeedsDisplay
 class FloatTargetTest extends InARendering {
     private static final String COORDINATES = "vec4(gl_FragCoord.xy, -1e30, 1.0 / 3.0)";
 

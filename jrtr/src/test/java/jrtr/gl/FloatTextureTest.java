@@ -11,7 +11,6 @@ import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
 
-@NeedsDisplay
 class FloatTextureTest extends InARendering {
     private static final String FETCH_TOP_DOWN = "texelFetch(t, ivec2(gl_FragCoord.xy), 0)";
 

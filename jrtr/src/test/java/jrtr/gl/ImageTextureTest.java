@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-@NeedsDisplay
 class ImageTextureTest extends InARendering {
     private ImageTexture image(int width, int height, ImageTexture.Encoding encoding, int... rgba) {
         byte[] bytes = new byte[rgba.length];

@@ -4,8 +4,9 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 
 /** Tests that share one {@link Rendering}. */
-abstract class InARendering {
-    static Rendering rendering;
+@NeedsDisplay
+public abstract class InARendering {
+    protected static Rendering rendering;
 
     @BeforeAll
     static void open() {

@@ -3,11 +3,12 @@ package jrtr.gl;
 import java.util.Map;
 import jrtr.ShaderSource;
 import jrtr.Tile;
+import jrtr.glsl.ShaderLibrary;
 import jrtr.glsl.ShaderTexts;
 
 /** A context with helpers for small drawings. */
-final class Rendering implements AutoCloseable {
-    final RenderContext context = RenderContext.offscreen();
+public final class Rendering implements AutoCloseable {
+    public final RenderContext context = RenderContext.offscreen();
 
     static ShaderSource fragment(String code) {
         return ShaderTexts.of(Map.of("test.frag.glsl", "#version 330 core\n" + code))
@@ -15,9 +16,16 @@ final class Rendering implements AutoCloseable {
     }
 
     /** A program whose main() is {@code color = vec4(...)}. */
-    ShaderProgram program(String declarations, String color) {
+    public ShaderProgram program(String declarations, String color) {
         return context.createFullScreenProgram(
                 fragment(declarations + "\nout vec4 color;\nvoid main() { color = " + color + "; }\n"));
+    }
+
+    /** A program for meshes that may include the engine's shaders. */
+    public ShaderProgram meshProgram(String code) {
+        return context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", "#version 330 core\n" + code))
+                .orElse(ShaderLibrary.ofEngine())
+                .load("test.frag"));
     }
 
     FloatTarget target(int width, int height) {

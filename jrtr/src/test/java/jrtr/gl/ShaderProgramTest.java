@@ -14,7 +14,6 @@ import org.joml.Vector3f;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
 
-@NeedsDisplay
 class ShaderProgramTest extends InARendering {
     private float[] pixel(ShaderProgram program) {
         return rendering.drawn(program, 1, 1, Map.of());

@@ -4,31 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import jrtr.Faces;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
-import jrtr.gl.NeedsDisplay;
-import jrtr.gl.RenderContext;
-import jrtr.glsl.ShaderLibrary;
-import jrtr.glsl.ShaderTexts;
+import jrtr.gl.InARendering;
+import jrtr.gl.RenderContext.Faces;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 
 /** The tangent frame in fragments: its columns, wi and wr, drawn into five images. */
-@NeedsDisplay
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
-class TangentFrameTest {
+class TangentFrameTest extends InARendering {
     private static final int SIDE = 48;
     // A few operations in float32 on unit vectors.
     private static final float ROUNDING = 2e-6f;
     private static final String SHADER = """
-            #version 330 core
             #include "jrtr/tangent_frame.glsl"
             layout(location = 0) out vec4 tangent;
             layout(location = 1) out vec4 bitangent;
@@ -47,18 +38,6 @@ class TangentFrameTest {
     private final Camera camera = new Camera(new Vector3f(1, -3, 2), new Vector3f(0.2f, 0, 0), new Vector3f(0, 0, 1));
     private final Vector3f towardsLight = new Vector3f(0.6f, -0.48f, 0.64f);
 
-    private RenderContext context;
-
-    @BeforeAll
-    void open() {
-        context = RenderContext.offscreen();
-    }
-
-    @AfterAll
-    void close() {
-        context.close();
-    }
-
     private record Images(List<float[]> images) {
         Vector3f at(int image, int pixel) {
             float[] values = images.get(image);
@@ -71,24 +50,17 @@ class TangentFrameTest {
     }
 
     private Images drawn(VertexData data, Matrix4f place, float rotation) {
-        Material material = new Material(
-                context.createMeshProgram(ShaderTexts.of(Map.of("frame.frag", SHADER))
-                        .orElse(ShaderLibrary.ofEngine())
-                        .load("frame.frag")),
+        Node.Shape shape = new Node.Shape(
+                rendering.context.createVertexBuffer("mesh", data),
+                rendering.meshProgram(SHADER),
                 Map.of(),
-                Material.tangentsTurned(rotation),
+                Node.Shape.tangentsTurned(rotation),
                 Faces.BOTH);
-        Group all = new Group(
-                new Group(place, new Shape(context.createVertexBuffer("mesh", data), material)),
-                new Light(towardsLight, new Vector3f(1)));
-        Frustum frustum = new Frustum(0.5f, 0.5f, 20);
-        try (FloatTarget target = context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
-            new SceneRenderer(context)
-                    .draw(
-                            new SceneGraph(all, camera, frustum),
-                            PictureArea.whole(SIDE, SIDE),
-                            target,
-                            Tile.whole(SIDE, SIDE));
+        Node all = new Node.Group(new Node.Group(place, shape), new Node.Light(towardsLight, new Vector3f(1)));
+        try (FloatTarget target =
+                rendering.context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
+            new SceneGraph(all, new View(camera, 0.5f, 0.5f, 20))
+                    .draw(rendering.context, PictureArea.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
             return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
         }
     }

@@ -8,7 +8,6 @@ import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.scene.PictureArea;
-import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.Shaders;
 
 /**
@@ -20,16 +19,14 @@ final class GeometryBuffers implements AutoCloseable {
     static final int CAPACITY = 4;
 
     private final RenderContext context;
-    private final SceneRenderer renderer;
     private final GeometryLayout layout;
     private final ShaderProgram program;
     private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * CAPACITY, 0.75f, true);
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;
 
-    GeometryBuffers(RenderContext context, SceneRenderer renderer, GeometryLayout layout) {
+    GeometryBuffers(RenderContext context, GeometryLayout layout) {
         this.context = context;
-        this.renderer = renderer;
         this.layout = layout;
         this.program = context.createMeshProgram(Shaders.library().load(layout.shader()));
     }
@@ -46,8 +43,7 @@ final class GeometryBuffers implements AutoCloseable {
         // Draws the whole block at once, since the draw of each part would process all vertices.
         if (!drawn.contains(block)) {
             PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
-            renderer.draw(
-                    geometry.graph(program), area, buffer.attributes(), Tile.whole(block.width(), block.height()));
+            geometry.graph(program).draw(context, area, buffer.attributes(), Tile.whole(block.width(), block.height()));
             drawn.add(block);
             // Waits, so that geometry pass and shading pass are timed separately. Moving pictures have no time for
             // that.

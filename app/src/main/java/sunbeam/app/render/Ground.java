@@ -10,8 +10,7 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.LightUniforms;
-import jrtr.scene.ViewRays;
+import jrtr.scene.Node;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -79,7 +78,7 @@ final class Ground implements AutoCloseable {
             float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
         FloatTarget drawn =
                 target.of(SceneBlocks.ceilDiv(block.width(), samples), SceneBlocks.ceilDiv(block.height(), samples));
-        set(program, scene, geometry, geometry.viewRays(block));
+        set(program, scene, geometry, block);
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
@@ -108,23 +107,22 @@ final class Ground implements AutoCloseable {
      * Draws the ground into a whole block of a moving picture in sRGB; the mesh is drawn over it. One sample serves four pixels, since the
      * ground is smooth.
      */
-    void fillMovingBlock(FloatTarget block, Scene scene, SkinGeometry geometry, ViewRays rays, double exposure) {
+    void fillMovingBlock(FloatTarget picture, Scene scene, SkinGeometry geometry, Tile block, double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, 1));
         }
         ShaderProgram screen = moving.get();
-        set(screen, scene, geometry, rays);
+        set(screen, scene, geometry, block);
         screen.set("exposure", (float) exposure);
         screen.set("toneStart", (float) scene.display(exposure).tone().start());
         double[] behind = scene.get(SceneSettings.BACKGROUND).light();
         screen.set("behind", new Vector3f((float) behind[0], (float) behind[1], (float) behind[2]));
         screen.set("viewPixels", (float) MOVING_PIXELS);
         FloatTarget drawn = movingTarget.of(
-                SceneBlocks.ceilDiv(block.spec().width(), MOVING_PIXELS),
-                SceneBlocks.ceilDiv(block.spec().height(), MOVING_PIXELS));
+                SceneBlocks.ceilDiv(block.width(), MOVING_PIXELS), SceneBlocks.ceilDiv(block.height(), MOVING_PIXELS));
         Tile whole = Tile.whole(drawn.spec().width(), drawn.spec().height());
         context.drawFullScreen(screen, textures(geometry), drawn, whole);
-        block.fill(drawn);
+        picture.fill(drawn);
     }
 
     private Map<String, Texture> textures(SkinGeometry geometry) {
@@ -133,12 +131,12 @@ final class Ground implements AutoCloseable {
         return textures;
     }
 
-    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, ViewRays rays) {
+    private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, Tile block) {
         BoundingSphere bounds = geometry.mesh().bounds();
         Matrix4f toWorld = SceneGraphs.toWorld(scene.orientation(), bounds);
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
         Vector3fc center = bounds.center();
-        rays.applyTo(to);
+        geometry.applyRaysTo(to, block);
         to.set("eye", scene.view().camera().centerOfProjection());
         to.set("groundMiddle", toWorld.transformPosition(new Vector3f(center.x(), center.y(), (float) height)));
         to.set("groundAcross", toWorld.transformDirection(new Vector3f(reach, 0, 0)));
@@ -149,7 +147,7 @@ final class Ground implements AutoCloseable {
         to.set("skyWeight", (float) scene.effectiveSurroundings().sky());
         to.set("ambientWeight", (float) scene.blend().ambient());
         to.set("diffuseWeight", (float) scene.blend().diffuse());
-        LightUniforms.of(SceneGraphs.lights(scene)).applyTo(to);
+        Node.Light.apply(SceneGraphs.lights(scene), to);
         geometry.shadows().applyTo(to, scene.effectiveSurroundings().shadows());
     }
 

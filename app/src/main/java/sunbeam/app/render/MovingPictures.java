@@ -3,18 +3,15 @@ package sunbeam.app.render;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import jrtr.gl.RenderContext;
-import jrtr.scene.SceneRenderer;
 
 /** Draws pictures while something in the viewer moves, from resident tiles and with few taps per pixel. */
 final class MovingPictures implements AutoCloseable {
     private final RenderContext context;
-    private final SceneRenderer renderer;
     private GeometryBuffers buffers;
     private long meshNanoseconds;
 
-    MovingPictures(RenderContext context, SceneRenderer renderer) {
+    MovingPictures(RenderContext context) {
         this.context = context;
-        this.renderer = renderer;
     }
 
     /**
@@ -27,7 +24,7 @@ final class MovingPictures implements AutoCloseable {
         int width = (int) Math.ceil(fullWidth / divisor);
         int height = (int) Math.ceil(fullHeight / divisor);
         if (buffers == null) {
-            buffers = new GeometryBuffers(context, renderer, GeometryLayout.MOVING);
+            buffers = new GeometryBuffers(context, GeometryLayout.MOVING);
         }
         SkinGeometry geometry = scene.geometry(scene.data().scene(), width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);

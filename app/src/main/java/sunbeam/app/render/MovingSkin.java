@@ -8,7 +8,6 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.ViewRays;
 import org.joml.Vector2f;
 import sunbeam.app.gpu.CachedTarget;
 import sunbeam.app.gpu.UploadedTables;
@@ -67,8 +66,7 @@ final class MovingSkin implements AutoCloseable {
             Map<String, Texture> method,
             double exposure) {
         FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1, false);
-        ViewRays rays = geometry.viewRays(block);
-        rays.applyTo(program);
+        geometry.applyRaysTo(program, block);
         program.set("targetToWorld", geometry.blockToWorld(block));
         geometry.shadows().applyTo(program, scene.effectiveSurroundings().shadows());
         program.set("exposure", (float) exposure);
@@ -82,7 +80,7 @@ final class MovingSkin implements AutoCloseable {
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());
         if (ground.isPresent()) {
-            ground.get().fillMovingBlock(target, scene, geometry, rays, exposure);
+            ground.get().fillMovingBlock(target, scene, geometry, block, exposure);
         } else {
             int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
             target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);

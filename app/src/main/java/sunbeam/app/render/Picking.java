@@ -2,16 +2,15 @@ package sunbeam.app.render;
 
 import java.util.Map;
 import java.util.Optional;
-import jrtr.Faces;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
+import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.Material;
+import jrtr.scene.Node;
 import jrtr.scene.PictureArea;
-import jrtr.scene.SceneRenderer;
 import org.joml.Vector3f;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.scene.Scene;
@@ -22,18 +21,20 @@ import sunbeam.precompute.optics.Direction;
 final class Picking implements AutoCloseable {
     private static final int IMAGES = 6;
 
+    private final RenderContext context;
     private final ShaderProgram program;
     private final FloatTarget target;
 
     Picking(RenderContext context) {
+        this.context = context;
         this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
         this.target = Resource.orClose(
                 () -> context.createFloatTarget("pick", new FloatTarget.Spec(1, 1, IMAGES, true)), program::close);
     }
 
-    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, SceneRenderer renderer, PictureArea pixel) {
-        Material material = body.material(program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, Map.of());
-        renderer.draw(SceneGraphs.of(scene, mesh, material), pixel, target, Tile.whole(1, 1));
+    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, PictureArea pixel) {
+        Node.Shape shape = body.shape(mesh, program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, Map.of());
+        SceneGraphs.of(scene, shape).draw(context, pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];
         for (int i = 0; i < IMAGES; i++) {
             values[i] = target.read(i);

@@ -3,15 +3,10 @@ package sunbeam.app.render;
 import java.util.List;
 import java.util.stream.Stream;
 import jrtr.BoundingSphere;
-import jrtr.gl.VertexBuffer;
 import jrtr.scene.Camera;
-import jrtr.scene.Frustum;
-import jrtr.scene.Group;
-import jrtr.scene.Light;
-import jrtr.scene.Material;
 import jrtr.scene.Node;
 import jrtr.scene.SceneGraph;
-import jrtr.scene.Shape;
+import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
@@ -33,20 +28,16 @@ final class SceneGraphs {
 
     private SceneGraphs() {}
 
-    static SceneGraph of(Scene scene, VertexBuffer mesh, Material material) {
-        Group lights = new Group(lights(scene).toArray(Node[]::new));
-        Group root = new Group(lights, turned(scene.orientation(), mesh, material));
-        return new SceneGraph(root, scene.view().camera(), frustum(scene.view(), mesh.bounds()));
-    }
-
-    static SceneGraph unlit(Viewpoint view, Quaternionfc orientation, VertexBuffer mesh, Material material) {
-        return new SceneGraph(turned(orientation, mesh, material), view.camera(), frustum(view, mesh.bounds()));
+    static SceneGraph of(Scene scene, Node.Shape shape) {
+        Node lights = new Node.Group(lights(scene).toArray(Node[]::new));
+        Node root = new Node.Group(lights, turned(scene.orientation(), shape));
+        return new SceneGraph(root, view(scene.view(), shape.vertices().bounds()));
     }
 
     /** Returns a scene's lights in world space, the key light first. */
-    static List<Light> lights(Scene scene) {
+    static List<Node.Light> lights(Scene scene) {
         return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
-                .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
+                .map(light -> new Node.Light(light.towards(), new Vector3f((float) light.intensity())))
                 .toList();
     }
 
@@ -60,8 +51,8 @@ final class SceneGraphs {
         return variances;
     }
 
-    static Group turned(Quaternionfc orientation, VertexBuffer mesh, Material material) {
-        return new Group(toWorld(orientation, mesh.bounds()), new Shape(mesh, material));
+    static Node turned(Quaternionfc orientation, Node.Shape shape) {
+        return new Node.Group(toWorld(orientation, shape.vertices().bounds()), shape);
     }
 
     static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {
@@ -87,12 +78,13 @@ final class SceneGraphs {
         return Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
     }
 
-    static Frustum frustum(Viewpoint view, BoundingSphere bounds) {
+    static View view(Viewpoint view, BoundingSphere bounds) {
         float distance = distance(view, bounds);
         float reach = reach(distance, bounds);
         // A mesh behind the eye is invisible with any planes.
         float far = Math.max(distance, 0) + reach;
-        return new Frustum(
+        return new View(
+                view.camera(),
                 (float) view.verticalFieldOfView(),
                 (float) Viewpoint.LEAST_ASPECT,
                 Math.max(distance - reach, NEAREST * far),

@@ -6,12 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.function.Function;
+import java.util.function.Supplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.scene.PictureArea;
-import jrtr.scene.SceneRenderer;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
@@ -28,7 +27,6 @@ public final class SceneSession implements AutoCloseable {
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
-    private final SceneRenderer renderer;
     // One cache with shadows (true), for the first light, and one without for the others.
     private final Map<Boolean, GeometryBuffers> buffers = new HashMap<>();
     private final MovingPictures moving;
@@ -46,21 +44,20 @@ public final class SceneSession implements AutoCloseable {
      * @throws jrtr.GraphicsException if the device has no room for it
      */
     public SceneSession(RenderContext context, SceneData data) {
-        this(context, renderer -> new UploadedScene(context, renderer, data));
+        this(context, () -> new UploadedScene(context, data));
     }
 
     /** Uploads a scene's shape. Before drawing, {@link #update(SceneData)} must be called. */
     SceneSession(RenderContext context, Scene scene, SceneShape shape) {
-        this(context, renderer -> new UploadedScene(context, renderer, scene, shape));
+        this(context, () -> new UploadedScene(context, scene, shape));
     }
 
-    private SceneSession(RenderContext context, Function<SceneRenderer, UploadedScene> upload) {
+    private SceneSession(RenderContext context, Supplier<UploadedScene> upload) {
         this.context = context;
-        this.renderer = new SceneRenderer(context);
-        this.moving = new MovingPictures(context, renderer);
+        this.moving = new MovingPictures(context);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
-        this.uploaded = Resource.orClose(() -> upload.apply(renderer), this::close);
+        this.uploaded = Resource.orClose(upload, this::close);
     }
 
     public SceneData data() {
@@ -157,8 +154,7 @@ public final class SceneSession implements AutoCloseable {
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
         GeometryBuffer buffer = buffers.computeIfAbsent(
-                        geometry.shadowLight().isPresent(),
-                        shaded -> new GeometryBuffers(context, renderer, GeometryLayout.FULL))
+                        geometry.shadowLight().isPresent(), shaded -> new GeometryBuffers(context, GeometryLayout.FULL))
                 .of(geometry, piece.block());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
@@ -285,11 +281,7 @@ public final class SceneSession implements AutoCloseable {
      */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return picking.pick(
-                scene(),
-                uploaded.mesh(),
-                uploaded.body(),
-                renderer,
-                new PictureArea(width, height, new Tile(x, y, 1, 1)));
+                scene(), uploaded.mesh(), uploaded.body(), new PictureArea(width, height, new Tile(x, y, 1, 1)));
     }
 
     @Override

@@ -4,19 +4,18 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import jrtr.BoundingSphere;
-import jrtr.Faces;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
+import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Camera;
-import jrtr.scene.Frustum;
-import jrtr.scene.Material;
+import jrtr.scene.Node;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneGraph;
-import jrtr.scene.SceneRenderer;
+import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
@@ -36,10 +35,8 @@ final class Shadows implements AutoCloseable {
     private static final float LIFT = 2;
 
     private final RenderContext context;
-    private final SceneRenderer renderer;
     private final Matrix4f worldToShadow = new Matrix4f();
-    private Camera camera;
-    private Frustum frustum;
+    private View view;
     private float lift;
     private final FloatTarget noShadows;
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
@@ -54,9 +51,8 @@ final class Shadows implements AutoCloseable {
 
     private record Key(VertexBuffer mesh, Quaternionfc orientation, Vector3fc towards) {}
 
-    Shadows(RenderContext context, SceneRenderer renderer) {
+    Shadows(RenderContext context) {
         this.context = context;
-        this.renderer = renderer;
         this.noShadows = context.createFloatTarget("no shadows", spec(1));
     }
 
@@ -72,9 +68,10 @@ final class Shadows implements AutoCloseable {
         if (program.isEmpty()) {
             program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
         }
-        Material material = new Material(program.get(), Map.of(), Map.of(), closed ? Faces.FRONT : Faces.BOTH);
-        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, mesh, material), camera, frustum);
-        renderer.draw(graph, PictureArea.whole(side, side), map, Tile.whole(side, side));
+        Faces faces = closed ? Faces.FRONT : Faces.BOTH;
+        Node.Shape shape = new Node.Shape(mesh, program.get(), Map.of(), Map.of(), faces);
+        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, shape), view);
+        graph.draw(context, PictureArea.whole(side, side), map, Tile.whole(side, side));
         shown.put(side, key);
     }
 
@@ -84,9 +81,9 @@ final class Shadows implements AutoCloseable {
         float reach = MARGIN * bounds.radius();
         Vector3f eye = new Vector3f(bounds.center()).fma(distance, towards);
         Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
-        camera = new Camera(eye, bounds.center(), up);
-        frustum = new Frustum((float) (2 * Math.atan(reach / (distance - reach))), distance - reach, distance + reach);
-        worldToShadow.set(frustum.cameraToClip(PictureArea.whole(side, side)).mul(camera.worldToCamera()));
+        float angle = (float) (2 * Math.atan(reach / (distance - reach)));
+        view = new View(new Camera(eye, bounds.center(), up), angle, distance - reach, distance + reach);
+        worldToShadow.set(view.worldToClip(PictureArea.whole(side, side)));
         lift = LIFT * 2 * reach / side;
     }
 

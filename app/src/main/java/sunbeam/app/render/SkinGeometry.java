@@ -2,16 +2,14 @@ package sunbeam.app.render;
 
 import java.util.Map;
 import java.util.Optional;
-import jrtr.Faces;
 import jrtr.Tile;
+import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.Frustum;
-import jrtr.scene.Material;
+import jrtr.scene.Node;
 import jrtr.scene.PictureArea;
 import jrtr.scene.SceneGraph;
-import jrtr.scene.ViewRays;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
@@ -36,18 +34,15 @@ record SkinGeometry(
         int width,
         int height) {
 
-    ViewRays viewRays(Tile block) {
-        return ViewRays.of(
-                view.camera(), SceneGraphs.frustum(view, mesh.bounds()), new PictureArea(width, height, block));
+    void applyRaysTo(ShaderProgram program, Tile block) {
+        SceneGraphs.view(view, mesh.bounds()).applyRaysTo(program, new PictureArea(width, height, block));
     }
 
     /**
      * Returns the matrix from (x, y, depth) to world space: x and y in pixels from the block's lower left, depth as in the depth buffer.
      */
     Matrix4f blockToWorld(Tile block) {
-        Frustum frustum = SceneGraphs.frustum(view, mesh.bounds());
-        Matrix4f toClip = frustum.cameraToClip(new PictureArea(width, height, block))
-                .mul(view.camera().worldToCamera());
+        Matrix4f toClip = SceneGraphs.view(view, mesh.bounds()).worldToClip(new PictureArea(width, height, block));
         return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
     }
 
@@ -58,7 +53,7 @@ record SkinGeometry(
             shadows.applyTo(program, shadowLight.isPresent());
         }
         Map<String, Texture> further = isShaded ? shadows.textures() : Map.of();
-        Material material = body.material(program, rotatePatch, faces, further);
-        return SceneGraphs.unlit(view, orientation, mesh, material);
+        Node.Shape shape = body.shape(mesh, program, rotatePatch, faces, further);
+        return new SceneGraph(SceneGraphs.turned(orientation, shape), SceneGraphs.view(view, mesh.bounds()));
     }
 }

@@ -10,7 +10,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.LightUniforms;
+import jrtr.scene.Node;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -149,7 +149,7 @@ final class SkinSurface implements AutoCloseable {
 
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
     private void setLight(ShaderProgram program, Scene scene) {
-        LightUniforms.of(SceneGraphs.lights(scene)).applyTo(program);
+        Node.Light.apply(SceneGraphs.lights(scene), program);
         Blend blend = scene.blend();
         program.set("diffractionWeight", (float) (blend.diffraction() * diffractionScale));
         program.set("textureWeight", (float) blend.texture());

@@ -4,12 +4,13 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import jrtr.Faces;
 import jrtr.gl.ImageTexture;
 import jrtr.gl.RenderContext;
+import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.Material;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.Node;
 import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -56,15 +57,20 @@ final class SkinTextures implements AutoCloseable {
         return body == other;
     }
 
-    /** Returns the material for a pass that draws the mesh. */
-    Material material(ShaderProgram program, double rotatePatch, Faces faces, Map<String, Texture> furtherTextures) {
+    /** Returns the shape for a pass that draws the mesh. */
+    Node.Shape shape(
+            VertexBuffer mesh,
+            ShaderProgram program,
+            double rotatePatch,
+            Faces faces,
+            Map<String, Texture> furtherTextures) {
         Map<String, Texture> textures = new HashMap<>(furtherTextures);
         textures.put("skinRelief", relief);
         textures.put("patchDirections", directions);
         if (program.isActive("bodyTexture")) {
             textures.put("bodyTexture", colors);
         }
-        Map<String, Float> uniforms = new HashMap<>(Material.tangentsTurned(rotatePatch));
+        Map<String, Float> uniforms = new HashMap<>(Node.Shape.tangentsTurned(rotatePatch));
         boolean hasScales = body.scales() != Scales.NONE;
         double scalesPerUnit = hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
         uniforms.put("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
@@ -79,7 +85,7 @@ final class SkinTextures implements AutoCloseable {
         if (program.isActive("patchColor")) {
             uniforms.put("patchColor", (float) body.patchColor());
         }
-        return new Material(program, textures, uniforms, faces);
+        return new Node.Shape(mesh, program, textures, uniforms, faces);
     }
 
     @Override

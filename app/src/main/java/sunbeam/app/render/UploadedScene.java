@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import jrtr.gl.RenderContext;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.SceneRenderer;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -18,23 +17,23 @@ final class UploadedScene implements AutoCloseable {
     private SkinTextures body;
     private SkinSurface skin;
 
-    UploadedScene(RenderContext context, SceneRenderer renderer, SceneData data) {
-        this(context, renderer);
+    UploadedScene(RenderContext context, SceneData data) {
+        this(context);
         orClose(() -> update(data));
     }
 
     /** Before drawing, {@link #update} must be called. */
-    UploadedScene(RenderContext context, SceneRenderer renderer, Scene scene, SceneShape shape) {
-        this(context, renderer);
+    UploadedScene(RenderContext context, Scene scene, SceneShape shape) {
+        this(context);
         orClose(() -> {
             mesh = UploadedMesh.upload(context, scene, shape.mesh(), shape.sky());
             body = SkinTextures.upload(context, shape.bodies().get(0));
         });
     }
 
-    private UploadedScene(RenderContext context, SceneRenderer renderer) {
+    private UploadedScene(RenderContext context) {
         this.context = context;
-        this.shadows = new Shadows(context, renderer);
+        this.shadows = new Shadows(context);
     }
 
     private void orClose(Runnable upload) {

@@ -17,7 +17,7 @@ import static sunbeam.app.scene.SceneSettings.TONE;
 
 import java.util.List;
 import java.util.stream.Stream;
-import jrtr.scene.LightUniforms;
+import jrtr.scene.Node;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -51,7 +51,7 @@ public record Scene(
         List<SceneLight> fillLights,
         SceneMethod method) {
     /** Largest number of fill lights: the shaders' limit of lights, less the key light. */
-    public static final int MOST_FILL_LIGHTS = LightUniforms.MOST - 1;
+    public static final int MOST_FILL_LIGHTS = Node.Light.MOST - 1;
 
     private static final Choices STANDARD = standard();
 

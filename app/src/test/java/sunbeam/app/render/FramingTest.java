@@ -41,9 +41,8 @@ class FramingTest {
 
     /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */
     private static float[] reach(Scene scene, int width, int height) {
-        Matrix4f toClip = SceneGraphs.frustum(scene.view(), new BoundingSphere(new Vector3f(), 1))
-                .cameraToClip(PictureArea.whole(width, height))
-                .mul(scene.view().camera().worldToCamera(), new Matrix4f());
+        Matrix4f toClip = SceneGraphs.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
+                .worldToClip(PictureArea.whole(width, height));
         float[] reach = new float[2];
         Vector3f point = new Vector3f();
         for (int vertex = 0; vertex < SNAKE.vertices(); vertex++) {

@@ -8,18 +8,21 @@ import jrtr.Tile;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-class FrustumTest {
+class ViewTest {
     private static final float FIELD = 0.8f;
-    private static final Frustum FRUSTUM = new Frustum(FIELD, 0.5f, 20);
+    private static final Camera CAMERA = new Camera(new Vector3f(0, -5, 0), new Vector3f(), new Vector3f(0, 0, 1));
+    private static final View VIEW = new View(CAMERA, FIELD, 0.5f, 20);
 
     @Test
     void aPartShowsItsPixelsOfTheWhole() {
         PictureArea whole = PictureArea.whole(400, 300);
         Tile tile = new Tile(100, 30, 50, 60);
         Vector3f point = new Vector3f(-0.6f, 0.3f, -3);
-        Vector3f inWhole = FRUSTUM.cameraToClip(whole).transformProject(new Vector3f(point));
-        Vector3f inPart = FRUSTUM.cameraToClip(new PictureArea(400, 300, tile)).transformProject(new Vector3f(point));
+        Vector3f inWhole = VIEW.cameraToClip(whole).transformProject(new Vector3f(point));
+        Vector3f inPart = VIEW.cameraToClip(new PictureArea(400, 300, tile)).transformProject(new Vector3f(point));
 
         // Pixels from the left and from the top, in the whole and, shifted by the tile's corner, in the part.
         float column = (inWhole.x + 1) / 2 * 400;
@@ -32,13 +35,13 @@ class FrustumTest {
 
     @Test
     void aNarrowPictureShowsAsMuchFromLeftToRightAsTheLeastAspect() {
-        Frustum framed = new Frustum(FIELD, 4f / 3, 0.5f, 20);
+        View framed = new View(CAMERA, FIELD, 4f / 3, 0.5f, 20);
         Vector3f right = new Vector3f((float) Math.tan(FIELD / 2) * 4 / 3, 0, -1);
         Vector3f diagonal = new Vector3f(1, 1, -9);
 
         assertThat(framed.cameraToClip(PictureArea.whole(800, 300)))
                 .as("wider")
-                .isEqualTo(FRUSTUM.cameraToClip(PictureArea.whole(800, 300)));
+                .isEqualTo(VIEW.cameraToClip(PictureArea.whole(800, 300)));
         for (int width : new int[] {399, 300, 3}) {
             Matrix4f narrow = framed.cameraToClip(PictureArea.whole(width, 300));
             assertThat(narrow.transformProject(new Vector3f(right)).x).isCloseTo(1, within(1e-6f));
@@ -47,16 +50,30 @@ class FrustumTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"1, -1, 1, 2", "1, NaN, 1, 2", "0, 0, 1, 2", "3.2, 0, 1, 2", "1, 0, 0, 2", "1, 0, 2, 2", "NaN, 0, 1, 2"
+    })
+    void invalidViewsAreRefused(float angle, float aspect, float near, float far) {
+        assertThatThrownBy(() -> new View(CAMERA, angle, aspect, near, far))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
     @Test
-    void invalidFrustumsAreRefused() {
-        assertThatThrownBy(() -> new Frustum(1, -1, 1, 2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> new Frustum(1, Float.NaN, 1, 2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> new Frustum(0, 1, 2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> new Frustum(3.2f, 1, 2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> new Frustum(1, 0, 2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> new Frustum(1, 2, 2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> new Frustum(Float.NaN, 1, 2)).isInstanceOf(IllegalArgumentException.class);
+    void partsOutsideThePictureAreRefused() {
         assertThatThrownBy(() -> new PictureArea(10, 10, new Tile(5, 5, 6, 5)))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void camerasWithoutAPictureAreRefused() {
+        Vector3f eye = new Vector3f(1, 1, 1);
+        Vector3f up = new Vector3f(0, 0, 1);
+
+        assertThatThrownBy(() -> new Camera(eye, eye, up)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new Camera(eye, new Vector3f(1, 1, 0), up)).hasMessageContaining("line of sight");
+        assertThatThrownBy(() -> new Camera(eye, new Vector3f(), new Vector3f()))
+                .hasMessageContaining("up");
+        assertThatThrownBy(() -> new Camera(eye, new Vector3f(Float.NaN, 0, 0), up))
                 .isInstanceOf(IllegalArgumentException.class);
     }
 }

@@ -4,54 +4,39 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Map;
-import jrtr.Faces;
 import jrtr.Tile;
 import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
-import jrtr.gl.NeedsDisplay;
-import jrtr.gl.RenderContext;
+import jrtr.gl.InARendering;
+import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
-import jrtr.glsl.ShaderLibrary;
-import jrtr.glsl.ShaderTexts;
+import jrtr.scene.Node.Group;
+import jrtr.scene.Node.Light;
+import jrtr.scene.Node.Shape;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
 
-@NeedsDisplay
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
-class SceneRendererTest {
+class SceneGraphTest extends InARendering {
     private static final int WIDTH = 90;
     private static final int HEIGHT = 60;
-    private static final Frustum FRUSTUM = new Frustum(0.7f, 1, 20);
     private static final Camera CAMERA =
             new Camera(new Vector3f(0.5f, -4, 1.5f), new Vector3f(0, 0, 0.1f), new Vector3f(0, 0, 1));
+    private static final View VIEW = new View(CAMERA, 0.7f, 1, 20);
 
-    private RenderContext context;
-    private SceneRenderer renderer;
-    private FloatTarget target;
+    private static FloatTarget target;
 
     @BeforeAll
-    void open() {
-        context = RenderContext.offscreen();
-        renderer = new SceneRenderer(context);
-        target = context.createFloatTarget("picture", new FloatTarget.Spec(WIDTH, HEIGHT, 1, true));
-    }
-
-    @AfterAll
-    void close() {
-        context.close();
+    static void createTarget() {
+        target = rendering.context.createFloatTarget("picture", new FloatTarget.Spec(WIDTH, HEIGHT, 1, true));
     }
 
     private ShaderProgram program(String declarations, String color) {
-        String text = "#version 330 core\n#include \"jrtr/tangent_frame.glsl\"\n" + declarations
-                + "\nlayout(location = 0) out vec4 color;\nvoid main() { color = " + color + "; }\n";
-        return context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", text))
-                .orElse(ShaderLibrary.ofEngine())
-                .load("test.frag"));
+        return rendering.meshProgram("#include \"jrtr/tangent_frame.glsl\"\n" + declarations
+                + "\nlayout(location = 0) out vec4 color;\nvoid main() { color = " + color + "; }\n");
     }
 
     private Shape shape(VertexData data, ShaderProgram program) {
@@ -59,12 +44,11 @@ class SceneRendererTest {
     }
 
     private Shape shape(VertexData data, ShaderProgram program, Map<String, Float> uniforms) {
-        return new Shape(
-                context.createVertexBuffer("mesh", data), new Material(program, Map.of(), uniforms, Faces.BOTH));
+        return new Shape(rendering.context.createVertexBuffer("mesh", data), program, Map.of(), uniforms, Faces.BOTH);
     }
 
     private static SceneGraph scene(Node root) {
-        return new SceneGraph(root, CAMERA, FRUSTUM);
+        return new SceneGraph(root, VIEW);
     }
 
     private static Node at(Matrix4f place, Shape shape) {
@@ -77,8 +61,11 @@ class SceneRendererTest {
     }
 
     private void draw(SceneGraph scene, FloatTarget whole, Tile tile) {
-        renderer.draw(
-                scene, PictureArea.whole(whole.spec().width(), whole.spec().height()), whole, tile);
+        scene.draw(
+                rendering.context,
+                PictureArea.whole(whole.spec().width(), whole.spec().height()),
+                whole,
+                tile);
     }
 
     /** Ray from the eye through the center of a pixel, computed from the camera's vectors without matrices. */
@@ -88,7 +75,7 @@ class SceneRendererTest {
                 .normalize();
         Vector3f right = new Vector3f(forward).cross(CAMERA.up()).normalize();
         Vector3f up = new Vector3f(right).cross(forward);
-        float pixel = (float) (2 * Math.tan(FRUSTUM.verticalFieldOfView() / 2) / HEIGHT);
+        float pixel = (float) (2 * Math.tan(VIEW.verticalFieldOfView() / 2) / HEIGHT);
         return forward.add(right.mul((column + 0.5f - WIDTH / 2f) * pixel))
                 .add(up.mul((HEIGHT / 2f - row - 0.5f) * pixel));
     }
@@ -152,8 +139,8 @@ class SceneRendererTest {
         SceneGraph scene = scene(crowd());
         float[] whole = drawn(scene);
         Tile part = new Tile(33, 11, 40, 30);
-        try (FloatTarget small = context.createFloatTarget("part", new FloatTarget.Spec(40, 30, 1, true))) {
-            renderer.draw(scene, new PictureArea(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
+        try (FloatTarget small = rendering.context.createFloatTarget("part", new FloatTarget.Spec(40, 30, 1, true))) {
+            scene.draw(rendering.context, new PictureArea(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
             float[] pixels = small.read(0);
 
             int different = 0;
@@ -168,7 +155,8 @@ class SceneRendererTest {
             assertThat(different).isLessThan(4 * 20);
             assertThatThrownBy(() -> draw(scene, small, new Tile(30, 0, 20, 5)))
                     .isInstanceOf(IllegalArgumentException.class);
-            assertThatThrownBy(() -> renderer.draw(scene, PictureArea.whole(41, 30), small, Tile.whole(40, 30)))
+            assertThatThrownBy(
+                            () -> scene.draw(rendering.context, PictureArea.whole(41, 30), small, Tile.whole(40, 30)))
                     .isInstanceOf(IllegalArgumentException.class);
         }
     }
@@ -215,26 +203,72 @@ class SceneRendererTest {
     @Test
     void copiedDepthSelectsTheCoveredPixels() {
         float[] shapes = drawn(scene(shape(TestMeshes.sphere(40, 20), program("", "vec4(1)"))));
-        ShaderProgram two = context.createFullScreenProgram(ShaderTexts.of(
-                        Map.of("two.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(2); }\n"))
-                .load("two.frag"));
+        ShaderProgram two = rendering.program("", "vec4(2)");
         Tile whole = Tile.whole(WIDTH, HEIGHT);
-        try (FloatTarget other = context.createFloatTarget("other", target.spec());
-                FloatTarget flat = context.createFloatTarget("flat", FloatTarget.Spec.color(WIDTH, HEIGHT))) {
+        try (FloatTarget other = rendering.context.createFloatTarget("other", target.spec());
+                FloatTarget flat = rendering.context.createFloatTarget("flat", FloatTarget.Spec.color(WIDTH, HEIGHT))) {
             other.clear(whole, 0, 0, 0, 0);
             other.copyDepthFrom(target);
-            context.drawCovered(two, Map.of(), other, whole);
+            rendering.context.drawCovered(two, Map.of(), other, whole);
             // The draw keeps the depth.
-            context.drawCovered(two, Map.of(), other, whole);
+            rendering.context.drawCovered(two, Map.of(), other, whole);
 
             float[] covered = other.read(0);
             assertThat(shapes).contains(0, 1);
             for (int i = 0; i < shapes.length; i++) {
                 assertThat(covered[i]).isEqualTo(2 * shapes[i]);
             }
-            assertThatThrownBy(() -> context.drawCovered(two, Map.of(), flat, whole))
+            assertThatThrownBy(() -> rendering.context.drawCovered(two, Map.of(), flat, whole))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessageContaining("'flat' has no depth");
         }
+    }
+
+    private Shape ball(String label) {
+        ShaderProgram program = program("", "vec4(1)");
+        return new Shape(
+                rendering.context.createVertexBuffer(label, TestMeshes.sphere(4, 4)),
+                program,
+                Map.of(),
+                Map.of(),
+                Faces.BOTH);
+    }
+
+    @Test
+    void shapesComeDepthFirstInTheirOrderWithTransformationsFromTheTopDown() {
+        Matrix4f outer = new Matrix4f().translate(1, 2, 3);
+        Matrix4f inner = new Matrix4f().rotateZ(0.5f).scale(2);
+        Group second = new Group(inner, ball("c"));
+        Group root = new Group(outer, ball("a"), new Group(ball("b"), second), new Group(), second, ball("d"));
+
+        List<SceneGraph.ShapeInstance> shapes = scene(root).shapes();
+        assertThat(shapes.stream().map(item -> item.shape().vertices().label()))
+                .containsExactly("a", "b", "c", "c", "d");
+        assertThat(shapes.get(2).modelToWorld()).isEqualTo(new Matrix4f(outer).mul(inner));
+        assertThat(shapes.get(4).modelToWorld()).isEqualTo(outer);
+    }
+
+    @Test
+    void groupsTurnLightsButDoNotScaleThem() {
+        Group root = new Group(
+                new Matrix4f().translate(7, 8, 9).rotateZ((float) Math.PI / 2).scale(3),
+                new Light(new Vector3f(4, 0, 0), new Vector3f(1, 2, 3)));
+
+        Light light = scene(root).lights().get(0);
+        // One rotation in float32.
+        assertThat(light.towards().equals(new Vector3f(0, 1, 0), 1e-6f)).isTrue();
+        assertThat(light.radiance()).isEqualTo(new Vector3f(1, 2, 3));
+    }
+
+    @Test
+    void transformationsThatFlattenSpaceAndLightsWithoutDirectionAreRefused() {
+        for (Matrix4f flat : List.of(
+                new Matrix4f().scale(1, 0, 1),
+                new Matrix4f().perspective(1, 1, 1, 2),
+                new Matrix4f().translate(Float.NaN, 0, 0))) {
+            assertThatThrownBy(() -> new Group(flat)).isInstanceOf(IllegalArgumentException.class);
+        }
+        assertThatThrownBy(() -> new Light(new Vector3f(), new Vector3f(1)))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 }

@@ -1,0 +1,77 @@
+package jrtr.scene;
+
+import jrtr.gl.ShaderProgram;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+
+/**
+ * Perspective view from a camera.
+ *
+ * @param verticalFieldOfView angle between the bottom and the top of the picture in radians, above 0 and below pi; holds for
+ *     pictures of {@code leastAspect} or wider
+ * @param leastAspect width over height, at least 0: a narrower picture keeps the horizontal angle of a picture with this
+ *     aspect and shows more above and below
+ * @param near distance of the near plane, above 0
+ * @param far distance of the far plane, above near
+ */
+public record View(Camera camera, float verticalFieldOfView, float leastAspect, float near, float far) {
+    public View {
+        boolean angle = verticalFieldOfView > 0 && verticalFieldOfView < Math.PI;
+        if (!(leastAspect >= 0) || Float.isInfinite(leastAspect)) {
+            throw new IllegalArgumentException("least aspect " + leastAspect + " of a view; it must be 0 or above");
+        }
+        if (!angle || !(near > 0) || !(far > near) || Float.isInfinite(far)) {
+            throw new IllegalArgumentException("view of " + verticalFieldOfView + " rad from " + near + " to " + far
+                    + ": the angle must lie between 0 and pi, and 0 < near < far");
+        }
+    }
+
+    /** View with the same vertical angle for every aspect. */
+    public View(Camera camera, float verticalFieldOfView, float near, float far) {
+        this(camera, verticalFieldOfView, 0, near, far);
+    }
+
+    /**
+     * Returns the matrix from camera space to clip space for a picture or a part of it: depth -1 at the near plane, 1 at the far one.
+     * Pixels are square.
+     */
+    Matrix4f cameraToClip(PictureArea area) {
+        float aspect = (float) area.pictureWidth() / area.pictureHeight();
+        Matrix4f whole = new Matrix4f().perspective(verticalFieldOfView, Math.max(aspect, leastAspect), near, far);
+        if (aspect < leastAspect) {
+            whole.m11(whole.m11() * aspect / leastAspect);
+        }
+        return area.isWhole() ? whole : area.wholeToPart().mul(whole);
+    }
+
+    /** Returns the matrix from world space to clip space for a picture or a part of it. */
+    public Matrix4f worldToClip(PictureArea area) {
+        return cameraToClip(area).mul(camera.worldToCamera());
+    }
+
+    /**
+     * Sets the uniforms of jrtr/view_rays.glsl: the direction towards the viewer in world space, not normalized, as a linear function of
+     * the position in pixels from the lower left corner of the part.
+     */
+    public void applyRaysTo(ShaderProgram program, PictureArea area) {
+        Matrix4f toClip = cameraToClip(area);
+        Matrix4f toCamera = camera.worldToCamera();
+        // The point (x, y, -1) in camera space has clip x = m00 x - m20 and w = 1. Its direction towards the viewer is
+        // (-x, -y, 1).
+        program.set(
+                "viewAtCorner",
+                row(toCamera, 2)
+                        .add(row(toCamera, 0).mul((1 - toClip.m20()) / toClip.m00()))
+                        .add(row(toCamera, 1).mul((1 - toClip.m21()) / toClip.m11())));
+        program.set(
+                "viewPerColumn",
+                row(toCamera, 0).mul(-2 / (toClip.m00() * area.part().width())));
+        program.set(
+                "viewPerRow",
+                row(toCamera, 1).mul(-2 / (toClip.m11() * area.part().height())));
+    }
+
+    private static Vector3f row(Matrix4f worldToCamera, int row) {
+        return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
+    }
+}
