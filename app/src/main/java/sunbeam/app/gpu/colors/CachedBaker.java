@@ -21,7 +21,7 @@ import sunbeam.precompute.method.LevelBakers;
  * Bakes tiles of a color table's levels, or reads them from the cache of tiles. Not thread-safe; a level's baker may be bound to the thread
  * that opened it.
  */
-final class CachedBaker implements TileBaker {
+final class CachedBaker implements Scheduler.TileBaker {
     // Most tiles per job of the radial baker, which take about a second on two processors. Smaller jobs show progress
     // sooner but evaluate more rays twice.
     private static final int RADIAL_BATCH = 4800;
@@ -62,14 +62,14 @@ final class CachedBaker implements TileBaker {
     }
 
     /**
-     * Selects cached tiles first, then tiles of the coarsest level; within a level, tiles at similar angles of (u, v), which share rays.
+     * Bakes cached tiles first, then tiles of the coarsest level; within a level, tiles at similar angles of (u, v), which share rays.
      */
     @Override
-    public Job next(TileSet missing) {
+    public Scheduler.BakedTiles bake(TileSet missing, CancellationToken token) {
         for (int level = missing.levels() - 1; level >= 0; level--) {
             BitSet present = cached().present(level, missing.of(level));
             if (!present.isEmpty()) {
-                return new Job(level, setOf(present.stream().limit(RADIAL_BATCH)));
+                return bake(level, setOf(present.stream().limit(RADIAL_BATCH)), token);
             }
         }
         int level = missing.levels() - 1;
@@ -78,22 +78,17 @@ final class CachedBaker implements TileBaker {
         }
         // A table of one level is that of a coherent average, which shaders evaluate.
         int batch = grids.size() > 1 ? RADIAL_BATCH : SHADER_BATCH;
-        return new Job(level, setOf(grids.get(level).byAngle(missing.of(level)).limit(batch)));
+        token.step(0);
+        return bake(level, setOf(grids.get(level).byAngle(missing.of(level)).limit(batch)), token);
     }
 
     private static BitSet setOf(IntStream tiles) {
         return tiles.collect(BitSet::new, BitSet::set, BitSet::or);
     }
 
-    @Override
-    public List<byte[]> bake(Job job, CancellationToken canceled) {
-        return bake(job, samples -> canceled.check());
-    }
-
-    private List<byte[]> bake(Job job, BakeToken token) {
-        int level = job.level();
-        Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, job.tiles()));
-        BitSet missing = (BitSet) job.tiles().clone();
+    private Scheduler.BakedTiles bake(int level, BitSet tiles, BakeToken token) {
+        Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, tiles));
+        BitSet missing = (BitSet) tiles.clone();
         all.keySet().forEach(missing::clear);
         if (!missing.isEmpty()) {
             hasBaked = true;
@@ -104,7 +99,7 @@ final class CachedBaker implements TileBaker {
             cached().keep(level, made);
             all.putAll(made);
         }
-        return List.copyOf(all.values());
+        return new Scheduler.BakedTiles(level, tiles, List.copyOf(all.values()));
     }
 
     List<Scheduler.BakedTiles> bakeAll(TileSet tiles) {
@@ -112,8 +107,7 @@ final class CachedBaker implements TileBaker {
         try (BakeToken progress = bakers.progress(missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
-                    Job job = new Job(level, tiles.of(level));
-                    all.add(new Scheduler.BakedTiles(job, bake(job, progress)));
+                    all.add(bake(level, tiles.of(level), progress));
                 }
             }
         }
@@ -137,9 +131,9 @@ final class CachedBaker implements TileBaker {
      * Validates baked tiles at some footprints. If the table misses its tolerance, warns once and discards the cached tiles. Without effect
      * if all tiles came from the cache.
      */
-    void validate(FootprintSample.Tabulated sample, CancellationToken canceled) {
+    void validate(FootprintSample.Tabulated sample, BakeToken token) {
         if (hasBaked && !warned) {
-            VirtualTexture.miss(errors(sample, canceled), table().tolerance()).ifPresent(line -> {
+            VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
                 bakers.warn(line);
@@ -147,18 +141,18 @@ final class CachedBaker implements TileBaker {
         }
     }
 
-    ErrorStatistics errors(FootprintSample.Tabulated sample, CancellationToken canceled) {
-        return sample.errors((level, places) -> evaluate(level, places, canceled));
+    ErrorStatistics errors(FootprintSample.Tabulated sample, BakeToken token) {
+        return sample.errors((level, places) -> evaluate(level, places, token));
     }
 
     /** Evaluates colors of a level, not yet multiplied by the level's scale, or of {@link #POINTS} of the patch. */
-    float[] evaluate(int level, float[] places, CancellationToken canceled) {
+    float[] evaluate(int level, float[] places, BakeToken token) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
         for (int from = 0; from < places.length; from += 3 * SAMPLE_BATCH) {
-            canceled.check();
+            token.step(0);
             int to = Math.min(places.length, from + 3 * SAMPLE_BATCH);
-            float[] part = direct.bake(Arrays.copyOfRange(places, from, to), samples -> canceled.check());
+            float[] part = direct.bake(Arrays.copyOfRange(places, from, to), token);
             System.arraycopy(part, 0, xyz, from, part.length);
         }
         return xyz;

@@ -1,9 +1,10 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.concurrent.CancellationException;
+import sunbeam.precompute.colortable.BakeToken;
 
 /** Cancels a job cooperatively. Thread-safe. */
-public final class CancellationToken {
+public final class CancellationToken implements BakeToken {
     private volatile boolean isCancelled;
 
     public void cancel() {
@@ -14,8 +15,8 @@ public final class CancellationToken {
         return isCancelled;
     }
 
-    /** @throws CancellationException once the job is canceled */
-    void check() {
+    @Override
+    public void step(long samples) {
         if (isCancelled) {
             throw new CancellationException("these tiles are not wanted now");
         }

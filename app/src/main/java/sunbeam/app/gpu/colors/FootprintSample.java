@@ -8,7 +8,6 @@ import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 
@@ -59,15 +58,13 @@ final class FootprintSample {
     }
 
     /** Looks up bright footprints of the sample in a table, whose tiles must be resident. */
-    Tabulated tabulated(ColorTable colorTable, TableLookUp table) {
+    Tabulated tabulated(ColorTable colorTable, Residency residency) {
         List<BrightFootprint> bright = new ArrayList<>();
         for (int i = 0; i < chosen.size() && bright.size() < ENOUGH_BRIGHT; i++) {
             int level = chosen.get(i).level();
             double[][] taps = chosen.get(i).taps();
             double scale = colorTable.levels().get(level).scale();
-            double[] mean = Arrays.stream(mean(taps, tap -> table.xyz(level, taps[tap][0], taps[tap][1], taps[tap][2])))
-                    .map(value -> scale * value)
-                    .toArray();
+            double[] mean = mean(taps, tap -> residency.xyz(level, scale, taps[tap]));
             if (Comparison.isBright(mean)) {
                 bright.add(new BrightFootprint(level, taps, mean));
             }

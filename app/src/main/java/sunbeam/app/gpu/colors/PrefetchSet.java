@@ -14,7 +14,8 @@ import sunbeam.precompute.colortable.TileGrid;
 record PrefetchSet(TileSet coarsest, TileSet prefetched, boolean isWhole) {
     // Most prefetched tiles; baking them takes some seconds on one processor.
     private static final int MOST_PREFETCHED = 6000;
-    // Most tiles of a table that is baked as a whole, which is then faster than finding the tiles that footprints read.
+    // Most tiles of a table that is baked as a whole, which is then faster than finding the tiles that footprints
+    // read.
     private static final int SMALL_TABLE = 2000;
 
     static PrefetchSet of(List<TileGrid> grids) {

@@ -1,10 +1,12 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.ArrayDeque;
+import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.stream.IntStream;
 
 /**
  * Schedules the baking of requested tiles on an executor: the most urgent first, one job at a time. A more urgent request cancels the
@@ -15,16 +17,31 @@ final class Scheduler implements AutoCloseable {
     private static final int PREFETCHED = 2;
 
     /**
-     * Baked tiles of one job.
+     * Baked tiles of a level.
      *
+     * @param tiles numbers of the tiles, at least one
      * @param coefficients coefficients of each tile, in the order of the tiles' numbers
      */
-    record BakedTiles(TileBaker.Job job, List<byte[]> coefficients) {}
+    record BakedTiles(int level, BitSet tiles, List<byte[]> coefficients) {}
+
+    /** Bakes tiles of a color table. Not thread-safe. */
+    interface TileBaker extends AutoCloseable {
+        /**
+         * Bakes some of the missing tiles, of which there is at least one, or reads them from the cache.
+         *
+         * @throws java.util.concurrent.CancellationException soon after the token is canceled; baking the same tiles again reuses their
+         *     samples
+         */
+        BakedTiles bake(TileSet missing, CancellationToken token);
+
+        @Override
+        void close();
+    }
 
     /**
      * The tiles to bake next.
      *
-     * @param priority index in {@link FrameRequest#byPriority()}
+     * @param priority index in the request
      */
     private record DueJob(int priority, TileSet missing, CancellationToken token) {}
 
@@ -41,10 +58,9 @@ final class Scheduler implements AutoCloseable {
     private final Executor executor;
     private final Runnable onBakedTiles;
     // Guarded by this, like all fields below.
-    private final TileSet baked;
+    private List<TileSet> missing = List.of();
     private final Deque<BakedTiles> undelivered = new ArrayDeque<>();
     private final Deque<IdleTask> idleTasks = new ArrayDeque<>();
-    private FrameRequest request;
     private Optional<DueJob> running = Optional.empty();
     private Optional<IdleTask> idling = Optional.empty();
     private Optional<Throwable> failure = Optional.empty();
@@ -60,18 +76,26 @@ final class Scheduler implements AutoCloseable {
      * @param executor runs tasks one at a time, in order
      * @param onBakedTiles called by the executor when {@link #poll()} has tiles
      */
-    Scheduler(int levels, TileBaker baker, Executor executor, Runnable onBakedTiles) {
+    Scheduler(TileBaker baker, Executor executor, Runnable onBakedTiles) {
         this.baker = baker;
         this.executor = executor;
         this.onBakedTiles = onBakedTiles;
-        this.baked = TileSet.none(levels);
-        this.request = FrameRequest.none(levels);
     }
 
-    /** Requests tiles, in place of the last request. Tiles are baked only once. */
-    synchronized void request(FrameRequest next) {
-        request = next;
+    /**
+     * Requests tiles, in place of the last request.
+     *
+     * @param byPriority tiles that {@link #poll()} has not returned: those of the coarsest level, which replace missing finer ones in every
+     *     picture and are baked even while something moves; those that the still picture reads; those that the next picture may read
+     */
+    synchronized void request(List<TileSet> byPriority) {
+        missing = byPriority.stream().map(TileSet::copy).toList();
+        undelivered.forEach(this::removeFromMissing);
         reconsider();
+    }
+
+    private void removeFromMissing(BakedTiles baked) {
+        missing.forEach(tiles -> tiles.of(baked.level()).andNot(baked.tiles()));
     }
 
     /** Sets whether something moves; then only tiles of the coarsest priority are baked. */
@@ -131,15 +155,11 @@ final class Scheduler implements AutoCloseable {
 
     /** Guarded by this. Returns the missing tiles of the most urgent priority that may be baked now. */
     private Optional<DueJob> mostUrgent() {
-        List<TileSet> byPriority = life == Life.OPEN ? request.byPriority() : List.of();
-        int end = isInteractive ? Math.min(COARSEST + 1, byPriority.size()) : byPriority.size();
-        for (int priority = COARSEST; priority < end; priority++) {
-            TileSet missing = byPriority.get(priority).without(baked);
-            if (!missing.isEmpty()) {
-                return Optional.of(new DueJob(priority, missing, new CancellationToken()));
-            }
-        }
-        return Optional.empty();
+        return IntStream.range(COARSEST, life == Life.OPEN ? missing.size() : 0)
+                .filter(priority -> !isInteractive || priority == COARSEST)
+                .filter(priority -> !missing.get(priority).isEmpty())
+                .mapToObj(priority -> new DueJob(priority, missing.get(priority).copy(), new CancellationToken()))
+                .findFirst();
     }
 
     /** Guarded by this. */
@@ -185,9 +205,7 @@ final class Scheduler implements AutoCloseable {
 
     private void bake(DueJob due) {
         try {
-            TileBaker.Job job = baker.next(due.missing());
-            due.token().check();
-            deliver(new BakedTiles(job, baker.bake(job, due.token())));
+            deliver(baker.bake(due.missing(), due.token()));
         } catch (RuntimeException | Error problem) {
             if (due.token().isCancelled()) {
                 return; // a more urgent job follows
@@ -213,7 +231,7 @@ final class Scheduler implements AutoCloseable {
 
     private synchronized void deliver(BakedTiles tiles) {
         if (life == Life.OPEN) {
-            baked.of(tiles.job().level()).or(tiles.job().tiles());
+            removeFromMissing(tiles);
             undelivered.add(tiles);
         }
     }
@@ -224,7 +242,7 @@ final class Scheduler implements AutoCloseable {
             failure = Optional.of(problem);
         }
         if (givesUp) {
-            request = FrameRequest.none(baked.levels());
+            missing = List.of();
         }
     }
 }

@@ -54,10 +54,4 @@ record TileSet(List<BitSet> ofLevels) {
     long count() {
         return ofLevels.stream().mapToLong(BitSet::cardinality).sum();
     }
-
-    /** Returns the share of these tiles that another set has; 1 if this set is empty. */
-    double shareIn(TileSet other) {
-        long all = count();
-        return all == 0 ? 1 : 1 - (double) without(other).count() / all;
-    }
 }

@@ -5,17 +5,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Texture;
+import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.LevelBaking;
-import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.colortable.TableLookUp;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
-import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -23,18 +21,11 @@ import sunbeam.precompute.text.Text;
  * waits ({@link #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
  */
 public final class VirtualTexture implements AutoCloseable {
-    private static final long MOST_TEXTURE_BYTES = MemoryNeed.LARGEST_TEXTURE_BYTES;
-    // Share of Java's heap that colors may take.
-    private static final double USABLE_HEAP = 0.8;
-    private static final double MEGABYTE = 1e6;
-
     private final CachedBaker baker;
     private final List<TileGrid> grids;
-    private final TileAtlas atlas;
+    private final Residency residency;
     private final TileSet feedback;
-    private final TileSet resident;
     private final PrefetchSet prefetchSet;
-    private boolean hasCoarsest;
     private final FootprintSample sample = new FootprintSample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
@@ -45,10 +36,9 @@ public final class VirtualTexture implements AutoCloseable {
         this.baker = new CachedBaker(levels);
         this.grids = baker.grids();
         this.feedback = none();
-        this.resident = none();
         this.requested = none();
         this.prefetchSet = PrefetchSet.of(grids);
-        this.atlas = new TileAtlas(context, levels.table().numbers(), grids);
+        this.residency = new Residency(context, levels.table().numbers(), grids);
     }
 
     private TileSet none() {
@@ -60,12 +50,12 @@ public final class VirtualTexture implements AutoCloseable {
      * tiles that footprints read.
      */
     public boolean isComplete() {
-        if (scheduler.isEmpty() && resident.isEmpty() && isWholeInCache()) {
+        if (scheduler.isEmpty() && residency.isEmpty() && isWholeInCache()) {
             feedback.add(prefetchSet.prefetched());
             bakeFeedback();
         }
         return prefetchSet.isWhole()
-                && prefetchSet.prefetched().without(resident).isEmpty();
+                && residency.missing(prefetchSet.prefetched()).isEmpty();
     }
 
     private boolean isWholeInCache() {
@@ -103,7 +93,7 @@ public final class VirtualTexture implements AutoCloseable {
         if (scheduler.isEmpty() && prefetchSet.isSmall()) {
             feedback.add(prefetchSet.prefetched());
         }
-        TileSet missing = feedback.without(resident);
+        TileSet missing = residency.missing(feedback);
         feedback.clear();
         if (missing.isEmpty()) {
             sample.clear();
@@ -112,16 +102,16 @@ public final class VirtualTexture implements AutoCloseable {
         if (scheduler.isPresent()) {
             throw new IllegalStateException("a picture reads tiles that were not requested for it");
         }
-        expect(missing);
-        baker.bakeAll(missing).forEach(this::add);
+        residency.expect(missing);
+        baker.bakeAll(missing).forEach(residency::add);
         if (!sample.isEmpty()) {
-            baker.validate(tabulated(), new CancellationToken());
+            baker.validate(tabulated(), BakeToken.NONE);
         }
     }
 
     /** Returns the sample's bright footprints with their colors in the table, and starts a new sample. */
     private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated = sample.tabulated(table(), atlas.lookUp(grids));
+        FootprintSample.Tabulated tabulated = sample.tabulated(table(), residency);
         sample.clear();
         return tabulated;
     }
@@ -143,16 +133,7 @@ public final class VirtualTexture implements AutoCloseable {
     /** Returns the errors of the table at a sample of the feedback's footprints, whose tiles must be resident. Clears the feedback. */
     public ErrorStatistics errors() {
         feedback.clear();
-        return baker.errors(tabulated(), new CancellationToken());
-    }
-
-    private void add(Scheduler.BakedTiles bakedTiles) {
-        int level = bakedTiles.job().level();
-        int[] tiles = bakedTiles.job().tiles().stream().toArray();
-        for (int i = 0; i < tiles.length; i++) {
-            atlas.add(level, tiles[i], bakedTiles.coefficients().get(i));
-        }
-        resident.of(level).or(bakedTiles.job().tiles());
+        return baker.errors(tabulated(), BakeToken.NONE);
     }
 
     /**
@@ -163,7 +144,7 @@ public final class VirtualTexture implements AutoCloseable {
      */
     public void bakeOn(Executor executor, Runnable onBakedTiles) {
         if (scheduler.isEmpty()) {
-            scheduler = Optional.of(new Scheduler(grids.size(), baker, executor, onBakedTiles));
+            scheduler = Optional.of(new Scheduler(baker, executor, onBakedTiles));
             isCached = CompletableFuture.supplyAsync(this::isWholeInCache, executor)
                     .exceptionally(failure -> false);
         }
@@ -177,7 +158,11 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     private void schedule(TileSet afterwards) {
-        scheduler.orElseThrow().request(new FrameRequest(prefetchSet.coarsest(), requested, afterwards));
+        scheduler
+                .orElseThrow()
+                .request(Stream.of(prefetchSet.coarsest(), requested, afterwards)
+                        .map(residency::missing)
+                        .toList());
     }
 
     /** Sets whether something moves; then only the coarsest level is baked, so that drawing has the processors. */
@@ -197,7 +182,7 @@ public final class VirtualTexture implements AutoCloseable {
             if (bakedTiles.isEmpty()) {
                 break;
             }
-            add(bakedTiles.get());
+            residency.add(bakedTiles.get());
             hasNew = true;
         }
         return hasNew;
@@ -213,16 +198,20 @@ public final class VirtualTexture implements AutoCloseable {
         feedback.clear();
         TileSet missing = all.copy();
         missing.add(prefetchSet.coarsest());
-        expect(missing.without(resident));
+        residency.expect(residency.missing(missing));
         requested = all;
         schedule(none());
     }
 
     /** Clears the feedback and the last request. */
     public void clearRequest() {
+        request(none());
+    }
+
+    private void request(TileSet afterwards) {
         clearFeedback();
         requested = none();
-        schedule(none());
+        schedule(afterwards);
     }
 
     /**
@@ -241,9 +230,7 @@ public final class VirtualTexture implements AutoCloseable {
 
     /** Requests tiles that the next picture may read, in place of the last request. Clears the feedback. */
     public void prefetch() {
-        clearFeedback();
-        requested = none();
-        schedule(prefetchSet.prefetched());
+        request(prefetchSet.prefetched());
     }
 
     /** Validates the table at footprints of the last picture, whose tiles must be resident, once the scheduler is idle. */
@@ -273,19 +260,18 @@ public final class VirtualTexture implements AutoCloseable {
     /** Looks up X, Y, Z of power at some (u, v, w) in the finest level of which all tiles are resident; those of the coarsest must be. */
     public float[] coarseColors(float[] places) {
         int level = grids.size() - 1;
-        TileSet missing = prefetchSet.prefetched().without(resident);
+        TileSet missing = residency.missing(prefetchSet.prefetched());
         while (level > 0
                 && !prefetchSet.prefetched().of(level - 1).isEmpty()
                 && missing.of(level - 1).isEmpty()) {
             level--;
         }
         double scale = table().levels().get(level).scale();
-        TableLookUp table = atlas.lookUp(grids);
         float[] xyz = new float[places.length];
         for (int i = 0; i < places.length; i += 3) {
-            double[] color = table.xyz(level, places[i], places[i + 1], places[i + 2]);
+            double[] color = residency.xyz(level, scale, new double[] {places[i], places[i + 1], places[i + 2]});
             for (int c = 0; c < 3; c++) {
-                xyz[i + c] = (float) (scale * color[c]);
+                xyz[i + c] = (float) color[c];
             }
         }
         return xyz;
@@ -293,55 +279,27 @@ public final class VirtualTexture implements AutoCloseable {
 
     /** True if every look-up finds a tile because the whole coarsest level is resident. */
     public boolean hasCoarsest() {
-        // Cached, since tiles stay resident and this is called for each frame.
-        hasCoarsest = hasCoarsest || (!prefetchSet.coarsest().isEmpty() && coarsestShare() == 1);
-        return hasCoarsest;
+        return !prefetchSet.coarsest().isEmpty() && coarsestShare() == 1;
     }
 
     /** Returns the resident share of the coarsest level's tiles, 0 to 1; 1 if that level is too large to be baked as a whole. */
     public double coarsestShare() {
-        return prefetchSet.coarsest().shareIn(resident);
+        return residency.share(prefetchSet.coarsest());
     }
 
     /** Returns the resident share of the last request's tiles, 0 to 1. */
     public double requestedShare() {
-        return requested.shareIn(resident);
-    }
-
-    /** Refuses tiles that exceed the card's or Java's memory. */
-    private void expect(TileSet missing) {
-        long tiles = resident.count() + missing.count();
-        NumberFormat numbers = baker.table().numbers();
-        long textures = TileAtlas.bytes(tiles, numbers);
-        // The copy of the textures in main memory, the samples, and the tiles that are being baked.
-        long heap = textures + LevelBaking.sampleBytes(2 * tiles) + TileAtlas.bytes(missing.count(), numbers);
-        long most = Runtime.getRuntime().maxMemory();
-        if (textures > MOST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
-            throw new GraphicsException(Text.format(
-                    "the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
-                            + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or"
-                            + " method full (--method full); SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more",
-                    textures / MEGABYTE,
-                    heap / MEGABYTE,
-                    most / MEGABYTE,
-                    (long) (heap / USABLE_HEAP / (1 << 20)) + 1));
-        }
-        atlas.expect(tiles);
-    }
-
-    /** Returns the number of resident tiles of all levels. */
-    public long tiles() {
-        return resident.count();
+        return residency.share(requested);
     }
 
     /** Returns the textures by sampler name; valid until more tiles become resident. */
     public Map<String, Texture> textures() {
-        return atlas.textures();
+        return residency.textures();
     }
 
     @Override
     public void close() {
         scheduler.ifPresentOrElse(Scheduler::close, baker::close);
-        atlas.close();
+        residency.close();
     }
 }

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.fail;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -31,12 +30,12 @@ final class SchedulerTest {
     }
 
     /** One interleaving of requests, jobs, failures and the end. */
-    private static final class Interleaving implements TileBaker {
+    private static final class Interleaving implements Scheduler.TileBaker {
         private final SplittableRandom random;
         private final ArrayDeque<Runnable> queue = new ArrayDeque<>();
         private final Scheduler scheduler;
         private final TileSet resident = TileSet.none(LEVELS);
-        private FrameRequest request = FrameRequest.none(LEVELS);
+        private List<TileSet> request = List.of();
         private boolean isInteractive;
         private boolean isClosed;
         private boolean isMakerClosed;
@@ -51,7 +50,7 @@ final class SchedulerTest {
 
         Interleaving(int seed) {
             random = new SplittableRandom(seed);
-            scheduler = new Scheduler(LEVELS, this, queue::add, () -> {
+            scheduler = new Scheduler(this, queue::add, () -> {
                 assertUnlocked();
                 isTold = true;
             });
@@ -81,9 +80,7 @@ final class SchedulerTest {
             assertThat(reported).as("failures that were reported").isGreaterThanOrEqualTo(Math.min(1, failures));
             assertThat(idleDone).as("tasks for idle times ").isEqualTo(idle);
             if (failures == 0) {
-                for (TileSet wanted : request.byPriority()) {
-                    assertThat(wanted.shareIn(resident)).isEqualTo(1);
-                }
+                assertThat(request).allMatch(wanted -> wanted.without(resident).isEmpty());
             }
         }
 
@@ -103,10 +100,11 @@ final class SchedulerTest {
         }
 
         private void request() {
-            request = new FrameRequest(someTiles(), someTiles(), someTiles());
+            request = List.of(someTiles(), someTiles(), someTiles());
             failures = 0;
             reported = 0;
-            scheduler.request(request);
+            scheduler.request(
+                    request.stream().map(tiles -> tiles.without(resident)).toList());
         }
 
         private TileSet someTiles() {
@@ -146,12 +144,11 @@ final class SchedulerTest {
                 for (Optional<Scheduler.BakedTiles> made = scheduler.poll();
                         made.isPresent();
                         made = scheduler.poll()) {
-                    Job job = made.get().job();
-                    assertThat(resident.of(job.level()).intersects(job.tiles()))
+                    BitSet tiles = made.get().tiles();
+                    assertThat(resident.of(made.get().level()).intersects(tiles))
                             .as("made twice")
                             .isFalse();
-                    assertThat(made.get().coefficients()).hasSize(job.tiles().cardinality());
-                    resident.of(job.level()).or(job.tiles());
+                    resident.of(made.get().level()).or(tiles);
                 }
             } catch (BrokenException failure) {
                 reported++;
@@ -159,9 +156,8 @@ final class SchedulerTest {
         }
 
         @Override
-        public Job next(TileSet missing) {
-            assertUnlocked();
-            meanwhile();
+        public Scheduler.BakedTiles bake(TileSet missing, CancellationToken token) {
+            assertThat(isClosed || isBusy).as("closed, or made beside others").isFalse();
             List<Integer> levels = new ArrayList<>();
             for (int level = 0; level < LEVELS; level++) {
                 if (!missing.of(level).isEmpty()) {
@@ -172,13 +168,7 @@ final class SchedulerTest {
             int level = levels.get(random.nextInt(levels.size()));
             BitSet some = new BitSet();
             missing.of(level).stream().limit(1 + random.nextInt(3)).forEach(some::set);
-            return new Job(level, some);
-        }
-
-        @Override
-        public List<byte[]> bake(Job job, CancellationToken token) {
-            assertThat(isClosed || isBusy).as("closed, or made beside others").isFalse();
-            assertWanted(job);
+            assertWanted(level, some);
             assertUnlocked();
             meanwhile();
             if (token.isCancelled() && random.nextInt(4) > 0) {
@@ -189,15 +179,15 @@ final class SchedulerTest {
                 failures += token.isCancelled() ? 0 : 1;
                 throw new BrokenException();
             }
-            return Collections.nCopies(job.tiles().cardinality(), new byte[0]);
+            return new Scheduler.BakedTiles(level, some, List.of());
         }
 
         /** No stale frame: a job belongs to the latest request, and its priority may be baked now. */
-        private void assertWanted(Job job) {
-            List<TileSet> allowed = isInteractive ? List.of(request.coarsest()) : request.byPriority();
+        private void assertWanted(int level, BitSet some) {
+            List<TileSet> allowed = isInteractive ? request.subList(0, 1) : request;
             assertThat(allowed.stream().anyMatch(tiles -> {
-                        BitSet rest = (BitSet) job.tiles().clone();
-                        rest.andNot(tiles.of(job.level()));
+                        BitSet rest = (BitSet) some.clone();
+                        rest.andNot(tiles.of(level));
                         return rest.isEmpty();
                     }))
                     .as("asked for")

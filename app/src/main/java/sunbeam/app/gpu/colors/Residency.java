@@ -1,0 +1,179 @@
+package sunbeam.app.gpu.colors;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import jrtr.GraphicsException;
+import jrtr.gl.FloatTexture;
+import jrtr.gl.RenderContext;
+import jrtr.gl.Texture;
+import sunbeam.precompute.colortable.AtlasPages;
+import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.NumberFormat;
+import sunbeam.precompute.colortable.TableLookUp;
+import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.text.Text;
+
+/** The tiles of a color table that are resident on the graphics card, in {@link AtlasPages}. Tiles are added while pictures are drawn. */
+final class Residency implements AutoCloseable {
+    // Share of Java's heap that colors may take.
+    private static final double USABLE_HEAP = 0.8;
+    private static final double MEGABYTE = 1e6;
+
+    private final RenderContext context;
+    private final List<TileGrid> grids;
+    private final NumberFormat format;
+    private final AtlasPages pages;
+    private final TableLookUp lookUp;
+    private final TileSet resident;
+    private final BitSet changed = new BitSet();
+    private FloatTexture texels;
+    private FloatTexture pageTable;
+    private long expectedTiles;
+
+    Residency(RenderContext context, NumberFormat format, List<TileGrid> grids) {
+        this.context = context;
+        this.grids = grids;
+        this.format = format;
+        this.pages = new AtlasPages(grids, format);
+        this.lookUp = new TableLookUp(grids, format, pages::coefficient);
+        this.resident = TileSet.none(grids.size());
+        // Upload an empty page even if no tile is needed (a mesh that faces away from the light): the shader samples it
+        // anyway.
+        changed.set(0);
+    }
+
+    boolean isEmpty() {
+        return resident.isEmpty();
+    }
+
+    TileSet missing(TileSet tiles) {
+        return tiles.without(resident);
+    }
+
+    /** Returns the resident share of some tiles, 0 to 1; 1 if there are none. */
+    double share(TileSet tiles) {
+        long all = tiles.count();
+        return all == 0 ? 1 : 1 - (double) missing(tiles).count() / all;
+    }
+
+    /**
+     * Sets the tiles to be added next, so that the texture is allocated once.
+     *
+     * @throws GraphicsException if they exceed the card's or Java's memory
+     */
+    void expect(TileSet missing) {
+        long tiles = resident.count() + missing.count();
+        long textures = bytes(tiles);
+        // The copy of the textures in main memory, the samples, and the tiles that are being baked.
+        long heap = textures + LevelBaking.sampleBytes(2 * tiles) + bytes(missing.count());
+        long most = Runtime.getRuntime().maxMemory();
+        if (textures > MemoryNeed.LARGEST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
+            throw new GraphicsException(Text.format(
+                    "the colors that this picture sees take %.0f MB of textures and %.0f MB of Java's heap, which may take"
+                            + " %.0f MB; give a coarser tolerance, a shorter coherence length, a smaller picture or"
+                            + " method full (--method full); SUNBEAM_JAVA_OPTIONS=-Xmx%dm allows more",
+                    textures / MEGABYTE,
+                    heap / MEGABYTE,
+                    most / MEGABYTE,
+                    (long) (heap / USABLE_HEAP / (1 << 20)) + 1));
+        }
+        expectedTiles = tiles;
+    }
+
+    /** Returns the bytes of the layers for a number of tiles. They are allocated twice: on the card and in main memory. */
+    private long bytes(long tiles) {
+        return (long) AtlasPages.layers(tiles) * AtlasPages.LAYER_NUMBERS * format.bytes();
+    }
+
+    /** Adds tiles; they are on the card from the next {@link #textures()} on. */
+    void add(Scheduler.BakedTiles baked) {
+        int[] tiles = baked.tiles().stream().toArray();
+        for (int i = 0; i < tiles.length; i++) {
+            changed.set(pages.add(baked.level(), tiles[i], baked.coefficients().get(i)));
+        }
+        resident.of(baked.level()).or(baked.tiles());
+    }
+
+    /** Returns X, Y, Z of power of a level, times the level's scale. The tile must be resident. */
+    double[] xyz(int level, double scale, double[] uvw) {
+        double[] xyz = lookUp.xyz(level, uvw[0], uvw[1], uvw[2]);
+        for (int c = 0; c < xyz.length; c++) {
+            xyz[c] *= scale;
+        }
+        return xyz;
+    }
+
+    /** Returns the textures by sampler name; valid until tiles are added. */
+    Map<String, Texture> textures() {
+        if (!changed.isEmpty()) {
+            upload();
+        }
+        return Map.of("colorTexels", texels, "colorTiles", pageTable);
+    }
+
+    private void upload() {
+        List<ByteBuffer> layers = pages.layers();
+        if (texels == null || texels.spec().layers() < layers.size()) {
+            allocate(layers.size());
+        }
+        changed.stream().forEach(layer -> upload(layer, layers.get(layer)));
+        changed.clear();
+        float[][] numbers = pages.pageTable();
+        if (pageTable == null) {
+            TileGrid finest = grids.get(0);
+            pageTable = context.createFloatTexture(
+                    "color tiles",
+                    FloatTexture.Spec.array(
+                            finest.columns(), finest.rows(), numbers.length, FloatTexture.Format.RG32F));
+        }
+        for (int layer = 0; layer < numbers.length; layer++) {
+            pageTable.uploadLayer(layer, FloatBuffer.wrap(numbers[layer]));
+        }
+    }
+
+    private void allocate(int layers) {
+        int capacity = Math.max(layers, AtlasPages.layers(expectedTiles));
+        if (texels != null && capacity == layers) {
+            // Doubling keeps the number of complete uploads small. Drivers allow no more layers than expect() does.
+            long most = MemoryNeed.LARGEST_TEXTURE_BYTES / AtlasPages.LAYER_NUMBERS / format.bytes();
+            capacity = Math.max(layers, (int) Math.min(2 * texels.spec().layers(), most));
+        }
+        close(texels);
+        texels = null;
+        FloatTexture.Spec spec = FloatTexture.Spec.array(
+                AtlasPages.LAYER_SIDE,
+                AtlasPages.LAYER_SIDE,
+                capacity,
+                format == NumberFormat.HALF ? FloatTexture.Format.RGBA16F : FloatTexture.Format.RGBA32F);
+        texels = context.createFloatTexture("colors", spec.with(FloatTexture.Filter.LINEAR));
+        changed.set(0, layers);
+        ByteBuffer empty = pages.newLayer();
+        for (int layer = layers; layer < capacity; layer++) {
+            upload(layer, empty);
+        }
+    }
+
+    private void upload(int layer, ByteBuffer numbersOfTexels) {
+        if (format == NumberFormat.HALF) {
+            texels.uploadLayer(layer, numbersOfTexels.asShortBuffer());
+        } else {
+            texels.uploadLayer(layer, numbersOfTexels.asFloatBuffer());
+        }
+    }
+
+    private static void close(FloatTexture texture) {
+        if (texture != null) {
+            texture.close();
+        }
+    }
+
+    @Override
+    public void close() {
+        close(texels);
+        close(pageTable);
+    }
+}
