@@ -1,4 +1,4 @@
-// Patch map (sunbeam.app.scene.texture.PatchMap): the color of the nearest texel selects the patch of a point.
+// Patch map (sunbeam.app.scene.texture.Body): the color of the nearest texel selects the patch of a point.
 uniform sampler2D patchMap;
 // Color of the patch that is drawn: 65536 red + 256 green + blue, each from 0 to 255.
 uniform float patchColor;

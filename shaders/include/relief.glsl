@@ -25,7 +25,7 @@ uniform float reliefBegin;
 uniform float reliefSteepest;
 uniform float reliefLightest;
 
-// Direction of the patch's x axis (sunbeam.app.scene.texture.OrientationMap): red is its component along the tangent, green along the
+// Direction of the patch's x axis (sunbeam.app.scene.texture.Body): red is its component along the tangent, green along the
 // bitangent; 128 encodes 0, and any length will do.
 uniform sampler2D patchDirections;
 

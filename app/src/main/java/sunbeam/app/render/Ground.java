@@ -142,13 +142,13 @@ final class Ground implements AutoCloseable {
         to.set("groundAcross", toWorld.transformDirection(new Vector3f(reach, 0, 0)));
         to.set("groundAlong", toWorld.transformDirection(new Vector3f(0, reach, 0)));
         to.set("groundNormal", toWorld.transformDirection(new Vector3f(0, 0, 1)));
-        double[] color = scene.effectiveSurroundings().ground().orElseThrow().light();
+        double[] color = scene.ground().orElseThrow().light();
         to.set("groundColor", new Vector3f((float) color[0], (float) color[1], (float) color[2]));
-        to.set("skyWeight", (float) scene.effectiveSurroundings().sky());
-        to.set("ambientWeight", (float) scene.blend().ambient());
-        to.set("diffuseWeight", (float) scene.blend().diffuse());
+        to.set("skyWeight", (float) scene.sky());
+        to.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
+        to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
         Node.Light.apply(SceneGraphs.lights(scene), to);
-        geometry.shadows().applyTo(to, scene.effectiveSurroundings().shadows());
+        geometry.shadows().applyTo(to, scene.hasShadows());
     }
 
     @Override

@@ -68,7 +68,7 @@ final class MovingSkin implements AutoCloseable {
         FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1, false);
         geometry.applyRaysTo(program, block);
         program.set("targetToWorld", geometry.blockToWorld(block));
-        geometry.shadows().applyTo(program, scene.effectiveSurroundings().shadows());
+        geometry.shadows().applyTo(program, scene.hasShadows());
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
         Map<String, Texture> textures = new HashMap<>(method);

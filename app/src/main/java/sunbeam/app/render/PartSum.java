@@ -48,7 +48,7 @@ public final class PartSum {
 
     private ScenePicture underOneLight(DrawRequest request) {
         ScenePicture light = light(request, SceneSession::draw);
-        return request.scene().blend().hasBody() ? over(body(request), light, request.scene()) : light;
+        return request.scene().hasBody() ? over(body(request), light, request.scene()) : light;
     }
 
     /**
@@ -110,7 +110,7 @@ public final class PartSum {
 
     private ScenePicture light(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
         Scene scene = request.scene();
-        DrawRequest diffracted = request.with(scene.withBlend(scene.blend().withoutBody()));
+        DrawRequest diffracted = request.with(scene.withoutBody());
         ScenePicture light = ScenePicture.empty(request.columns(), request.rows());
         sessions.forEach(session -> add(drawing.apply(session, diffracted), light));
         return light;
@@ -134,7 +134,7 @@ public final class PartSum {
         double intensity = scene.light().intensity();
         // With Fresnel's reflectance as opacity the shader has already attenuated the body.
         boolean byLight = scene.bodyAlpha() == BodyAlpha.LIGHT;
-        double share = byLight ? 1 : 1 - scene.blend().ambient();
+        double share = byLight ? 1 : 1 - scene.get(SceneSettings.AMBIENT);
         float[] rgba = light.rgba().clone();
         for (int pixel = 0; pixel < rgba.length; pixel += 4) {
             double alpha = byLight && intensity > 0 ? Math.min(1, rgba[pixel + 1] / intensity) : 0;

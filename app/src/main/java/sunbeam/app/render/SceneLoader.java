@@ -25,7 +25,6 @@ import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
-import sunbeam.app.scene.texture.PatchMap;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.CieTable;
@@ -225,7 +224,7 @@ public final class SceneLoader {
 
     private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
         Supplier<SkyVisibility> computed = () -> SkyVisibility.of(mesh, cache);
-        return scene.effectiveSurroundings().occludesSky() ? BackgroundTask.start(computed)::get : computed;
+        return scene.occludesSky() ? BackgroundTask.start(computed)::get : computed;
     }
 
     private List<Body> bodies(Scene scene) {
@@ -235,7 +234,7 @@ public final class SceneLoader {
                 scene.get(SceneSettings.ORIENTATION_MAP),
                 cache);
         PatchAtlas atlas = scene.patches();
-        BodyTexture map = PatchMap.load(atlas.map(), atlas.colors());
+        BodyTexture map = Body.patches(atlas.map(), atlas.colors());
         return atlas.regions().stream()
                 .map(region -> body.with(map, region.color().rgb()))
                 .toList();

@@ -14,7 +14,6 @@ import jrtr.scene.Node;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.BodyAlpha;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -150,13 +149,11 @@ final class SkinSurface implements AutoCloseable {
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
     private void setLight(ShaderProgram program, Scene scene) {
         Node.Light.apply(SceneGraphs.lights(scene), program);
-        Blend blend = scene.blend();
-        program.set("diffractionWeight", (float) (blend.diffraction() * diffractionScale));
-        program.set("textureWeight", (float) blend.texture());
-        program.set("diffuseWeight", (float) blend.diffuse());
-        program.set("skyWeight", (float)
-                (blend.hasBody() ? scene.effectiveSurroundings().sky() : 0));
-        program.set("ambientWeight", (float) blend.ambient());
+        program.set("diffractionWeight", (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale));
+        program.set("textureWeight", scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue());
+        program.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
+        program.set("skyWeight", (float) (scene.hasBody() ? scene.sky() : 0));
+        program.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
         program.set("fresnelAlpha", scene.bodyAlpha() == BodyAlpha.FRESNEL ? 1f : 0f);
         program.set("unlitTexture", scene.bodyAlpha() == BodyAlpha.DRAFT ? 1f : 0f);
         setReflection(program, scene);

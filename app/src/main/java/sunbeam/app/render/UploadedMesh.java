@@ -18,7 +18,7 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
 
     /** Uploads a mesh for a scene; may wait for the visible share of the sky. */
     static UploadedMesh upload(RenderContext context, Scene scene, Mesh mesh, Supplier<SkyVisibility> sky) {
-        if (!scene.effectiveSurroundings().occludesSky()) {
+        if (!scene.occludesSky()) {
             return new UploadedMesh(mesh, context.createVertexBuffer("mesh", mesh.toVertexData()), Optional.empty());
         }
         SkyVisibility seen = sky.get();
@@ -29,8 +29,7 @@ record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) imp
 
     @SuppressWarnings("ReferenceEquality") // comparing triangles would take as long as uploading them
     boolean serves(Scene scene, Mesh wanted) {
-        return mesh == wanted
-                && (ground.isPresent() || !scene.effectiveSurroundings().occludesSky());
+        return mesh == wanted && (ground.isPresent() || !scene.occludesSky());
     }
 
     @Override

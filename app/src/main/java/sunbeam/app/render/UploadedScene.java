@@ -59,10 +59,7 @@ final class UploadedScene implements AutoCloseable {
 
     /** Returns the ground if the scene has one and its blend shows the body's own color, not diffraction alone. */
     Optional<Ground> ground(Scene scene) {
-        return scene.effectiveSurroundings().ground().isPresent()
-                        && scene.blend().hasBody()
-                ? mesh.ground()
-                : Optional.empty();
+        return scene.ground().isPresent() && scene.hasBody() ? mesh.ground() : Optional.empty();
     }
 
     SkinSurface skin() {
@@ -71,9 +68,8 @@ final class UploadedScene implements AutoCloseable {
 
     /** Returns the geometry of a scene with the same meshes as the uploaded one; draws its shadow map first, if it has shadows. */
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
-        Optional<Vector3fc> light = scene.effectiveSurroundings().shadows()
-                ? Optional.of(scene.light().towards())
-                : Optional.empty();
+        Optional<Vector3fc> light =
+                scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
         light.ifPresent(towards -> shadows.draw(mesh(), data.mesh().closed(), scene.orientation(), towards, moves));
         // Moving pictures read shadows in the shading pass, so that a moving light leaves the geometry valid.
         Optional<Vector3fc> geometryLight = moves ? Optional.empty() : light;

@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
-import sunbeam.app.scene.texture.PatchMap;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.patch.PatchRequest;
 
 /**
  * Nanostructures of a mesh, and a map of the areas that they cover.
  *
- * @param map absolute image file on the mesh's texture coordinates, with one color per patch, or {@link PatchMap#NONE} for a single patch
+ * @param map absolute image file on the mesh's texture coordinates, with one color per patch, or {@link Body#NONE} for a single patch
  * @param regions areas, 1 to {@link #MOST}, with distinct colors
  */
 public record PatchAtlas(String map, List<Region> regions) {
@@ -45,11 +45,11 @@ public record PatchAtlas(String map, List<Region> regions) {
     }
 
     public static PatchAtlas of(PatchRequest patch) {
-        return new PatchAtlas(PatchMap.NONE, List.of(new Region(new SceneColor(PatchMap.WHITE), patch)));
+        return new PatchAtlas(Body.NONE, List.of(new Region(new SceneColor(Body.WHITE), patch)));
     }
 
     public boolean isOne() {
-        return map.equals(PatchMap.NONE);
+        return map.equals(Body.NONE);
     }
 
     public Set<Integer> colors() {

@@ -1,10 +1,14 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.AMBIENT;
 import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.BODY_ALPHA;
+import static sunbeam.app.scene.SceneSettings.DIFFUSE;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
+import static sunbeam.app.scene.SceneSettings.GROUND;
 import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
+import static sunbeam.app.scene.SceneSettings.KEEPS_SURROUNDINGS;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
@@ -12,10 +16,13 @@ import static sunbeam.app.scene.SceneSettings.PRIMARIES;
 import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
 import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.SHADOWS;
+import static sunbeam.app.scene.SceneSettings.SKY;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
 import static sunbeam.app.scene.SceneSettings.TONE;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import jrtr.scene.Node;
 import org.joml.Quaternionf;
@@ -193,13 +200,18 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, fillLights, value);
     }
 
-    public Blend blend() {
-        return Blend.of(settings);
+    /** Returns the weights of the blend of diffracted light and body. */
+    public Choices weights() {
+        return settings.only(SceneSettings.WEIGHTS);
     }
 
-    public Scene withBlend(Blend value) {
-        Choices blended = value.choices().over(settings.without(SceneSettings.WEIGHTS));
-        return new Scene(blended, patches, view, orientation, light, fillLights, method);
+    /** True if the body reflects light of its own. */
+    public boolean hasBody() {
+        return get(TEXTURE_WEIGHT) > 0 && (get(DIFFUSE) > 0 || get(AMBIENT) > 0);
+    }
+
+    public Scene withoutBody() {
+        return with(TEXTURE_WEIGHT, 0.0).with(DIFFUSE, 0.0).with(AMBIENT, 0.0);
     }
 
     /**
@@ -239,16 +251,34 @@ public record Scene(
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
-    /** Returns the surroundings that are drawn; none with the thesis's preset, save for {@link #keepingSurroundings}. */
-    public Surroundings effectiveSurroundings() {
-        return method.isThesis() && !get(SceneSettings.KEEPS_SURROUNDINGS)
-                ? Surroundings.NONE
-                : Surroundings.of(settings);
+    /** True if the surroundings are drawn: not with the thesis's preset, save for {@link #keepingSurroundings}. */
+    private boolean drawsSurroundings() {
+        return !method.isThesis() || get(KEEPS_SURROUNDINGS);
+    }
+
+    /** Returns the color of the plane under the mesh that is drawn; empty for none. */
+    public Optional<SceneColor> ground() {
+        return drawsSurroundings() ? get(GROUND) : Optional.empty();
+    }
+
+    /** Returns the radiance of the sky's zenith, which gloss reflects, relative to white under the light. */
+    public double sky() {
+        return drawsSurroundings() ? get(SKY) : 0;
+    }
+
+    /** True if the key light casts shadows. */
+    public boolean hasShadows() {
+        return drawsSurroundings() && get(SHADOWS);
+    }
+
+    /** True if ambient light depends on the visible share of the sky. */
+    public boolean occludesSky() {
+        return sky() > 0 || ground().isPresent();
     }
 
     /** Returns this scene with its surroundings also under the thesis's preset, for a comparison of methods. */
     public Scene keepingSurroundings() {
-        return with(SceneSettings.KEEPS_SURROUNDINGS, true);
+        return with(KEEPS_SURROUNDINGS, true);
     }
 
     /** Returns the treatment of energy; scalar with the thesis's preset and for methods that are not normalized to a mirror. */

@@ -2,6 +2,7 @@ package sunbeam.app.scene;
 
 import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
+import static sunbeam.app.scene.SceneSettings.INDEX;
 import static sunbeam.app.scene.SceneSettings.INTENSITY;
 import static sunbeam.app.scene.SceneSettings.MESH;
 import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
@@ -12,6 +13,7 @@ import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,9 +26,10 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTextures;
-import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
@@ -35,6 +38,7 @@ import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Lengths;
 
@@ -44,9 +48,10 @@ public final class SceneReader {
     private static final double LARGEST_NUMBER = 1e6;
 
     private final JsonObject root;
-    private final SceneFolder folder;
+    // Folder of the scene, which may name files in it and below; empty for built-in scenes, which name none.
+    private final Optional<OwnFolder> folder;
 
-    private SceneReader(JsonObject root, SceneFolder folder) {
+    private SceneReader(JsonObject root, Optional<OwnFolder> folder) {
         this.root = root;
         this.folder = folder;
     }
@@ -59,7 +64,7 @@ public final class SceneReader {
      * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; the message names file, line and key
      */
     public static Scene read(Path file) {
-        return new SceneReader(json(file), SceneFolder.of(file)).scene();
+        return new SceneReader(json(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene"))).scene();
     }
 
     private static JsonObject json(Path file) {
@@ -82,22 +87,21 @@ public final class SceneReader {
     }
 
     static Scene readBuiltIn(String name, InputStream stream) throws IOException {
-        return new SceneReader(JsonFile.read(name, stream), SceneFolder.none()).scene();
+        return new SceneReader(JsonFile.read(name, stream), Optional.empty()).scene();
     }
 
     private Scene scene() {
         root.required(MESH.fileKey(), "\"snake\"");
         root.required(TEXTURE.fileKey(), "\"elaphe\"");
         Choices own = root.choices(SceneSettings.OF_ROOT);
-        own = folder.resolve(own, MESH, BuiltInMeshes.names());
-        own = folder.resolve(own, TEXTURE, BodyTextures.names());
-        own = folder.resolve(own, ORIENTATION_MAP, List.of(OrientationMap.NONE));
-        own = folder.resolveIndex(own);
+        own = resolve(own, MESH, BuiltInMeshes.names());
+        own = resolve(own, TEXTURE, BodyTextures.names());
+        own = resolve(own, ORIENTATION_MAP, List.of(Body.NONE));
+        own = resolveIndex(own);
         Optional<JsonObject> plan = root.findObject("plan");
         Choices methodChoices = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
-        methodChoices = methodChoices.has(ILLUMINANT)
-                ? folder.resolve(methodChoices, ILLUMINANT, Illuminant.NAMES)
-                : methodChoices;
+        methodChoices =
+                methodChoices.has(ILLUMINANT) ? resolve(methodChoices, ILLUMINANT, Illuminant.NAMES) : methodChoices;
         JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
         Scene scene = new Scene(
                 own.over(weights.choices(SceneSettings.WEIGHTS)),
@@ -119,8 +123,8 @@ public final class SceneReader {
             return PatchAtlas.of(patch(root, "patch"));
         }
         JsonObject keys = root.object("patch", "");
-        String map = folder.resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of())
-                .get(PATCH_MAP);
+        String map =
+                resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of()).get(PATCH_MAP);
         List<PatchAtlas.Region> regions = new ArrayList<>();
         for (String key : keys.others()) {
             SceneColor color = keys.checked(key, () -> SceneColor.parse(key));
@@ -141,7 +145,7 @@ public final class SceneReader {
             choices = keys.choices(PatchSettings.ALL);
             keys.requireNoOthers();
         }
-        return new PatchRequest(folder.resolve(choices, PatchSettings.PATCH, BuiltInPatches.names()));
+        return new PatchRequest(resolve(choices, PatchSettings.PATCH, BuiltInPatches.names()));
     }
 
     private static Viewpoint view(JsonObject camera) {
@@ -208,5 +212,48 @@ public final class SceneReader {
             throw root.complaint("orientation", "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
         }
         return rotation;
+    }
+
+    /** Returns choices with the file name of one setting made absolute, unless it is a built-in name. */
+    private Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
+        try {
+            return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(setting, wrong.getMessage());
+        }
+    }
+
+    private Choices resolveIndex(Choices choices) {
+        SkinIndex index = choices.get(INDEX);
+        try {
+            return index.isByWavelength()
+                    ? choices.with(INDEX, SkinIndex.of(resolve(index.file(), List.of())))
+                    : choices;
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(INDEX, wrong.getMessage());
+        }
+    }
+
+    private String resolve(String name, List<String> builtIn) {
+        if (builtIn.contains(name)) {
+            return name;
+        }
+        if (folder.isEmpty() || name.isBlank()) {
+            throw new IllegalArgumentException(
+                    builtIn.isEmpty()
+                            ? "names a file, which built-in scenes do not"
+                            : "is not one of " + list(builtIn));
+        }
+        Path file = folder.get().file(name).normalize();
+        if (!Files.exists(file)) {
+            throw new IllegalArgumentException("is no file: there is no " + file + "; check the name"
+                    + (builtIn.isEmpty() ? "" : ", or take one of " + list(builtIn)));
+        }
+        folder.get().requireNoWayOut(file);
+        return file.toString();
+    }
+
+    private static String list(List<String> names) {
+        return String.join(", ", names);
     }
 }

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import sunbeam.app.scene.mesh.format.MeshUnit;
-import sunbeam.app.scene.texture.OrientationMap;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
@@ -65,7 +65,7 @@ public final class SceneSettings {
                     ValueKind.text("FILE"),
                     "Directions of the nanostructure's x axis, before its rotation: an image file on the mesh's texture"
                             + " coordinates whose red and green are x and y (a flow map), or none.")
-            .withStandard(OrientationMap.NONE);
+            .withStandard(Body.NONE);
 
     /** Key of the object {@code patch}: image whose colors select the patches. */
     static final Setting<String> PATCH_MAP = new Setting<>(

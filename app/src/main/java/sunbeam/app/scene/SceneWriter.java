@@ -53,17 +53,23 @@ public final class SceneWriter {
     public static void write(Path target, Overwrite overwrite, Scene scene) {
         Path folder = target.toAbsolutePath().normalize().getParent();
         AtomicFile.write(
-                target, overwrite, AtomicFile.StreamContent.of(text(scene, name -> relative(folder, name)) + "\n"));
+                target,
+                overwrite,
+                AtomicFile.StreamContent.of(
+                        text(scene, scene.method().chosen(), name -> relative(folder, name)) + "\n"));
     }
 
     /** Returns the scene as JSON with absolute file names; equal for equal scenes. */
     public static String describe(Scene scene) {
-        return text(scene, name -> name);
+        return text(scene, scene.method().choices(), name -> name);
     }
 
     /** Returns the scene as JSON for a picture's metadata, without local folders. */
     public static String caption(Scene scene) {
-        return text(scene, name -> String.valueOf(Path.of(name).getFileName()));
+        return text(
+                scene,
+                scene.method().choices(),
+                name -> String.valueOf(Path.of(name).getFileName()));
     }
 
     private static String relative(Path folder, String name) {
@@ -78,18 +84,18 @@ public final class SceneWriter {
         return folder.relativize(path.normalize()).toString();
     }
 
-    private static String text(Scene scene, UnaryOperator<String> toWrittenName) {
+    private static String text(Scene scene, Choices plan, UnaryOperator<String> toWrittenName) {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
             json.setPrettyPrinter(new DefaultPrettyPrinter());
-            new SceneWriter(json, toWrittenName).write(scene);
+            new SceneWriter(json, toWrittenName).write(scene, plan);
         } catch (IOException failure) {
             throw new UncheckedIOException("a text in memory cannot be written", failure);
         }
         return text.toString();
     }
 
-    private void write(Scene scene) throws IOException {
+    private void write(Scene scene, Choices plan) throws IOException {
         json.writeStartObject();
         Choices own =
                 withWrittenName(withWrittenName(withWrittenName(scene.settings(), MESH), TEXTURE), ORIENTATION_MAP);
@@ -126,9 +132,8 @@ public final class SceneWriter {
             }
             json.writeEndArray();
         }
-        Choices plan = scene.method().choices();
         object("plan", plan.has(ILLUMINANT) ? withWrittenName(plan, ILLUMINANT) : plan);
-        object("weights", scene.settings().only(SceneSettings.WEIGHTS));
+        object("weights", scene.weights());
         json.writeEndObject();
     }
 

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
@@ -25,6 +24,7 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.Weights;
 import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
@@ -49,7 +49,7 @@ class FillLightsTest extends InAContext {
     private static Scene scene(MethodType method) {
         return PlaneScenes.blaze()
                 .withMethod(new SceneMethod(Choices.none().with(Methods.METHOD, method)))
-                .withBlend(new Blend(20, 1, 0.8, 0.2, Optional.empty()))
+                .with(Weights.of(20, 1, 0.8, 0.2))
                 .with(AROUND)
                 .withLight(KEY);
     }

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,13 +21,13 @@ import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.Weights;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -92,7 +91,7 @@ class PatchAtlasTest extends InAContext {
                         region(BLUE, "blaze"),
                         region(RED, "lamellar"))
                 .withMethod(new SceneMethod(quick))
-                .withBlend(new Blend(3000, 1, 1, 0, Optional.empty()));
+                .with(Weights.of(3000, 1, 1, 0));
         float[] mixed = drawn(both);
         float[][] alone = {
             drawn(both.withPatch(PatchRequest.of("blaze"))), drawn(both.withPatch(PatchRequest.of("lamellar")))

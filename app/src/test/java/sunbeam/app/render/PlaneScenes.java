@@ -8,7 +8,6 @@ import java.util.OptionalDouble;
 import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
@@ -16,6 +15,7 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Weights;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -24,7 +24,7 @@ import sunbeam.precompute.setting.Choices;
 
 /** Scenes of the plane, which fills the picture's middle; its patch is small, so that tables are made in a moment. */
 final class PlaneScenes {
-    static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0, Optional.empty());
+    static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
 
     private PlaneScenes() {}
 
@@ -36,7 +36,7 @@ final class PlaneScenes {
                 .with(SceneSettings.TEXTURE, "none")
                 .with(SceneSettings.EXPOSURE, OptionalDouble.of(1))
                 .with(SceneSettings.BACKGROUND, new SceneColor(0x204060))
-                .over(DIFFRACTION_ONLY.choices());
+                .over(DIFFRACTION_ONLY);
         return new Scene(
                 own,
                 PatchAtlas.of(PatchRequest.of("blaze")),

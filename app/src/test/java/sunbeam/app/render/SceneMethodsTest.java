@@ -10,16 +10,16 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Optional;
 import jrtr.Tile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.BodyAlpha;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Weights;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.MethodType;
@@ -103,8 +103,8 @@ class SceneMethodsTest extends InAContext {
      */
     @Test
     void theThesisAlphaHidesTheBodyWithoutDiffraction() {
-        Scene body = with(FullMethod.TYPE).withBlend(new Blend(0, 1, 1, 0, Optional.empty()));
-        Scene thesis = body.withBlend(new Blend(0, 1, 1, 0, Optional.of(BodyAlpha.FRESNEL)));
+        Scene body = with(FullMethod.TYPE).with(Weights.of(0, 1, 1, 0));
+        Scene thesis = body.with(Weights.of(0, 1, 1, 0).with(SceneSettings.BODY_ALPHA, BodyAlpha.FRESNEL));
         float[] light = draw(body);
         float[] fresnel = draw(thesis);
         int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
@@ -117,9 +117,10 @@ class SceneMethodsTest extends InAContext {
     void theDraftsAlphaAddsTheTextureWithoutLight() {
         Scene scene = with(FullMethod.TYPE);
         int middle = 4 * (WIDTH * HEIGHT / 2 + WIDTH / 2) + 1;
-        float lit = draw(scene.withBlend(new Blend(0, 1, 1, 0, Optional.empty())))[middle];
-        float diffracted = draw(scene.withBlend(new Blend(1, 0, 0, 0, Optional.empty())))[middle];
-        float draft = draw(scene.withBlend(new Blend(1, 1, 1, 0.2, Optional.of(BodyAlpha.DRAFT))))[middle];
+        float lit = draw(scene.with(Weights.of(0, 1, 1, 0)))[middle];
+        float diffracted = draw(scene.with(Weights.of(1, 0, 0, 0)))[middle];
+        float draft =
+                draw(scene.with(Weights.of(1, 1, 1, 0.2).with(SceneSettings.BODY_ALPHA, BodyAlpha.DRAFT)))[middle];
         assertThat(lit).isLessThan(0.95f);
         // All are float32.
         assertThat(draft).isCloseTo(0.8f * diffracted + 1.2f, within(1e-5f));

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.scene.Camera;
@@ -17,11 +16,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Weights;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.Methods;
@@ -142,8 +141,8 @@ class SceneSessionTest extends InAContext {
     @Test
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
         Scene scene = PlaneScenes.blaze();
-        ScenePicture picture = draw(scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2))
-                .withBlend(new Blend(50, 1, 1, 0.25, Optional.empty())));
+        ScenePicture picture = draw(
+                scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).with(Weights.of(50, 1, 1, 0.25)));
         // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
         assertThat(pixel(picture, 36, 28)[1]).isCloseTo(0.5f, within(1e-5f));
         for (float value : picture.rgba()) {

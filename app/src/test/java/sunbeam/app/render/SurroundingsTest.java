@@ -14,11 +14,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Weights;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
@@ -42,7 +42,7 @@ class SurroundingsTest extends InAContext {
                 .withMesh(MeshSource.of("sphere"))
                 .withView(above)
                 .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
-                .withBlend(new Blend(0, 1, 1, 0.2, Optional.empty()));
+                .with(Weights.of(0, 1, 1, 0.2));
         try (SceneSession session =
                 new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
             return WholePicture.of(session, SIDE, SIDE).rgba();
@@ -83,10 +83,9 @@ class SurroundingsTest extends InAContext {
 
     @Test
     void aSkyAddsWhatGlossReflects() {
-        float[] dark = draw(NONE, scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
-        float[] sky = draw(
-                PlaneScenes.around(Optional.empty(), 1, false),
-                scene -> scene.withBlend(new Blend(0, 1e-6, 1, 0, Optional.empty())));
+        float[] dark = draw(NONE, scene -> scene.with(Weights.of(0, 1e-6, 1, 0)));
+        float[] sky =
+                draw(PlaneScenes.around(Optional.empty(), 1, false), scene -> scene.with(Weights.of(0, 1e-6, 1, 0)));
         // Keratin reflects 4 % along the normal, of a zenith of 1.
         assertThat(luminance(sky, 0, 0) - luminance(dark, 0, 0)).isCloseTo(0.04f, within(0.002f));
     }

@@ -91,7 +91,7 @@ class SceneFileTest {
         assertThat(scene.get(SceneSettings.ROTATE_PATCH)).isEqualTo(Math.toRadians(30));
         assertThat(scene.method().get(TOLERANCE)).isEqualTo(0.01);
         assertThat(scene.method().get(AVERAGE)).as("a mesh's default").isEqualTo(Average.ENSEMBLE);
-        assertThat(scene.blend().texture()).isEqualTo(1);
+        assertThat(scene.get(SceneSettings.TEXTURE_WEIGHT)).isEqualTo(1);
     }
 
     @Test

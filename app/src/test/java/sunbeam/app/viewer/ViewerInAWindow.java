@@ -36,13 +36,13 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.render.Pick;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Weights;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
@@ -112,7 +112,7 @@ public abstract class ViewerInAWindow {
                         .with(MethodSettings.TOLERANCE, 0.05)
                         .with(MethodSettings.COHERENCE_LENGTH, 15e-6))
                 .withTexture("none")
-                .withBlend(new Blend(2000, 0.5, 0.2, 0.1, Optional.empty()))
+                .with(Weights.of(2000, 0.5, 0.2, 0.1))
                 .withLight(new SceneLight(new Vector3f(0.3f, -0.6f, -0.42f), 1));
     }
 

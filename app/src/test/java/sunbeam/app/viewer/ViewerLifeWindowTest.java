@@ -14,6 +14,7 @@ import jrtr.GraphicsException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.panel.MethodChoice;
 import sunbeam.app.viewer.window.RecentFiles;
 import sunbeam.app.viewer.window.StartJournal;
@@ -85,14 +86,15 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             awaitFinal();
         }
         assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
-        assertThat(onEvents(() -> viewer.model().scene().blend().diffraction())).isEqualTo(0.5);
+        assertThat(onEvents(() -> viewer.model().scene().get(SceneSettings.DIFFRACTION)))
+                .isEqualTo(0.5);
         onEvents(() -> {
             control("method", JComboBox.class).setSelectedItem(choice("full"));
             return null;
         });
-        assertThat(onEvents(() -> viewer.model().scene().blend()))
+        assertThat(onEvents(() -> viewer.model().scene().weights()))
                 .as("as it was before gem")
-                .isEqualTo(scene().blend());
+                .isEqualTo(scene().weights());
         onEvents(() -> {
             control("method", JComboBox.class).setSelectedItem(choice("gem"));
             return null;

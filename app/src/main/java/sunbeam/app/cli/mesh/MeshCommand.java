@@ -29,8 +29,6 @@ import sunbeam.app.scene.mesh.output.ObjWriter;
 import sunbeam.app.scene.mesh.output.PlyWriter;
 import sunbeam.app.scene.mesh.output.SkinMaps;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.BodyTextures;
-import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -133,13 +131,13 @@ public final class MeshCommand extends ReportingCommand {
     }
 
     private Optional<SkinMaps> skinMaps(Choices choices) {
-        String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : BodyTextures.NONE);
+        String texture = choices.get(TEXTURE, isSnake() ? "elaphe" : Body.NONE);
         Scales scales = choices.get(SCALES, isSnake() ? Scales.KEELED : Scales.NONE);
-        if (texture.equals(BodyTextures.NONE) && scales == Scales.NONE) {
+        if (texture.equals(Body.NONE) && scales == Scales.NONE) {
             return Optional.empty();
         }
         try (Progress progress = environment().progress().start("drawing the skin", 1)) {
-            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, OrientationMap.NONE, BlobCache.NONE));
+            SkinMaps maps = SkinMaps.of(Body.load(texture, scales, Body.NONE, BlobCache.NONE));
             progress.step(1);
             return Optional.of(maps);
         }

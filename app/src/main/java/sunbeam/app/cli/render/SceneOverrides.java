@@ -20,8 +20,8 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTextures;
-import sunbeam.app.scene.texture.OrientationMap;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -76,7 +76,7 @@ public final class SceneOverrides {
         Choices placed =
                 withAbsoluteName(withAbsoluteName(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
         Choices lit = withAbsoluteName(placed, ILLUMINANT, Illuminant.NAMES);
-        Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, ORIENTATION_MAP, List.of(OrientationMap.NONE)));
+        Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, ORIENTATION_MAP, List.of(Body.NONE)));
         return patch(scene.with(chosen), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
     }
 

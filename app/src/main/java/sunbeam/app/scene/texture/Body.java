@@ -1,14 +1,22 @@
 package sunbeam.app.scene.texture;
 
+import java.nio.file.Path;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.text.Text;
 
 /**
  * Textures of a mesh: colors, scales, directions and places of its nanostructure. Arrays are shared, not copied.
  *
  * @param relief relief of the scales, encoded by {@link ScaleRelief}
- * @param directions directions of the nanostructure, encoded by {@link OrientationMap}
- * @param patches map of the patches, encoded by {@link PatchMap}
+ * @param directions flow map: direction of the nanostructure's x axis at each place. Red is the direction's component along the tangent
+ *     (right in the picture), green along the bitangent (up); the bytes 1, 128 and 255 mean -1, 0 and 1. Blue and alpha are ignored.
+ *     Shaders interpolate the vectors, not doubled angles as for undirected lines, because a height map turned by 180 degrees is another
+ *     surface
+ * @param patches map of the patches, with one exact color for each
  * @param patchColor color of this body's patch in that map, 0xRRGGBB
  */
 public record Body(
@@ -18,34 +26,102 @@ public record Body(
         BodyTexture directions,
         BodyTexture patches,
         int patchColor) {
+    /** Name of plain white instead of a texture, of the mesh's own tangents, or of one patch everywhere, instead of a map. */
+    public static final String NONE = "none";
 
+    /** Color of the single patch if there is no map, 0xRRGGBB. */
+    public static final int WHITE = 0xffffff;
+
+    private static final int ZERO = 128;
+    // Least length of a vector, a sixteenth of the longest, in steps of a byte; eight bits resolve the direction of a
+    // shorter one too coarsely.
+    private static final int SHORTEST = 8;
+
+    /** Creates a body whose nanostructure follows the mesh's tangents, with one patch everywhere. */
     public Body(BodyTexture colors, Scales scales, BodyTexture relief) {
-        this(
-                colors,
-                scales,
-                relief,
-                OrientationMap.load(OrientationMap.NONE),
-                PatchMap.load(PatchMap.NONE, Set.of()),
-                PatchMap.WHITE);
+        this(colors, scales, relief, directions(NONE), patches(NONE, Set.of()), WHITE);
     }
 
     /**
      * Loads or generates the textures, with one patch everywhere.
      *
-     * @throws sunbeam.app.files.input.InputException if texture or orientation map cannot be used
+     * @throws InputException if texture or orientation map cannot be used
      */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
-        Body plain = new Body(BodyTextures.load(texture, cache), scales, ScaleRelief.of(scales, cache));
         return new Body(
-                plain.colors,
+                BodyTextures.load(texture, cache),
                 scales,
-                plain.relief,
-                OrientationMap.load(orientationMap),
-                plain.patches,
-                plain.patchColor);
+                ScaleRelief.of(scales, cache),
+                directions(orientationMap),
+                patches(NONE, Set.of()),
+                WHITE);
     }
 
     public Body with(BodyTexture map, int color) {
         return new Body(colors, scales, relief, directions, map, color);
+    }
+
+    private static BodyTexture directions(String nameOrFile) {
+        if (nameOrFile.equals(NONE)) {
+            return BodyTexture.ofTexel(255, ZERO, ZERO, 255);
+        }
+        Path file = Path.of(nameOrFile);
+        BodyTexture map = BodyTexture.read("orientation map", file, ", or " + NONE);
+        boolean gray = true;
+        for (int texel = 0; texel < map.width() * map.height(); texel++) {
+            int color = map.color(texel);
+            int red = color >> 16;
+            int green = color >> 8 & 0xff;
+            if (Math.hypot(red - ZERO, green - ZERO) < SHORTEST) {
+                throw new InputException("orientation map " + file + " has no direction in column "
+                        + texel % map.width() + ", row " + texel / map.width() + ": red " + red + " and green " + green
+                        + " are nearly " + ZERO + ", which is zero; paint one, (255, 128) for the mesh's own tangent");
+            }
+            gray &= color == 0x010101 * red;
+        }
+        if (gray) {
+            throw new InputException("orientation map " + file
+                    + " is gray; its red and green must be x and y of a direction, as in a flow map");
+        }
+        return map;
+    }
+
+    /**
+     * Loads a map of patches, and checks its colors.
+     *
+     * @param nameOrFile {@link #NONE} or an image file
+     * @param colors colors that the map must have, and no others, 0xRRGGBB
+     * @throws InputException if the file cannot be used, or its colors are not exactly these
+     */
+    public static BodyTexture patches(String nameOrFile, Set<Integer> colors) {
+        if (nameOrFile.equals(NONE)) {
+            return BodyTexture.ofTexel(255, 255, 255, 255);
+        }
+        Path file = Path.of(nameOrFile);
+        BodyTexture map = BodyTexture.read("patch map", file, "");
+        Set<Integer> missing = new TreeSet<>(colors);
+        int last = -1;
+        for (int texel = 0; texel < map.width() * map.height(); texel++) {
+            int color = map.color(texel);
+            if (color != last && !colors.contains(color)) {
+                throw new InputException(Text.format(
+                        "patch map %s has #%06x in column %d, row %d, which has no patch; known are %s (paint without soft"
+                                + " edges, save as PNG)",
+                        file, color, texel % map.width(), texel / map.width(), names(colors)));
+            }
+            if (color != last) {
+                missing.remove(color);
+                last = color;
+            }
+        }
+        if (!missing.isEmpty()) {
+            throw new InputException("patch map " + file + " has nowhere " + names(missing)
+                    + "; paint where that patch is, or leave it out of the scene");
+        }
+        return map;
+    }
+
+    private static String names(Set<Integer> colors) {
+        return colors.stream().map(color -> Text.format("#%06x", color)).collect(Collectors.joining(", "));
     }
 }

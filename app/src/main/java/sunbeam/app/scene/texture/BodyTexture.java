@@ -1,8 +1,86 @@
 package sunbeam.app.scene.texture;
 
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.IntBinaryOperator;
+import java.util.stream.IntStream;
+import sunbeam.app.files.input.ImageFile;
+import sunbeam.app.files.input.InputException;
+
 /**
  * A picture for a mesh, sRGB. Its left edge is texture coordinate u = 0, its bottom v = 0; it repeats beyond its edges.
  *
  * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top. Shared, not copied
  */
-public record BodyTexture(int width, int height, byte[] rgba) {}
+public record BodyTexture(int width, int height, byte[] rgba) {
+    // The largest side that common OpenGL 3.3 drivers support.
+    private static final int LARGEST_SIDE = 8192;
+    // 4 bytes each for decoded rows, RGBA and the upload.
+    private static final int BYTES_PER_PIXEL = 12;
+
+    /** Returns a texture of a single texel. */
+    static BodyTexture ofTexel(int red, int green, int blue, int alpha) {
+        return new BodyTexture(1, 1, new byte[] {(byte) red, (byte) green, (byte) blue, (byte) alpha});
+    }
+
+    /** Returns the texels of opaque pictures: the colors are 0xRRGGBB by column and row. */
+    static byte[] opaque(int width, IntStream rows, int height, IntBinaryOperator rgb) {
+        byte[] rgba = new byte[4 * width * height];
+        rows.forEach(row -> {
+            for (int column = 0; column < width; column++) {
+                int color = rgb.applyAsInt(column, row);
+                int texel = 4 * (row * width + column);
+                rgba[texel] = (byte) (color >> 16);
+                rgba[texel + 1] = (byte) (color >> 8);
+                rgba[texel + 2] = (byte) color;
+                rgba[texel + 3] = -1;
+            }
+        });
+        return rgba;
+    }
+
+    /** Returns the color of a texel, 0xRRGGBB. */
+    int color(int texel) {
+        return (rgba[4 * texel] & 0xff) << 16 | (rgba[4 * texel + 1] & 0xff) << 8 | (rgba[4 * texel + 2] & 0xff);
+    }
+
+    /**
+     * Reads an image file. Transparent texels keep their color and become opaque.
+     *
+     * @param what role of the image in messages, such as "texture"
+     * @param alternative end of the message if there is no such file
+     * @throws InputException if the file is missing or cannot be used
+     */
+    static BodyTexture read(String what, Path file, String alternative) {
+        return read(what, file, alternative, Runtime.getRuntime().maxMemory());
+    }
+
+    static BodyTexture read(String what, Path file, String alternative, long heapBytes) {
+        if (!Files.exists(file)) {
+            throw new InputException("there is no " + what + " " + file + "; name an image file" + alternative);
+        }
+        BufferedImage image =
+                new ImageFile(what, LARGEST_SIDE, LARGEST_SIDE * LARGEST_SIDE, BYTES_PER_PIXEL).read(file, heapBytes);
+        int width = image.getWidth();
+        int height = image.getHeight();
+        return new BodyTexture(width, height, opaque(width, IntStream.range(0, height), height, colors(image)));
+    }
+
+    /**
+     * Returns an image's colors by column and row. Java takes gray samples for linear light, but in files they follow the sRGB curve; only
+     * samples of more than 16 bits, such as floats, are linear.
+     */
+    private static IntBinaryOperator colors(BufferedImage image) {
+        Raster samples = image.getRaster();
+        boolean gray = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;
+        if (!gray || samples.getTransferType() > DataBuffer.TYPE_USHORT) {
+            return image::getRGB;
+        }
+        int white = (1 << samples.getSampleModel().getSampleSize(0)) - 1;
+        return (column, row) -> 0x010101 * Math.round(255f * samples.getSample(column, row, 0) / white);
+    }
+}

@@ -10,13 +10,8 @@ import sunbeam.precompute.color.Srgb;
 
 /** Finds a texture by name or file. */
 public final class BodyTextures {
-    /** Name of plain white instead of a texture. */
-    public static final String NONE = "none";
-
     /** Name of a neutral dark body, on which a nanostructure's colors show. */
     public static final String DARK = "dark";
-
-    private static final byte[] DARK_GRAY = {0x30, 0x30, 0x32, -1};
 
     private static final int COLUMNS = 4096;
     private static final int ROWS = 512;
@@ -25,7 +20,7 @@ public final class BodyTextures {
 
     /** Returns the names of the built-in textures, in the order in which help shows them. */
     public static List<String> names() {
-        return List.of("elaphe", "xenopeltis", DARK, NONE);
+        return List.of("elaphe", "xenopeltis", DARK, Body.NONE);
     }
 
     /**
@@ -44,15 +39,15 @@ public final class BodyTextures {
     public static BodyTexture load(String nameOrFile, BlobCache cache) {
         return switch (nameOrFile) {
             case "elaphe" -> load(nameOrFile, ElapheColors::new, cache);
-            case "xenopeltis" -> load(nameOrFile, XenopeltisColors::new, cache);
-            case DARK -> new BodyTexture(1, 1, DARK_GRAY.clone());
-            case NONE -> new BodyTexture(1, 1, new byte[] {-1, -1, -1, -1});
-            default -> ImageTextureReader.read(Path.of(nameOrFile));
+            case "xenopeltis" -> load(nameOrFile, BodyColors.Xenopeltis::new, cache);
+            case DARK -> BodyTexture.ofTexel(0x30, 0x30, 0x32, 255);
+            case Body.NONE -> BodyTexture.ofTexel(255, 255, 255, 255);
+            default -> BodyTexture.read("texture", Path.of(nameOrFile), ", or one of " + String.join(", ", names()));
         };
     }
 
     public static boolean isAnimal(String name) {
-        return names().contains(name) && !name.equals(NONE) && !name.equals(DARK);
+        return names().contains(name) && !name.equals(Body.NONE) && !name.equals(DARK);
     }
 
     private static BodyTexture load(String name, Supplier<BodyColors> colors, BlobCache cache) {
@@ -61,18 +56,9 @@ public final class BodyTextures {
     }
 
     private static byte[] paint(BodyColors colors) {
-        byte[] rgba = new byte[4 * COLUMNS * ROWS];
-        IntStream.range(0, ROWS).parallel().forEach(row -> {
-            double around = 1 - 2 * (row + 0.5) / ROWS;
-            for (int column = 0; column < COLUMNS; column++) {
-                Vector3dc color = colors.at((column + 0.5) / COLUMNS, around);
-                int texel = 4 * (row * COLUMNS + column);
-                rgba[texel] = (byte) Srgb.channel(color.x());
-                rgba[texel + 1] = (byte) Srgb.channel(color.y());
-                rgba[texel + 2] = (byte) Srgb.channel(color.z());
-                rgba[texel + 3] = -1;
-            }
+        return BodyTexture.opaque(COLUMNS, IntStream.range(0, ROWS).parallel(), ROWS, (column, row) -> {
+            Vector3dc color = colors.at((column + 0.5) / COLUMNS, 1 - 2 * (row + 0.5) / ROWS);
+            return Srgb.channel(color.x()) << 16 | Srgb.channel(color.y()) << 8 | Srgb.channel(color.z());
         });
-        return rgba;
     }
 }

@@ -69,7 +69,7 @@ public final class ScaleRelief {
 
     public static BodyTexture of(Scales scales, BlobCache cache) {
         if (scales == Scales.NONE) {
-            return new BodyTexture(1, 1, new byte[] {(byte) 128, (byte) 128, 0, code(1 / LIGHTEST)});
+            return BodyTexture.ofTexel(128, 128, 0, code(1 / LIGHTEST));
         }
         ScaleRelief relief = new ScaleRelief(scales);
         return new BodyTexture(

@@ -57,6 +57,6 @@ final class CachedExposure {
                 && data.method() == last.method()
                 && data.mesh() == last.mesh()
                 && data.body() == last.body()
-                && data.scene().blend().equals(last.scene().blend());
+                && data.scene().weights().equals(last.scene().weights());
     }
 }

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -28,13 +27,13 @@ import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.WholePicture;
-import sunbeam.app.scene.Blend;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Weights;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -50,9 +49,9 @@ import sunbeam.precompute.setting.Choices;
 @NeedsDisplay
 class SceneTableTest extends InAContext {
     private static final double TOLERANCE = 1e-2;
-    private static final Blend DIFFRACTION_ONLY = new Blend(1, 0, 0, 0, Optional.empty());
+    private static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
     // Orders as bright as the body, as on a skin.
-    private static final Blend ON_A_BODY = new Blend(30, 0.3, 1, 0.1, Optional.empty());
+    private static final Choices ON_A_BODY = Weights.of(30, 0.3, 1, 0.1);
     private static final Vector3f EYE = new Vector3f(-0.05f, -0.1f, 0.4f);
     // Across the lines it lies opposite to the eye, so that orders go through the picture's middle.
     private static final Vector3f LIGHT = new Vector3f(-0.2f, 0.242f, 0.949f);
@@ -61,13 +60,13 @@ class SceneTableTest extends InAContext {
     private Path folder;
 
     /** The blazed grating, which sends orders to the camera. */
-    private static Scene plane(Vector3f eye, Vector3f light, double fieldOfView, Blend blend, MethodType type) {
+    private static Scene plane(Vector3f eye, Vector3f light, double fieldOfView, Choices weights, MethodType type) {
         Choices method = Choices.none().with(Methods.METHOD, type).with(MethodSettings.TOLERANCE, TOLERANCE);
         Choices own = Choices.none()
                 .with(SceneSettings.MESH, "plane")
                 .with(SceneSettings.TEXTURE, "none")
                 .with(SceneSettings.EXPOSURE, OptionalDouble.of(1))
-                .over(blend.choices());
+                .over(weights);
         return new Scene(
                 own,
                 PatchAtlas.of(PatchRequest.of("blaze")),

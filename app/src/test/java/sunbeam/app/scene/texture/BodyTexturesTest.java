@@ -5,17 +5,33 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Random;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.input.InputException;
 
 class BodyTexturesTest {
+    private static final long HEAP = 512L << 20;
+    /** In two or three of a hundred, decoders throw unexpected exceptions. */
+    private static final int MUTATIONS = 400;
+
     @TempDir
     private Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void name() {
+        file = folder.resolve("texture");
+    }
 
     private static int channel(BodyTexture texture, int x, int y, int c) {
         return texture.rgba()[4 * (y * texture.width() + x) + c] & 0xff;
@@ -32,7 +48,6 @@ class BodyTexturesTest {
             for (int band = 0; band < bands; band++) {
                 image.getRaster().setSample(2, 1, band, half);
             }
-            Path file = folder.resolve(type + ".png");
             ImageIO.write(image, "png", file.toFile());
 
             BodyTexture texture = BodyTextures.load(file.toString(), BlobCache.NONE);
@@ -54,5 +69,58 @@ class BodyTexturesTest {
         assertThatThrownBy(() -> BodyTextures.load("elafe", BlobCache.NONE))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("elaphe, xenopeltis, dark, none");
+    }
+
+    private byte[] picture(String format) throws IOException {
+        BufferedImage image = new BufferedImage(24, 17, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(1);
+        for (int pixel = 0; pixel < 24 * 17; pixel++) {
+            image.setRGB(pixel % 24, pixel / 24, random.nextInt());
+        }
+        assertThat(ImageIO.write(image, format, file.toFile())).isTrue();
+        return Files.readAllBytes(file);
+    }
+
+    private boolean isRead(byte[] content) throws IOException {
+        Files.write(file, content);
+        try {
+            BodyTexture texture = BodyTexture.read("texture", file, "", HEAP);
+            assertThat(texture.rgba()).hasSize(4 * texture.width() * texture.height());
+            return true;
+        } catch (InputException refused) {
+            assertThat(refused).hasMessageContaining("texture " + file);
+            return false;
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "jpeg", "bmp", "gif", "tiff"})
+    void damagedPicturesAreReadOrRefused(String format) throws IOException {
+        byte[] good = picture(format);
+        assertThat(isRead(good)).isTrue();
+        Random random = new Random(2);
+        int refused = 0;
+        for (int mutation = 0; mutation < MUTATIONS; mutation++) {
+            byte[] bad = good.clone();
+            for (int change = random.nextInt(4); change >= 0; change--) {
+                // Headers decide most, and lie at either end.
+                int reach = random.nextBoolean() ? Math.min(120, bad.length) : bad.length;
+                int at = random.nextBoolean() ? random.nextInt(reach) : bad.length - 1 - random.nextInt(reach);
+                bad[at] = (byte) (random.nextBoolean() ? random.nextInt(256) : bad[at] ^ (1 << random.nextInt(8)));
+            }
+            refused += isRead(bad) ? 0 : 1;
+        }
+        assertThat(refused).as("the mutations reached the decoder").isPositive();
+    }
+
+    @Test
+    void aPictureThatDoesNotFitTheHeapIsRefusedBeforeItIsDecoded() throws IOException {
+        byte[] png = picture("png");
+        // Width and height in the header; readers check its checksum after the size.
+        ByteBuffer.wrap(png).putInt(16, 8000).putInt(20, 8000);
+        Files.write(file, png);
+        assertThatThrownBy(() -> BodyTexture.read("texture", file, "", HEAP))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining("8000 x 8000", "too many for Java's memory", "SUNBEAM_JAVA_OPTIONS=-Xmx1024m");
     }
 }
