@@ -22,6 +22,6 @@ public enum OptionOrigin implements Origin {
     public String complaint(Setting<?> setting, String value, String problem) {
         return this == ARGUMENT && !value.isEmpty()
                 ? value + " " + problem
-                : (name(setting) + " " + value).strip() + " " + problem;
+                : Origin.super.complaint(setting, value, problem);
     }
 }

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.apache.commons.math3.distribution.TDistribution;
-import sunbeam.precompute.fault.ScanFault;
+import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;

@@ -3,7 +3,7 @@ package sunbeam.precompute.analysis;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.PowerSpectrum2d;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.prepare.Leveling;
 
 /**
@@ -18,7 +18,7 @@ import sunbeam.precompute.prepare.Leveling;
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
     /** Half the shortest wavelength, meters, for light and viewer at grazing angles. */
-    static final double SHORTEST_PERIOD = SamplingCheck.SHORTEST_WAVELENGTH / 2;
+    static final double SHORTEST_PERIOD = Plausibility.SHORTEST_WAVELENGTH / 2;
     // Most samples of a scan that is padded; larger ones would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.analysis.OrderLattice.Order;
+import sunbeam.precompute.analysis.OrderSpectrum.Wave;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
@@ -44,30 +45,28 @@ public record OrderLight(
         static final Efficiency NONE = new Efficiency(0, 0, 0);
     }
 
-    private record Bin(int x, int y, double real, double imaginary) {}
-
     private static final class Field {
-        private final List<Bin> bins = new ArrayList<>();
+        private final List<Wave> bins = new ArrayList<>();
         private double power;
 
-        void add(int x, int y, double real, double imaginary, boolean kept) {
-            power += real * real + imaginary * imaginary;
+        void add(Wave wave, boolean kept) {
+            power += wave.power();
             if (kept) {
-                bins.add(new Bin(x, y, real, imaginary));
+                bins.add(wave);
             }
         }
 
         /** Returns the mean powers of up to 4 x 4 equal parts of the scan; their mean is the power (Parseval). */
         double[] parts() {
-            int left = bins.stream().mapToInt(Bin::x).min().orElse(0);
-            int bottom = bins.stream().mapToInt(Bin::y).min().orElse(0);
-            int columns = bins.stream().mapToInt(Bin::x).max().orElse(0) - left + 1;
-            int rows = bins.stream().mapToInt(Bin::y).max().orElse(0) - bottom + 1;
+            int left = bins.stream().mapToInt(Wave::x).min().orElse(0);
+            int bottom = bins.stream().mapToInt(Wave::y).min().orElse(0);
+            int columns = bins.stream().mapToInt(Wave::x).max().orElse(0) - left + 1;
+            int rows = bins.stream().mapToInt(Wave::y).max().orElse(0) - bottom + 1;
             double[][] real = new double[rows][columns];
             double[][] imaginary = new double[rows][columns];
-            for (Bin bin : bins) {
-                real[bin.y - bottom][bin.x - left] = bin.real;
-                imaginary[bin.y - bottom][bin.x - left] = bin.imaginary;
+            for (Wave bin : bins) {
+                real[bin.y() - bottom][bin.x() - left] = bin.real();
+                imaginary[bin.y() - bottom][bin.x() - left] = bin.imaginary();
             }
             ComplexVector field = new BandTransform2d(columns, rows, Band.of(0, columns - 1), Band.of(0, rows - 1))
                     .transform((row, re, im) -> {
@@ -116,12 +115,12 @@ public record OrderLight(
             boolean sampled) {
         Map<Order, Field> fields = new HashMap<>();
         Field rest = new Field();
-        spectrum.forEach(wi, wavelength, sampled, (x, y, pair, real, imaginary) -> {
-            double fresnel = Math.sqrt(index.reflectance(wavelength, pair.cosThetaD()));
-            lattice.nearest(spectrum.frequency(x, y))
+        spectrum.forEach(wi, wavelength, sampled, wave -> {
+            double fresnel = Math.sqrt(index.reflectance(wavelength, wave.pair().cosThetaD()));
+            lattice.nearest(spectrum.frequency(wave.x(), wave.y()))
                     .map(order -> fields.computeIfAbsent(order, none -> new Field()))
                     .orElse(rest)
-                    .add(x, y, fresnel * real, fresnel * imaginary, sampled);
+                    .add(wave.times(fresnel), sampled);
         });
         Map<Order, Efficiency> efficiencies = new HashMap<>();
         fields.forEach((order, field) -> {

@@ -1,5 +1,6 @@
 package sunbeam.precompute.analysis;
 
+import java.util.function.Consumer;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.HeightScale;
@@ -45,20 +46,27 @@ public final class OrderSpectrum {
     // [(bin * terms + term) * 2]: real and imaginary parts
     private final float[] values;
 
-    /** Receives the orders above the horizon. */
-    @FunctionalInterface
-    interface Visitor {
-        /**
-         * Receives an order.
-         *
-         * @param x bin along x; its frequency is x / width
-         * @param y bin along y; its frequency is y / height
-         * @param pair light and direction of the order
-         * @param real real part of an amplitude whose square is the order's share of a mirror's light
-         * @param imaginary imaginary part of this amplitude
-         */
-        void visit(int x, int y, DirectionPair pair, double real, double imaginary);
+    /**
+     * Order above the horizon.
+     *
+     * @param x bin along x; its frequency is x / width
+     * @param y bin along y; its frequency is y / height
+     * @param pair light and direction of the order
+     * @param real real part of an amplitude whose square is the order's share of a mirror's light
+     * @param imaginary imaginary part of this amplitude
+     */
+    record Wave(int x, int y, DirectionPair pair, double real, double imaginary) {
+        double power() {
+            return real * real + imaginary * imaginary;
+        }
+
+        Wave times(double factor) {
+            return new Wave(x, y, pair, factor * real, factor * imaginary);
+        }
     }
+
+    /** Bin with the x, y and z^2 of its direction; z^2 is negative beyond the horizon. */
+    private record Bin(int x, int y, double outX, double outY, double square) {}
 
     /** Transforms one period of a surface. */
     public OrderSpectrum(HeightMap map) {
@@ -107,15 +115,15 @@ public final class OrderSpectrum {
      * @param wavelength wavelength in meters, within 380..780 nm
      * @param sampled true for a scan, whose light fills each bin; false for a surface that repeats
      */
-    void forEach(Direction wi, double wavelength, boolean sampled, Visitor visitor) {
-        forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
-            double cosine = Math.sqrt(square);
+    void forEach(Direction wi, double wavelength, boolean sampled, Consumer<Wave> visitor) {
+        forEachBin(wi, wavelength, bin -> {
+            double cosine = Math.sqrt(bin.square);
             double stretch = 1;
             double share = 1;
-            double radius = Math.hypot(outX, outY);
+            double radius = Math.hypot(bin.outX, bin.outY);
             if (sampled && radius > 0) {
                 // The mean of 1 / cosine over the bin: dr / cos alpha = d alpha.
-                double half = 0.5 * wavelength * radius / Math.hypot(outX * width, outY * height);
+                double half = 0.5 * wavelength * radius / Math.hypot(bin.outX * width, bin.outY * height);
                 double low = Math.asin(Math.max(-1, Math.min(1, radius - half)));
                 double high = Math.asin(Math.min(1, radius + half));
                 cosine = Math.cos(0.5 * (low + high));
@@ -123,31 +131,25 @@ public final class OrderSpectrum {
                 share = Math.sqrt(cosine * (high - low) / (2 * half));
             }
             if (cosine > GRAZING) {
-                DirectionPair pair = new DirectionPair(wi, new Direction(outX * stretch, outY * stretch, cosine));
-                double[] amplitude = amplitude(x, y, wavelength, pair);
-                visitor.visit(x, y, pair, share * amplitude[0], share * amplitude[1]);
+                Direction out = new Direction(bin.outX * stretch, bin.outY * stretch, cosine);
+                visitor.accept(wave(bin, wavelength, new DirectionPair(wi, out)).times(share));
             }
         });
     }
 
-    /** Receives a bin with the x, y and z^2 of its direction; z^2 is negative beyond the horizon. */
-    private interface BinVisitor {
-        void visit(int x, int y, double outX, double outY, double square);
-    }
-
-    private void forEachBin(Direction wi, double wavelength, BinVisitor visitor) {
+    private void forEachBin(Direction wi, double wavelength, Consumer<Bin> visitor) {
         for (int y = bandY.first(); y <= bandY.last(); y++) {
             double outY = -wi.y() - wavelength * y / height;
             for (int x = bandX.first(); x <= bandX.last(); x++) {
                 double outX = -wi.x() - wavelength * x / width;
-                visitor.visit(x, y, outX, outY, 1 - outX * outX - outY * outY);
+                visitor.accept(new Bin(x, y, outX, outY, 1 - outX * outX - outY * outY));
             }
         }
     }
 
-    private double[] amplitude(int x, int y, double wavelength, DirectionPair pair) {
+    private Wave wave(Bin bin, double wavelength, DirectionPair pair) {
         double[] factors = coefficients.at(scale.phase(wavelength, -pair.w()));
-        int at = 2 * factors.length * ((y - bandY.first()) * bandX.count() + x - bandX.first());
+        int at = 2 * factors.length * ((bin.y - bandY.first()) * bandX.count() + bin.x - bandX.first());
         double real = 0;
         double imaginary = 0;
         for (double factor : factors) {
@@ -155,14 +157,13 @@ public final class OrderSpectrum {
             imaginary += factor * values[at++];
         }
         double geometry = (1 + pair.wi().dot(pair.wr())) / (-pair.w() * Math.sqrt(pair.cosThetaI() * pair.cosThetaR()));
-        return new double[] {geometry * real, geometry * imaginary};
+        return new Wave(bin.x, bin.y, pair, geometry * real, geometry * imaginary);
     }
 
-    private double power(RefractiveIndex index, int x, int y, double wavelength, DirectionPair pair) {
-        double[] amplitude = amplitude(x, y, wavelength, pair);
+    private double power(RefractiveIndex index, Bin bin, double wavelength, DirectionPair pair) {
         double overMirror =
                 index.reflectance(wavelength, pair.cosThetaD()) / index.reflectance(wavelength, pair.cosThetaI());
-        return overMirror * (amplitude[0] * amplitude[0] + amplitude[1] * amplitude[1]);
+        return overMirror * wave(bin, wavelength, pair).power();
     }
 
     /**
@@ -174,38 +175,30 @@ public final class OrderSpectrum {
     public double sum(RefractiveIndex index, Direction wi, double wavelength, double sigmaFrequency) {
         double blur = wavelength * sigmaFrequency;
         double[] sum = new double[1];
-        forEachBin(wi, wavelength, (x, y, outX, outY, square) -> {
-            if (square > Math.max(GRAZING * GRAZING, Math.min(FARTHEST, NEAR_HORIZON * blur))) {
-                Direction out = new Direction(outX, outY, Math.sqrt(square));
-                sum[0] += power(index, x, y, wavelength, new DirectionPair(wi, out));
-            } else if (blur > 0 && square > -3 * REACH * blur) {
-                sum[0] += atHorizon(index, x, y, wavelength, wi, outX, outY, blur);
+        forEachBin(wi, wavelength, bin -> {
+            if (bin.square > Math.max(GRAZING * GRAZING, Math.min(FARTHEST, NEAR_HORIZON * blur))) {
+                Direction out = new Direction(bin.outX, bin.outY, Math.sqrt(bin.square));
+                sum[0] += power(index, bin, wavelength, new DirectionPair(wi, out));
+            } else if (blur > 0 && bin.square > -3 * REACH * blur) {
+                sum[0] += atHorizon(index, bin, wavelength, wi, blur);
             }
         });
         return sum[0];
     }
 
     /** Integrates an order over its Gaussian along the radius r = sin alpha; dr / cos alpha = d alpha takes the pole at the horizon. */
-    private double atHorizon(
-            RefractiveIndex index,
-            int x,
-            int y,
-            double wavelength,
-            Direction wi,
-            double outX,
-            double outY,
-            double blur) {
-        double radius = Math.hypot(outX, outY);
+    private double atHorizon(RefractiveIndex index, Bin bin, double wavelength, Direction wi, double blur) {
+        double radius = Math.hypot(bin.outX, bin.outY);
         double low = Math.asin(Math.max(0, Math.min(1, radius - REACH * blur)));
         double high = Math.asin(Math.min(1, radius + REACH * blur));
         double sum = 0;
         for (int i = 0; i < NODES.nodes().length; i++) {
             double alpha = low + 0.5 * (1 + NODES.nodes()[i]) * (high - low);
             double sine = Math.sin(alpha);
-            Direction out = new Direction(outX * sine / radius, outY * sine / radius, Math.cos(alpha));
+            Direction out = new Direction(bin.outX * sine / radius, bin.outY * sine / radius, Math.cos(alpha));
             double off = (sine - radius) / blur;
             double weight = 0.5 * NODES.weights()[i] * (high - low) * Math.exp(-off * off) * Math.cos(alpha);
-            sum += weight * power(index, x, y, wavelength, new DirectionPair(wi, out));
+            sum += weight * power(index, bin, wavelength, new DirectionPair(wi, out));
         }
         return sum / (Math.sqrt(Math.PI) * blur);
     }

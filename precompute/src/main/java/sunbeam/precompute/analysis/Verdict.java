@@ -92,10 +92,11 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
                 : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
         double mirror = Math.abs(Math.sin(Math.toRadians(theta)));
         boolean finer = VIOLET / (period.isSure() ? period.high() : period.period()) - mirror >= 1;
+        List<Band> firstOrders = firstOrders(period, theta);
         return new Verdict(
                 finer ? Code.FINER_THAN_LIGHT : seen,
-                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta),
-                firstOrders(period, theta));
+                (lattice ? lattice(period) : grating(period)) + ": " + colors(period, theta, finer, firstOrders),
+                firstOrders);
     }
 
     /** True if the surface sends different colors into different directions. */
@@ -148,26 +149,23 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
                         + Decimals.within(high, uncertainty) + ")";
     }
 
-    /** Uses sin theta = +-lambda / d - sin theta_i for all periods in the interval. */
-    private static String colors(GratingPeriod period, double theta) {
-        double mirror = -Math.sin(Math.toRadians(theta));
-        double blue = VIOLET / (period.isSure() ? period.high() : period.period());
-        double red = RED / (period.isSure() ? period.low() : period.period());
+    private static String colors(GratingPeriod period, double theta, boolean finer, List<Band> firstOrders) {
         String light = theta == 0 ? "light from above" : "light at " + Decimals.rounded(theta, DIGITS) + " degrees";
-        if (blue - Math.abs(mirror) >= 1) {
+        if (finer) {
             return "finer than light, so that " + light + " has no first-order colors";
         }
-        if (red < FINEST_ANGLE) {
+        if (RED / (period.isSure() ? period.low() : period.period()) < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
         // Under light from above, the orders +1 and -1 lie at equal angles.
-        String angles = firstOrders(period, theta).stream()
+        String angles = firstOrders.stream()
                 .limit(theta == 0 ? 1 : 2)
                 .map(Verdict::words)
                 .collect(Collectors.joining(" and "));
         return "first-order colors " + angles + " under " + light;
     }
 
+    /** Uses sin theta = +-lambda / d - sin theta_i for all periods in the interval. */
     private static List<Band> firstOrders(GratingPeriod period, double theta) {
         double mirror = -Math.sin(Math.toRadians(theta));
         double blue = VIOLET / (period.isSure() ? period.high() : period.period());

@@ -1,5 +1,8 @@
 package sunbeam.precompute.numerics;
 
+import java.util.Map;
+import java.util.NavigableMap;
+
 /** Lagrange polynomials through equally spaced points. */
 public final class Lagrange {
     private Lagrange() {}
@@ -25,5 +28,17 @@ public final class Lagrange {
             return 0;
         }
         return Math.max(-0.5, Math.min(0.5, 0.5 * (logBefore - logAfter) / curvature));
+    }
+
+    /** Returns the value at a place, linear between a table's entries and constant beyond them; the table has at least one. */
+    public static double between(NavigableMap<Double, Double> table, double place) {
+        Map.Entry<Double, Double> below = table.floorEntry(place);
+        Map.Entry<Double, Double> above = table.ceilingEntry(place);
+        if (below == null || above == null) {
+            return (below == null ? above : below).getValue();
+        }
+        double gap = above.getKey() - below.getKey();
+        double share = gap > 0 ? (place - below.getKey()) / gap : 0;
+        return below.getValue() + share * (above.getValue() - below.getValue());
     }
 }

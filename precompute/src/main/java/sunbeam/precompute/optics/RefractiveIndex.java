@@ -1,13 +1,23 @@
 package sunbeam.precompute.optics;
 
-import java.util.Arrays;
+import java.util.Collections;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/** Refractive index n + i k of a material in air, constant or tabulated over wavelengths. Immutable. */
-public final class RefractiveIndex {
+/**
+ * Refractive index n + i k of a material in air, linear between tabulated wavelengths and constant beyond them. Immutable.
+ *
+ * @param real n by wavelength in meters, at least one
+ * @param imaginary k by wavelength in meters; 0 if empty
+ */
+public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
     /** Index of keratin (thesis section 3.3.2). */
     public static final RefractiveIndex KERATIN = constant(1.5, 0);
 
@@ -15,17 +25,15 @@ public final class RefractiveIndex {
     private static final Pattern NUMBER = Pattern.compile(
             "([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)(?:\\s*\\+\\s*([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)i)?");
 
-    private final double[] wavelengths;
-    private final double[] real;
-    private final double[] imaginary;
-
-    private RefractiveIndex(double[] wavelengths, double[] real, double[] imaginary) {
-        for (int i = 0; i < real.length; i++) {
-            check(real[i], imaginary[i]);
+    /** @throws IllegalArgumentException when an index is out of range */
+    public RefractiveIndex {
+        real = Collections.unmodifiableNavigableMap(new TreeMap<>(real));
+        imaginary = Collections.unmodifiableNavigableMap(new TreeMap<>(imaginary));
+        TreeSet<Double> wavelengths = new TreeSet<>(real.keySet());
+        wavelengths.addAll(imaginary.keySet());
+        for (double wavelength : wavelengths) {
+            check(at(real, wavelength), at(imaginary, wavelength));
         }
-        this.wavelengths = wavelengths;
-        this.real = real;
-        this.imaginary = imaginary;
     }
 
     private static void check(double n, double k) {
@@ -39,22 +47,7 @@ public final class RefractiveIndex {
     }
 
     public static RefractiveIndex constant(double n, double k) {
-        return new RefractiveIndex(new double[1], new double[] {n}, new double[] {k});
-    }
-
-    /**
-     * Returns an index that is linear between tabulated wavelengths and constant beyond them.
-     *
-     * @param wavelengths meters, ascending
-     * @throws IllegalArgumentException when wavelengths do not ascend or an index is out of range
-     */
-    public static RefractiveIndex tabulated(double[] wavelengths, double[] n, double[] k) {
-        for (int i = 1; i < wavelengths.length; i++) {
-            if (!(wavelengths[i] > wavelengths[i - 1])) {
-                throw new IllegalArgumentException("wavelengths do not ascend");
-            }
-        }
-        return new RefractiveIndex(wavelengths.clone(), n.clone(), k.clone());
+        return new RefractiveIndex(new TreeMap<>(Map.of(0.0, n)), new TreeMap<>(Map.of(0.0, k)));
     }
 
     /** Parses {@code 1.56} or {@code 0.97+6.5i}. */
@@ -70,7 +63,7 @@ public final class RefractiveIndex {
 
     /** True if the index is the same at all wavelengths. */
     public boolean isConstant() {
-        return real.length == 1;
+        return real.size() == 1 && imaginary.size() <= 1;
     }
 
     /** Returns the reflectance along the normal, |(n - 1 + i k) / (n + 1 + i k)|^2, for a wavelength in meters. */
@@ -78,6 +71,10 @@ public final class RefractiveIndex {
         double n = at(real, wavelength);
         double k = at(imaginary, wavelength);
         return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+    }
+
+    private static double at(NavigableMap<Double, Double> values, double wavelength) {
+        return values.isEmpty() ? 0 : Lagrange.between(values, wavelength);
     }
 
     /** Returns Schlick's reflectance for a wavelength in meters and the cosine of the angle between the half vector and the view. */
@@ -91,39 +88,12 @@ public final class RefractiveIndex {
         return equals(KERATIN);
     }
 
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof RefractiveIndex index
-                && Arrays.equals(wavelengths, index.wavelengths)
-                && Arrays.equals(real, index.real)
-                && Arrays.equals(imaginary, index.imaginary);
-    }
-
-    @Override
-    public int hashCode() {
-        return Arrays.hashCode(
-                new int[] {Arrays.hashCode(wavelengths), Arrays.hashCode(real), Arrays.hashCode(imaginary)});
-    }
-
-    private double at(double[] values, double wavelength) {
-        int found = Arrays.binarySearch(wavelengths, wavelength);
-        if (values.length == 1 || found >= 0) {
-            return values[Math.max(0, Math.min(found, values.length - 1))];
-        }
-        int after = -found - 1;
-        if (after == 0 || after == values.length) {
-            return values[Math.min(after, values.length - 1)];
-        }
-        double share = (wavelength - wavelengths[after - 1]) / (wavelengths[after] - wavelengths[after - 1]);
-        return values[after - 1] + share * (values[after] - values[after - 1]);
-    }
-
     /** Returns a text for metadata: "1.5", "0.97 + 6.5i", or a note that it is tabulated. */
     public String describe() {
         if (!isConstant()) {
-            return Text.format(
-                    "tabulated from %.0f to %.0f nm", wavelengths[0] * 1e9, wavelengths[wavelengths.length - 1] * 1e9);
+            return Text.format("tabulated from %.0f to %.0f nm", real.firstKey() * 1e9, real.lastKey() * 1e9);
         }
-        return imaginary[0] == 0 ? Double.toString(real[0]) : real[0] + " + " + imaginary[0] + "i";
+        double k = at(imaginary, 0);
+        return k == 0 ? Double.toString(at(real, 0)) : at(real, 0) + " + " + k + "i";
     }
 }

@@ -3,7 +3,7 @@ package sunbeam.precompute.patch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.fault.ScanFault;
+import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 
 /**

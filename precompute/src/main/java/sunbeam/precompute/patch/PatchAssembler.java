@@ -9,15 +9,14 @@ import static sunbeam.precompute.patch.PatchSettings.PERIODIC;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.fault.ScanFault;
 import sunbeam.precompute.fault.ScanFaults;
+import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
+import sunbeam.precompute.prepare.Edges.Seam;
 import sunbeam.precompute.prepare.Leveling;
-import sunbeam.precompute.prepare.OnePeriod;
 import sunbeam.precompute.prepare.Preparation;
-import sunbeam.precompute.prepare.Seam;
 import sunbeam.precompute.prepare.Spikes;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -34,6 +33,11 @@ import sunbeam.precompute.units.Lengths;
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     // Step between opposite borders, relative to the steps between neighbors, that causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;
+
+    // Meters: half of sunlight's coherence length. Larger patches are taken for scans.
+    private static final double LARGEST_SYNTHETIC = 32.5e-6;
+    // Relative to the relief; measured lines differ by more.
+    private static final double SAME = 1e-6;
 
     enum Kind {
         BUILT_IN,
@@ -69,7 +73,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         warnings.addAll(warnings(preparation, prepared));
         repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(prepared.scan()).ifPresent(warnings::add);
-        SamplingCheck.pitch(prepared.surface()).ifPresent(warnings::add);
+        Plausibility.pitch(prepared.surface()).ifPresent(warnings::add);
         // The slopes are measured before blending, which bends the border.
         ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
         return new Patch(
@@ -91,7 +95,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         if (choices.has(CROP) || (choices.has(EDGES) && kind != Kind.BUILT_IN) || kind == Kind.GIVEN_DIRECTLY) {
             return Patch.Repetition.NONE;
         }
-        boolean period = kind == Kind.BUILT_IN || OnePeriod.looksSynthetic(measured);
+        boolean period = kind == Kind.BUILT_IN || looksSynthetic(measured);
         return period ? Patch.Repetition.PERIODIC : Patch.Repetition.ASSUMED;
     }
 
@@ -154,7 +158,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private Optional<String> repetitionWarning(
             HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
         boolean takesTilt = preparation.leveling().takesTilt();
-        if (repetition == Patch.Repetition.NONE && takesTilt && OnePeriod.looksSynthetic(measured)) {
+        if (repetition == Patch.Repetition.NONE && takesTilt && looksSynthetic(measured)) {
             return Optional.of(
                     "it is constant along one axis, like a generated grating; if it is one period of a grating,"
                             + " state it (" + named(PERIODIC) + ")");
@@ -183,5 +187,25 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
 
     private String named(Setting<?> setting, String value) {
         return named(setting) + " " + value;
+    }
+
+    /**
+     * True if the heights, drawn or computed as one period of a grating, are constant along one axis, up to rounding; false if samples are missing or all heights are equal.
+     */
+    static boolean looksSynthetic(HeightMap field) {
+        return Math.max(field.width(), field.height()) <= LARGEST_SYNTHETIC
+                && ((field.columns() > 1 && isSame(field, 1, 0)) || (field.rows() > 1 && isSame(field, 0, 1)));
+    }
+
+    /** Compares rows with the first one (factors 1, 0), or columns with the first one (factors 0, 1). */
+    private static boolean isSame(HeightMap field, int columnFactor, int rowFactor) {
+        double largest = 0;
+        for (int row = 0; row < field.rows(); row++) {
+            for (int column = 0; column < field.columns(); column++) {
+                double step = field.at(column, row) - field.at(columnFactor * column, rowFactor * row);
+                largest = Math.max(largest, Math.abs(step));
+            }
+        }
+        return field.relief() > 0 && largest <= SAME * field.relief();
     }
 }

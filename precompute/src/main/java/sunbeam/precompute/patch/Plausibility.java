@@ -10,10 +10,23 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** Refuses impossible sizes and reliefs, and warns of unlikely ones. */
-final class Plausibility {
+/**
+ * Refuses impossible sizes and reliefs, and warns of unlikely ones, and of a pitch or of height steps that are too coarse for the shortest
+ * rendered wavelength.
+ */
+public final class Plausibility {
+    /** Shortest wavelength of the model, meters. */
+    public static final double SHORTEST_WAVELENGTH = 380e-9;
+
+    /** Meters: |(u, v)| reaches 2, so spatial frequencies reach 2 / lambda, which by the sampling theorem need a pitch of lambda / 4. */
+    public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
+
+    /** Meters. Steps q scatter the share (k w q)^2 / 12 of the light at random: 0.2 % for 5 nm at the shortest wavelength and w = 2. */
+    private static final double COARSEST_STEP = 5e-9;
+
     /** Meters; a smaller patch has no diffraction orders of visible light. */
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
@@ -93,7 +106,7 @@ final class Plausibility {
             warnings.add("the relief of " + Lengths.format(map.relief()) + " is larger than the patch ("
                     + Lengths.format(side) + "): is the unit of the heights right?");
         }
-        SamplingCheck.heightStep(smallestStep(map)).ifPresent(warnings::add);
+        heightStep(smallestStep(map)).ifPresent(warnings::add);
         return warnings;
     }
 
@@ -126,10 +139,37 @@ final class Plausibility {
             return Optional.empty();
         }
         // The phase k w h deviates from its mean by at most k w relief / 2, at w = 2.
-        double phase = 2 * Math.PI * relief / SamplingCheck.SHORTEST_WAVELENGTH;
+        double phase = 2 * Math.PI * relief / SHORTEST_WAVELENGTH;
         return Optional.of(Text.format(
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
                         + " light; is the unit of the heights right?",
                 Lengths.rounded(relief, 4), 100 * phase * phase));
+    }
+
+    /** Returns a warning if the pitch exceeds {@link #COARSEST_PITCH} along an axis of several samples. */
+    public static Optional<String> pitch(HeightMap map) {
+        double pitchX = map.columns() > 1 ? map.pitchX() : 0;
+        double pitchY = map.rows() > 1 ? map.pitchY() : 0;
+        double coarsest = Math.max(pitchX, pitchY);
+        // 1e-9: rounding of a pitch of exactly lambda / 4 must not cause a warning.
+        if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
+            return Optional.empty();
+        }
+        return Optional.of("sampling too coarse: samples are " + Lengths.format(coarsest) + " apart along "
+                + (pitchX >= pitchY ? "x" : "y") + ", but light of " + Lengths.format(SHORTEST_WAVELENGTH)
+                + " sees structure down to " + Lengths.format(COARSEST_PITCH) + ", and lines closer than "
+                + Lengths.rounded(2 * coarsest, 3) + " show as lines farther apart; use a finer scan or expect wrong"
+                + " colors far from the specular direction, and false periods");
+    }
+
+    /** Returns a warning if integer samples have steps, in meters, above {@link #COARSEST_STEP}. */
+    static Optional<String> heightStep(double step) {
+        if (step <= COARSEST_STEP) {
+            return Optional.empty();
+        }
+        double phase = 2 * 2 * Math.PI / SHORTEST_WAVELENGTH * step;
+        return Optional.of("heights are coarse: one gray level is " + Lengths.format(step) + ", which scatters about "
+                + Decimals.rounded(100 * Math.min(1, phase * phase / 12), 2)
+                + " % of the light at random; use a 16-bit or float image");
     }
 }

@@ -48,4 +48,60 @@ public enum Edges {
         }
         return weights;
     }
+
+    /**
+     * Step between opposite borders of a repeated scan, along the axis where it is larger, as root mean squares in meters.
+     *
+     * @param jump step from one border to the opposite one
+     * @param inside step between neighbors inside the scan
+     * @param steepest step between the two neighboring columns or rows that differ most
+     */
+    public record Seam(double jump, double inside, double steepest) {
+        // Meters: a thousandth of the smallest relief that is read.
+        private static final double ROUNDING = 1e-15;
+        // Ratio of the jump to the steps inside that counts as fitting.
+        private static final double FITTING = 2;
+        // Ratio to the steepest step at which the jump counts as another wall of a grating.
+        private static final double ALIKE = 1.1;
+
+        public static Seam of(HeightMap field) {
+            double[] columns = new double[field.columns()];
+            double[] rows = new double[field.rows()];
+            for (int row = 0; row < rows.length; row++) {
+                for (int column = 0; column < columns.length; column++) {
+                    double here = field.at(column, row);
+                    double right = field.at((column + 1) % columns.length, row) - here;
+                    double below = field.at(column, (row + 1) % rows.length) - here;
+                    columns[column] += right * right / rows.length;
+                    rows[row] += below * below / columns.length;
+                }
+            }
+            Seam alongX = of(columns);
+            Seam alongY = of(rows);
+            return alongX.ratio() >= alongY.ratio() ? alongX : alongY;
+        }
+
+        /** @param squares mean squared steps from each column or row to the next, cyclic */
+        private static Seam of(double[] squares) {
+            int inside = squares.length - 1;
+            double sum = 0;
+            double steepest = 0;
+            for (int i = 0; i < inside; i++) {
+                sum += squares[i];
+                steepest = Math.max(steepest, squares[i]);
+            }
+            return inside == 0
+                    ? new Seam(0, 0, 0)
+                    : new Seam(Math.sqrt(squares[inside]), Math.sqrt(sum / inside), Math.sqrt(steepest));
+        }
+
+        public double ratio() {
+            return jump <= ROUNDING ? 0 : jump / inside;
+        }
+
+        /** True if the surface continues across the border as it does inside: smoothly, or with a wall like its others. */
+        public boolean fits() {
+            return ratio() <= FITTING || jump <= ALIKE * steepest;
+        }
+    }
 }

@@ -1,6 +1,11 @@
 package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.RealVector;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
@@ -79,5 +84,90 @@ public enum Leveling {
         double[] known =
                 Arrays.stream(heights, from, to).filter(Double::isFinite).toArray();
         return known.length == 0 ? 0 : StatUtils.percentile(known, 50);
+    }
+
+    /**
+     * Least-squares polynomial of heights, of degree 0 to 2 in x and y, which both run from -1 to 1 over the map. If all samples lie on one
+     * line, the pseudo-inverse yields the slope along it.
+     *
+     * @param offset height that is subtracted before the fit, so that it costs no digits
+     * @param coefficients factors of the first 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2, meters
+     */
+    private record Polynomial(HeightMap map, double offset, RealVector coefficients) {
+        private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
+        private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
+        private static final int HIGHEST = 2;
+
+        /** @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface */
+        static Polynomial fit(HeightMap map, int terms) {
+            double offset = Arrays.stream(map.heights())
+                    .filter(Double::isFinite)
+                    .findFirst()
+                    .orElse(0);
+            double[][] normal = new double[terms][terms];
+            double[] right = new double[terms];
+            double[][] moments = IntStream.range(0, map.rows())
+                    .parallel()
+                    .mapToObj(row -> moments(map, row, offset))
+                    .toArray(double[][]::new);
+            for (int row = 0; row < moments.length; row++) {
+                double y = relative(row, map.rows());
+                for (int j = 0; j < terms; j++) {
+                    right[j] += moments[row][2 * HIGHEST + 1 + POWERS_OF_X[j]] * Math.pow(y, POWERS_OF_Y[j]);
+                    for (int k = 0; k < terms; k++) {
+                        normal[j][k] += moments[row][POWERS_OF_X[j] + POWERS_OF_X[k]]
+                                * Math.pow(y, (double) POWERS_OF_Y[j] + POWERS_OF_Y[k]);
+                    }
+                }
+            }
+            RealVector fitted = new SingularValueDecomposition(new Array2DRowRealMatrix(normal))
+                    .getSolver()
+                    .solve(new ArrayRealVector(right));
+            return new Polynomial(map, offset, fitted);
+        }
+
+        /** Sums over a row of x^0 to x^4, then of the heights times x^0 to x^2. */
+        private static double[] moments(HeightMap map, int row, double offset) {
+            double[] sums = new double[3 * HIGHEST + 2];
+            for (int column = 0; column < map.columns(); column++) {
+                double height = map.at(column, row);
+                if (Double.isFinite(height)) {
+                    double x = relative(column, map.columns());
+                    double relative = height - offset;
+                    sums[0]++;
+                    sums[1] += x;
+                    sums[2] += x * x;
+                    sums[3] += x * x * x;
+                    sums[4] += x * x * x * x;
+                    sums[5] += relative;
+                    sums[6] += relative * x;
+                    sums[7] += relative * (x * x);
+                }
+            }
+            return sums;
+        }
+
+        /** Maps a column or row to [-1, 1]; 0 if there is only one. */
+        private static double relative(int index, int count) {
+            return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
+        }
+
+        HeightMap subtracted() {
+            double[] heights = map.heights().clone();
+            IntStream.range(0, map.rows()).parallel().forEach(row -> {
+                double[] rowCoefficients = new double[HIGHEST + 1];
+                for (int j = 0; j < coefficients.getDimension(); j++) {
+                    rowCoefficients[POWERS_OF_X[j]] +=
+                            coefficients.getEntry(j) * Math.pow(relative(row, map.rows()), POWERS_OF_Y[j]);
+                }
+                for (int column = 0, i = row * map.columns(); column < map.columns(); column++, i++) {
+                    double x = relative(column, map.columns());
+                    heights[i] = heights[i]
+                            - offset
+                            - (rowCoefficients[0] + x * (rowCoefficients[1] + x * rowCoefficients[2]));
+                }
+            });
+            return map.with(heights);
+        }
     }
 }

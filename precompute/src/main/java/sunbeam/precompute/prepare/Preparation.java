@@ -1,9 +1,12 @@
 package sunbeam.precompute.prepare;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Edges.Seam;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Lengths;
 
@@ -61,5 +64,86 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
 
     private static String rounded(double meters) {
         return Lengths.rounded(meters, 3);
+    }
+
+    /**
+     * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards, every sample becomes
+     * the average of its known neighbors, eight at most. Linear in the number of samples.
+     */
+    static final class MissingHeights {
+        private final int columns;
+        private final int rows;
+        private final double[] heights;
+
+        /** Heights without missing samples, and the number of filled ones. */
+        public record Filled(HeightMap field, int count) {}
+
+        private MissingHeights(HeightMap map) {
+            columns = map.columns();
+            rows = map.rows();
+            heights = map.heights().clone();
+        }
+
+        /**
+         * Fills the missing samples.
+         *
+         * @throws IllegalArgumentException when all samples are missing
+         */
+        public static Filled fill(HeightMap map) {
+            int known =
+                    (int) Arrays.stream(map.heights()).filter(Double::isFinite).count();
+            int missing = map.heights().length - known;
+            if (missing == 0) {
+                return new Filled(map, 0);
+            }
+            if (known == 0) {
+                throw new IllegalArgumentException("all " + missing + " samples are missing");
+            }
+            MissingHeights filling = new MissingHeights(map);
+            filling.fillRings();
+            return new Filled(map.with(filling.heights), missing);
+        }
+
+        private void fillRings() {
+            int[] ring = IntStream.range(0, heights.length)
+                    .filter(i -> !Double.isFinite(heights[i]) && neighbors(i, true).length > 0)
+                    .toArray();
+            while (ring.length > 0) {
+                double[] averages =
+                        Arrays.stream(ring).mapToDouble(this::averageOfKnown).toArray();
+                for (int i = 0; i < ring.length; i++) {
+                    heights[ring[i]] = averages[i];
+                }
+                ring = Arrays.stream(ring)
+                        .flatMap(i -> Arrays.stream(neighbors(i, false)))
+                        .distinct()
+                        .toArray();
+            }
+        }
+
+        private double averageOfKnown(int index) {
+            int[] known = neighbors(index, true);
+            double first = heights[known[0]];
+            // A large offset costs no digits.
+            return first
+                    + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
+        }
+
+        /** Without wrapping at the edges: the known neighbors, or the missing ones. */
+        private int[] neighbors(int index, boolean known) {
+            int row = index / columns;
+            int column = index % columns;
+            int[] found = new int[8];
+            int length = 0;
+            for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+                for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+                    int neighbor = r * columns + c;
+                    if (neighbor != index && Double.isFinite(heights[neighbor]) == known) {
+                        found[length++] = neighbor;
+                    }
+                }
+            }
+            return Arrays.copyOf(found, length);
+        }
     }
 }

@@ -1,5 +1,7 @@
 package sunbeam.precompute.setting;
 
+import java.util.function.Function;
+
 /** Source of a setting's value (an option, a file, a control). It formats complaints about the value. */
 public interface Origin {
     enum Place {
@@ -18,23 +20,24 @@ public interface Origin {
      * Returns an error message in one line. The value is the text at the source, or empty; the problem completes a sentence whose subject
      * is the value, such as "must be at least 1".
      */
-    String complaint(Setting<?> setting, String value, String problem);
+    default String complaint(Setting<?> setting, String value, String problem) {
+        return (name(setting) + " " + value).strip() + " " + problem;
+    }
 
     /** The program itself. It names a setting by the words of its key, such as {@code coherence length}. */
-    Origin PROGRAM = new Origin() {
-        @Override
-        public Place place() {
-            return Place.PROGRAM;
-        }
+    Origin PROGRAM = of(Place.PROGRAM, setting -> setting.words(" "));
 
-        @Override
-        public String name(Setting<?> setting) {
-            return setting.words(" ");
-        }
+    static Origin of(Place place, Function<Setting<?>, String> names) {
+        return new Origin() {
+            @Override
+            public Place place() {
+                return place;
+            }
 
-        @Override
-        public String complaint(Setting<?> setting, String value, String problem) {
-            return (name(setting) + " " + value).strip() + " " + problem;
-        }
-    };
+            @Override
+            public String name(Setting<?> setting) {
+                return names.apply(setting);
+            }
+        };
+    }
 }

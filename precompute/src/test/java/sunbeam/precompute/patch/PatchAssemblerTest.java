@@ -15,7 +15,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.precompute.fault.ScanFault;
+import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.fault.ScanFaults.ScanFault;
 
 /** Warnings about scans. */
 class PatchAssemblerTest {
@@ -89,5 +90,21 @@ class PatchAssemblerTest {
                                 .contains("between rows 24 and 25")
                                 .endsWith("; --level median-rows removes this"));
         assertThat(scan(stopped, LEVEL, "median-rows").faults()).hasSize(1);
+    }
+
+    @Test
+    void linesAreSyntheticWhereTheyAreTheSameAllAlongThem() {
+        assertThat(looksSynthetic((column, row) -> column < 16 ? 1e-7 : 0)).isTrue();
+        assertThat(looksSynthetic((column, row) -> 1e-7 * Math.cos(2 * Math.PI * row / 24)))
+                .isTrue();
+        assertThat(looksSynthetic((column, row) -> (column < 16 ? 1e-7 : 0) + 1e-9 * Math.sin(7.0 * column * row)))
+                .isFalse();
+        assertThat(looksSynthetic((column, row) -> 0)).isFalse();
+        assertThat(looksSynthetic((column, row) -> row == 0 && column == 7 ? Double.NaN : 1e-9 * column))
+                .isFalse();
+    }
+
+    private static boolean looksSynthetic(Surfaces.Samples samples) {
+        return PatchAssembler.looksSynthetic(Surfaces.sampled(32, 24, 100e-9, samples));
     }
 }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.patch.PatchLoader.PatchDescriptor;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.setting.SettingException;
 

@@ -1,13 +1,13 @@
 package sunbeam.precompute.patch;
 
+import sunbeam.precompute.patch.PatchLoader.HeightCache;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.OptionWords;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /** Patches as options of a command line request them. */
 final class PatchRequests {
-    private static final Origin OPTION = OptionWords.INSTANCE;
+    private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
 
     private PatchRequests() {}
 

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Preparation.MissingHeights;
 
 class MissingHeightsTest {
     private static final double NAN = Double.NaN;

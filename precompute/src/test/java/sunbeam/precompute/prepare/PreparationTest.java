@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.Edges.Seam;
 
 class PreparationTest {
     private static final int COLUMNS = 80;
@@ -141,18 +142,5 @@ class PreparationTest {
         assertThat(prepared.steps().get(4)).startsWith("edges blended over 300 nm x 300 nm");
         assertThat(prepared.missing()).isEqualTo(1);
         assertThat(prepared.surface().heights()).doesNotContain(Double.NaN);
-    }
-
-    @Test
-    void linesAreDrawnWhereTheyAreTheSameAllAlongThem() {
-        assertThat(OnePeriod.looksSynthetic(field(i -> i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0)))
-                .isTrue();
-        assertThat(OnePeriod.looksSynthetic(field(i -> 1e-7 * Math.cos(2 * Math.PI * row(i) / ROWS))))
-                .isTrue();
-        HeightMap terrace = field(i -> (i % COLUMNS < COLUMNS / 2 ? 1e-7 : 0) + 0.01 * rough(i));
-        assertThat(OnePeriod.looksSynthetic(terrace)).isFalse();
-        assertThat(OnePeriod.looksSynthetic(field(i -> 0))).isFalse();
-        assertThat(OnePeriod.looksSynthetic(field(i -> i == 7 ? Double.NaN : 1e-9 * (i % COLUMNS))))
-                .isFalse();
     }
 }

@@ -11,7 +11,7 @@ class ChoicesTest {
             new Setting<>("coherenceLength", ValueKind.length(100e-9, 10e-3), "The window's size.");
     private static final Setting<Integer> TERMS = new Setting<>("terms", ValueKind.integer("N", 1, 500), "How many.");
 
-    private static final Origin OPTION = OptionWords.INSTANCE;
+    private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
 
     @Test
     void storesTheChosenValuesOnly() {

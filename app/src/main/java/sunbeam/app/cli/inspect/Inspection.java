@@ -21,7 +21,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.patch.SamplingCheck;
+import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -113,7 +113,7 @@ record Inspection(
         if (period.isSeen()) {
             lines.add("period    " + period.describe());
         }
-        SamplingCheck.pitch(map).ifPresent(coarse -> lines.add("pitch     " + coarse));
+        Plausibility.pitch(map).ifPresent(coarse -> lines.add("pitch     " + coarse));
         return lines;
     }
 
@@ -133,9 +133,9 @@ record Inspection(
                 "pitch     %s x %s: %s",
                 rounded(map.pitchX()),
                 rounded(map.pitchY()),
-                SamplingCheck.pitch(map)
-                        .orElse("fine enough for light of " + Lengths.format(SamplingCheck.SHORTEST_WAVELENGTH)
-                                + ", which needs " + Lengths.format(SamplingCheck.COARSEST_PITCH))));
+                Plausibility.pitch(map)
+                        .orElse("fine enough for light of " + Lengths.format(Plausibility.SHORTEST_WAVELENGTH)
+                                + ", which needs " + Lengths.format(Plausibility.COARSEST_PITCH))));
         lines.add("model     " + slopes.describe());
         limit.line().ifPresent(said -> lines.add("light     " + said.in(OptionOrigin.INSTANCE)));
         plan().ifPresent(summary -> lines.add("plan      " + summary));
@@ -162,7 +162,7 @@ record Inspection(
         fields.put("rows", map.rows());
         fields.put("width_m", map.width());
         fields.put("height_m", map.height());
-        fields.put("sampling_is_fine_enough", SamplingCheck.pitch(map).isEmpty());
+        fields.put("sampling_is_fine_enough", Plausibility.pitch(map).isEmpty());
         fields.put("relief_m", map.relief());
         fields.put("roughness_m", roughness());
         fields.put("rms_slope", slopes.rmsSlope());

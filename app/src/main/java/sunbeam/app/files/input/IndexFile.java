@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.NavigableMap;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.units.Decimals;
 
@@ -17,6 +16,7 @@ public final class IndexFile {
     private static final long LARGEST_BYTES = 1 << 20;
     private static final double FIRST_NM = 380;
     private static final double LAST_NM = 780;
+    private static final double ROUNDING = 1e-6;
 
     private IndexFile() {}
 
@@ -52,8 +52,8 @@ public final class IndexFile {
             for (int column = 1; column < header.size(); column++) {
                 double value = number(file, number, fields.get(column));
                 switch (header.get(column)) {
-                    case "n" -> real.put(wavelength, value);
-                    case "k" -> imaginary.put(wavelength, value);
+                    case "n" -> real.put(wavelength * 1e-6, value);
+                    case "k" -> imaginary.put(wavelength * 1e-6, value);
                     default -> throw unusable(file, number, "column '" + header.get(column) + "' is neither n nor k");
                 }
             }
@@ -67,29 +67,11 @@ public final class IndexFile {
         if (!imaginary.isEmpty()) {
             requireVisible(file, "k", imaginary);
         }
-        TreeSet<Double> wavelengths = new TreeSet<>(real.keySet());
-        wavelengths.addAll(imaginary.keySet());
-        double[] meters = wavelengths.stream().mapToDouble(wl -> wl * 1e-6).toArray();
-        double[] n = wavelengths.stream().mapToDouble(wl -> at(real, wl)).toArray();
-        double[] k = wavelengths.stream()
-                .mapToDouble(wl -> imaginary.isEmpty() ? 0 : at(imaginary, wl))
-                .toArray();
         try {
-            return RefractiveIndex.tabulated(meters, n, k);
+            return new RefractiveIndex(real, imaginary);
         } catch (IllegalArgumentException wrong) {
             throw new InputException("cannot use " + file + ": " + wrong.getMessage(), wrong);
         }
-    }
-
-    static double at(NavigableMap<Double, Double> values, double wavelength) {
-        var below = values.floorEntry(wavelength);
-        var above = values.ceilingEntry(wavelength);
-        if (below == null || above == null) {
-            return (below == null ? above : below).getValue();
-        }
-        double gap = above.getKey() - below.getKey();
-        double share = gap > 0 ? (wavelength - below.getKey()) / gap : 0;
-        return below.getValue() + share * (above.getValue() - below.getValue());
     }
 
     private static void requireVisible(Path file, String column, NavigableMap<Double, Double> values) {
@@ -97,9 +79,9 @@ public final class IndexFile {
             throw new InputException("cannot use " + file + ": it has no column " + column
                     + "; export it from refractiveindex.info as CSV, with the header wl,n");
         }
-        double first = 1e3 * values.firstKey();
-        double last = 1e3 * values.lastKey();
-        if (first > FIRST_NM || last < LAST_NM) {
+        double first = 1e9 * values.firstKey();
+        double last = 1e9 * values.lastKey();
+        if (first > FIRST_NM + ROUNDING || last < LAST_NM - ROUNDING) {
             throw new InputException("cannot use " + file + ": its " + column + " reaches from " + Math.round(first)
                     + " to " + Math.round(last) + " nm, but 380 to 780 nm are needed (wavelengths are in micrometers)");
         }

@@ -22,6 +22,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -103,7 +104,9 @@ public final class LightTable {
         }
         double from = Math.max(nanometers - 1, powers.firstKey());
         double to = Math.min(nanometers + 1, powers.lastKey());
-        return hasCloseRows(powers, from, to) ? mean(powers, nanometers, from, to) : IndexFile.at(powers, nanometers);
+        return hasCloseRows(powers, from, to)
+                ? mean(powers, nanometers, from, to)
+                : Lagrange.between(powers, nanometers);
     }
 
     private static boolean hasCloseRows(NavigableMap<Double, Double> powers, double from, double to) {
@@ -132,7 +135,7 @@ public final class LightTable {
             double start = ends.lower(end);
             for (double at : List.of(start, 0.5 * (start + end), end)) {
                 double share = (end - start) * (1 - Math.abs(at - middle)) * (at == start || at == end ? 1 : 4);
-                sum += share * IndexFile.at(powers, at);
+                sum += share * Lagrange.between(powers, at);
                 weight += share;
             }
         }

@@ -35,11 +35,6 @@ public enum ControlOrigin implements Origin {
         return CAPTIONS.getOrDefault(setting, words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1));
     }
 
-    @Override
-    public String complaint(Setting<?> setting, String value, String problem) {
-        return (name(setting) + " " + value).strip() + " " + problem;
-    }
-
     /** Returns a control's tooltip: effect, unit and limits of the setting, then {@code more}, a text about the control. */
     String tip(Setting<?> setting, String more) {
         ValueKind<?> kind = setting.kind();

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.DirectionList;
@@ -66,8 +67,7 @@ class EvaluatorTest {
 
     @Test
     void anIndexByWavelengthIsTakenAtTheRowsWavelength() throws IOException {
-        RefractiveIndex index =
-                RefractiveIndex.tabulated(new double[] {380e-9, 780e-9}, new double[] {1.5, 3.5}, new double[] {0, 0});
+        RefractiveIndex index = new RefractiveIndex(new TreeMap<>(Map.of(380e-9, 1.5, 780e-9, 3.5)), new TreeMap<>());
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");
         List<double[]> rows = evaluator(list)
                 .indexed(index, CieTable.load(), List.of(new double[] {1, 1, 1, 1}, new double[] {1, 1, 1, 1}));

@@ -5,32 +5,32 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.HeightMap;
 
-class SamplingCheckTest {
+class PlausibilityTest {
     @Test
     void isSilentUpToAQuarterOfTheShortestWavelength() {
-        assertThat(SamplingCheck.pitch(map(2, 2, 95e-9, 95e-9))).isEmpty();
+        assertThat(Plausibility.pitch(map(2, 2, 95e-9, 95e-9))).isEmpty();
         // 95 nm that come out of a division.
-        assertThat(SamplingCheck.pitch(map(3, 3, 3 * 95e-9 / 3, 95.00000000001e-9)))
+        assertThat(Plausibility.pitch(map(3, 3, 3 * 95e-9 / 3, 95.00000000001e-9)))
                 .isEmpty();
     }
 
     @Test
     void namesAPitchThatIsTooCoarseAndItsAxis() {
-        assertThat(SamplingCheck.pitch(map(2, 2, 120e-9, 50e-9)).orElseThrow())
+        assertThat(Plausibility.pitch(map(2, 2, 120e-9, 50e-9)).orElseThrow())
                 .contains("too coarse", "120 nm", "along x", "95 nm", "380 nm");
-        assertThat(SamplingCheck.pitch(map(2, 2, 50e-9, 96e-9)).orElseThrow()).contains("96 nm", "along y");
+        assertThat(Plausibility.pitch(map(2, 2, 50e-9, 96e-9)).orElseThrow()).contains("96 nm", "along y");
     }
 
     @Test
     void doesNotJudgeAnAxisWithASingleSample() {
-        assertThat(SamplingCheck.pitch(map(4, 1, 50e-9, 1e-6))).isEmpty();
-        assertThat(SamplingCheck.pitch(map(1, 4, 1e-6, 50e-9))).isEmpty();
+        assertThat(Plausibility.pitch(map(4, 1, 50e-9, 1e-6))).isEmpty();
+        assertThat(Plausibility.pitch(map(1, 4, 1e-6, 50e-9))).isEmpty();
     }
 
     @Test
     void warnsOfGrayLevelsThatAreHighSteps() {
-        assertThat(SamplingCheck.heightStep(818.69e-9 / 255)).isEmpty();
-        assertThat(SamplingCheck.heightStep(5e-6 / 255).orElseThrow()).contains("19.6078 nm", "16-bit");
+        assertThat(Plausibility.heightStep(818.69e-9 / 255)).isEmpty();
+        assertThat(Plausibility.heightStep(5e-6 / 255).orElseThrow()).contains("19.6078 nm", "16-bit");
     }
 
     private static HeightMap map(int columns, int rows, double pitchX, double pitchY) {
