@@ -4,7 +4,7 @@
 // Always 2; a constant would be unrolled.
 uniform int loopProbe;
 
-// Marks a result with a partial sum; sunbeam.app.gpu.LoopLimit refuses it.
+// Marks a result with a partial sum; sunbeam.app.gpu.UploadedTables refuses it.
 const float LOOPS_CUT = -1e30;
 
 #ifdef FEW_LOOP_STEPS

@@ -3,8 +3,10 @@ package sunbeam.app.gpu;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import jrtr.GraphicsException;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -13,6 +15,10 @@ import sunbeam.precompute.shader.TableArray;
 
 /** A method's tables in graphics memory, for any program that includes the method. Owns its textures. */
 public final class UploadedTables implements AutoCloseable {
+    // The shaders' mark LOOPS_CUT is -1e30. Weighted and added to other light it stays below this limit; valid results
+    // stay above it.
+    private static final float LARGEST_PARTIAL_SUM = -1e20f;
+
     private final RenderContext context;
     private final ShaderTables tables;
     private final Map<String, Texture> textures = new HashMap<>();
@@ -25,17 +31,16 @@ public final class UploadedTables implements AutoCloseable {
     /**
      * Uploads tables, layer by layer.
      *
-     * @throws jrtr.GraphicsException if the device has no room for them
+     * @throws GraphicsException if the device has no room for them
      */
     public static UploadedTables upload(RenderContext context, ShaderTables tables) {
         UploadedTables uploaded = new UploadedTables(context, tables);
-        try {
-            tables.arrays().forEach(uploaded::upload);
-            return uploaded;
-        } catch (RuntimeException | Error failure) {
-            uploaded.close();
-            throw failure;
-        }
+        return Resource.orClose(
+                () -> {
+                    tables.arrays().forEach(uploaded::upload);
+                    return uploaded;
+                },
+                uploaded::close);
     }
 
     private void upload(TableArray array) {
@@ -113,5 +118,22 @@ public final class UploadedTables implements AutoCloseable {
     @Override
     public void close() {
         textures.values().forEach(Texture::close);
+    }
+
+    /**
+     * Returns a shader's results, unchanged. Drivers may end loops early; shaders mark such partial sums (shaders/include/loops.glsl).
+     *
+     * @throws GraphicsException if one of them is a partial sum
+     */
+    public static float[] requireWholeSums(float[] results) {
+        for (float result : results) {
+            if (result < LARGEST_PARTIAL_SUM) {
+                throw new GraphicsException(
+                        "the graphics driver ended a shader's loops before they were done, as Mesa's"
+                                + " software renderer does after 65,535 steps, and what they summed is wrong; give a coarser tolerance,"
+                                + " method table, a longer coherence length or a smaller neighborhood");
+            }
+        }
+        return results;
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import sunbeam.app.gpu.picture.PictureParameters;
+import sunbeam.app.files.input.PngText;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
@@ -84,7 +84,7 @@ public final class FrameText {
         text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", renderer);
-        text.put(PictureParameters.KEYWORD, identity(scene));
+        text.put(PngText.PARAMETERS, identity(scene));
         return text;
     }
 }

@@ -6,7 +6,7 @@ import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
-import sunbeam.app.gpu.LoopLimit;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
 
@@ -52,7 +52,7 @@ final class PackedShading implements AutoCloseable {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, stride);
-            float[] drawn = LoopLimit.checked(shade(skin, request, buffer, packing));
+            float[] drawn = UploadedTables.requireWholeSums(shade(skin, request, buffer, packing));
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
@@ -106,7 +106,7 @@ final class PackedShading implements AutoCloseable {
             if (draws == 1) {
                 return drawn;
             }
-            LoopLimit.checked(drawn);
+            UploadedTables.requireWholeSums(drawn);
             for (int i = 0; i < sums.length; i++) {
                 sums[i] += drawn[i];
             }

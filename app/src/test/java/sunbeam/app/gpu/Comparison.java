@@ -1,18 +1,29 @@
 package sunbeam.app.gpu;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
-import sunbeam.app.gpu.directions.DirectionsRenderer;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
+import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator;
@@ -22,10 +33,11 @@ import sunbeam.precompute.table.FourierTable;
 import sunbeam.precompute.table.PatchIdentity;
 import sunbeam.precompute.table.TableBuilder;
 
-/** One surface under one request, by method {@code full} on the GPU and by the reference. */
+/** One surface by method {@code full}, coherent average, on the GPU and by the reference. */
 final class Comparison {
+    static final double TOLERANCE = 1e-3;
     /** Power below this counts as none: a tenth of the stray light in any instrument. */
-    static final double FAINTEST = 1e-9;
+    private static final double FAINTEST = 1e-9;
 
     private final RenderContext context;
     private final HeightMap map;
@@ -33,17 +45,15 @@ final class Comparison {
     private final CieTable cie = CieTable.load();
     private final ReferenceEvaluator reference;
 
-    Comparison(RenderContext context, HeightMap map, FullMethod method) {
+    Comparison(RenderContext context, HeightMap map, double coherenceLength) {
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         this.context = context;
         this.map = map;
-        this.full = method;
-        this.reference = new ReferenceEvaluator(
-                map, method.area().window(), method.area().origin());
-    }
-
-    SpectrumPlan plan(List<Query> queries) {
-        List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
-        return new Planner(map, HeightLevels.of(map), cie).plan(full.table(), full.area(), VisibleRange.of(pairs));
+        this.full = new FullMethod(
+                new TableChoices(
+                        Optional.of(TOLERANCE), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty()),
+                new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT));
+        this.reference = new ReferenceEvaluator(map, window, WindowOrigin.CENTRE);
     }
 
     /** Coherent power, ensemble power, rho and brdf of each query, from the shaders. */
@@ -51,14 +61,10 @@ final class Comparison {
         return evaluate(queries, true);
     }
 
-    /** X, Y, Z of power and the gain of each direction, from the shaders. */
-    List<float[]> colors(List<DirectionPair> pairs) {
-        return evaluate(pairs.stream().map(g -> new Query(g, 0)).toList(), false);
-    }
-
     private List<float[]> evaluate(List<Query> queries, boolean spectral) {
-        SpectrumPlan plan = plan(queries);
+        List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
         HeightLevels heights = HeightLevels.of(map);
+        SpectrumPlan plan = new Planner(map, heights, cie).plan(full.table(), full.area(), VisibleRange.of(pairs));
         PatchIdentity identity =
                 new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
         FourierTable table =
@@ -71,46 +77,84 @@ final class Comparison {
         }
     }
 
-    /** Errors of the power, of the average that the request names, where there is any. */
-    Errors powerErrors(List<Query> queries) {
-        boolean ensemble = ensemble();
+    /** Asserts the promise of {@code --tolerance} for the power, where there is any. */
+    void assertPowers(List<Query> queries, double tolerance) {
         List<float[]> computed = spectral(queries);
-        double[] errors = IntStream.range(0, queries.size())
+        assertWithin(tolerance, queries.size(), i -> {
+            double exact = reference
+                    .powers(queries.get(i).pair(), queries.get(i).wavelength())
+                    .coherent();
+            return exact < FAINTEST ? -1 : Math.abs(computed.get(i)[0] - exact) / exact;
+        });
+    }
+
+    /** Asserts the promise of {@code --tolerance} for the colors as vectors, where there is any power. */
+    void assertColors(List<Query> queries, double tolerance) {
+        List<float[]> computed = evaluate(queries, false);
+        ExactLight light = new WindowLight(reference, cie, false);
+        assertWithin(tolerance, queries.size(), i -> {
+            double[] exact = light.xyz(queries.get(i).pair(), ExactLight.Quadrature.INTEGRATED);
+            double difference = 0;
+            double length = 0;
+            for (int c = 0; c < 3; c++) {
+                difference += Math.pow(computed.get(i)[c] - exact[c], 2);
+                length += Math.pow(exact[c], 2);
+            }
+            return Math.sqrt(length) < FAINTEST ? -1 : Math.sqrt(difference / length);
+        });
+    }
+
+    /** @param relative error by number; negative where there is nothing to compare */
+    static void assertWithin(double tolerance, int count, IntToDoubleFunction relative) {
+        ErrorStatistics errors = ErrorStatistics.of(IntStream.range(0, count)
                 .parallel()
-                .mapToDouble(i -> {
-                    Query query = queries.get(i);
-                    ReferenceEvaluator.Power exact = reference.powers(query.pair(), query.wavelength());
-                    double wanted = ensemble ? exact.ensemble() : exact.coherent();
-                    return wanted < FAINTEST ? -1 : Math.abs(computed.get(i)[ensemble ? 1 : 0] - wanted) / wanted;
-                })
+                .mapToDouble(relative)
                 .filter(error -> !(error < 0))
-                .toArray();
-        return Errors.of(errors);
+                .toArray());
+        assertThat(errors.count()).isGreaterThan(4);
+        assertThat(errors.keep(tolerance)).as(errors.toString()).isTrue();
     }
 
-    /** Errors of the colors as vectors, where there is any power. */
-    Errors colorErrors(List<DirectionPair> pairs) {
-        List<float[]> computed = colors(pairs);
-        ExactLight light = new WindowLight(reference, cie, ensemble());
-        double[] errors = IntStream.range(0, pairs.size())
-                .parallel()
-                .mapToDouble(i -> relative(computed.get(i), light.xyz(pairs.get(i), ExactLight.Quadrature.INTEGRATED)))
-                .filter(error -> !(error < 0))
-                .toArray();
-        return Errors.of(errors);
+    /** Both directions anywhere in the hemisphere, evenly in the disc, and any visible wavelength. */
+    static List<Query> anywhere(long seed, int count) {
+        SplittableRandom random = new SplittableRandom(seed);
+        return IntStream.range(0, count)
+                .mapToObj(i -> new Query(
+                        new DirectionPair(direction(random), direction(random)), 380e-9 + 400e-9 * random.nextDouble()))
+                .toList();
     }
 
-    private boolean ensemble() {
-        return full.area().average() == Average.ENSEMBLE;
+    private static Direction direction(SplittableRandom random) {
+        double r = Math.sqrt(random.nextDouble());
+        double phi = 2 * Math.PI * random.nextDouble();
+        return Direction.ofDisc(r * Math.cos(phi), r * Math.sin(phi));
     }
 
-    private static double relative(float[] computed, double[] exact) {
-        double difference = 0;
-        double length = 0;
-        for (int c = 0; c < 3; c++) {
-            difference += (computed[c] - exact[c]) * (computed[c] - exact[c]);
-            length += exact[c] * exact[c];
+    /**
+     * Light in the xz plane, and the view that sees a frequency.
+     *
+     * @param thetaDegrees angle of the light to the normal, towards +x
+     * @param fx u / lambda, cycles per meter
+     * @param fy v / lambda, cycles per meter
+     */
+    static Query seeing(double thetaDegrees, double fx, double fy, double wavelength) {
+        Direction light = Direction.ofDegrees(thetaDegrees, 0);
+        Direction view = Direction.ofDisc(-fx * wavelength - light.x(), -fy * wavelength - light.y());
+        return new Query(new DirectionPair(light, view), wavelength);
+    }
+
+    /** Heights by position in meters; x to the right, y upwards, both 0 at the top left sample. */
+    static HeightMap heights(int columns, int rows, double pitch, DoubleBinaryOperator height) {
+        double[] heights = new double[columns * rows];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = height.applyAsDouble(i % columns * pitch, -(i / columns) * pitch);
         }
-        return Math.sqrt(length) < FAINTEST ? -1 : Math.sqrt(difference / length);
+        return new HeightMap(columns, rows, pitch, pitch, heights);
+    }
+
+    /** Independent heights, spread evenly over the relief. */
+    static HeightMap noise(int columns, int rows, double relief, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        return heights(columns, rows, 50e-9, (x, y) -> random.nextDouble() * relief);
     }
 }

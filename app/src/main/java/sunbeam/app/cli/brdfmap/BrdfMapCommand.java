@@ -42,7 +42,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.map.DiscDirections;
+import sunbeam.app.gpu.DiscDirections;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;

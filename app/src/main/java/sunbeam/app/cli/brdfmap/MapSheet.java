@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.plot.MapAnnotation;
-import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.ScanLimit;

@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import sunbeam.app.cli.export.TensorFile.Field;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.errors.Comparison;

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.cli.report.ReportFields;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.colortable.BakeToken;

@@ -17,8 +17,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -145,7 +145,7 @@ public final class ResumeOption {
 
     /** Adds to a picture's text the entries that {@link #finished} reads. */
     public static void note(Map<String, String> text, String identity, ExitCode code) {
-        text.put(PictureParameters.KEYWORD, identity);
+        text.put(PngText.PARAMETERS, identity);
         text.put(EXIT_CODE, Integer.toString(code.code()));
     }
 
@@ -160,7 +160,7 @@ public final class ResumeOption {
         if (!resume) {
             return OptionalInt.empty();
         }
-        Optional<Integer> code = PictureParameters.find(picture, identity)
+        Optional<Integer> code = PngText.find(picture, identity)
                 .filter(text -> linear.isEmpty()
                         || addFile(new Sha256(), linear.get()).hex().equals(text.get(LINEAR_HASH)))
                 .map(text -> text.getOrDefault(EXIT_CODE, ""))

@@ -21,7 +21,6 @@ import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.picture.PictureParameters;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.render.DrawRequest;
@@ -102,8 +101,8 @@ public final class FrameSequence implements AutoCloseable {
     List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
         List<Boolean> missing = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
-            boolean done = PictureParameters.find(files.get(i), text.identity(scenes.get(i)))
-                    .isPresent();
+            boolean done =
+                    PngText.find(files.get(i), text.identity(scenes.get(i))).isPresent();
             if (!done && overwrite == Overwrite.REFUSE && Files.exists(files.get(i))) {
                 throw new OutputExistsException("cannot write " + files.get(i)
                         + ": it exists with other parameters; add --force to replace it");

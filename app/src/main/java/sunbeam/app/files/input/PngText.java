@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 import sunbeam.precompute.text.Quoted;
@@ -23,7 +24,23 @@ public final class PngText {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final int LONGEST_TEXT_BYTES = 1 << 20;
 
+    /** Keyword of the text with the hash of a picture's parameters. */
+    public static final String PARAMETERS = "Parameters";
+
     private PngText() {}
+
+    /** Returns the texts of a picture whose parameters have this hash; empty if the file is missing, damaged or has another hash. */
+    public static Optional<Map<String, String>> find(Path file, String hash) {
+        if (!Files.exists(file)) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(read(file)).filter(text -> hash.equals(text.get(PARAMETERS)));
+        } catch (InputException unreadable) {
+            // Not this picture; the caller decides whether to replace the file.
+            return Optional.empty();
+        }
+    }
 
     /**
      * Returns the texts by keyword, in the file's order.

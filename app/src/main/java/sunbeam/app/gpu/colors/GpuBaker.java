@@ -8,7 +8,6 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import sunbeam.app.gpu.LoopLimit;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -82,7 +81,7 @@ public final class GpuBaker implements ColorBaker {
         // The tile's y counts rows from the top, the texture's from the bottom.
         Tile tile = new Tile(0, SIDE - rows, SIDE, rows);
         context.drawFullScreen(program, textures, target, tile);
-        float[] rgba = LoopLimit.checked(target.read(0, tile));
+        float[] rgba = UploadedTables.requireWholeSums(target.read(0, tile));
         for (int i = 0; i < count; i++) {
             int row = rows - 1 - MortonOrder.y(i);
             System.arraycopy(rgba, 4 * (row * SIDE + MortonOrder.x(i)), xyz, 3 * (start + i), 3);

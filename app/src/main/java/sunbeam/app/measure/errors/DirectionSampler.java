@@ -3,7 +3,7 @@ package sunbeam.app.measure.errors;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
-import sunbeam.app.gpu.directions.DirectionsRenderer.Query;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;

@@ -7,7 +7,6 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import sunbeam.app.cli.options.MethodOptions;
-import sunbeam.app.gpu.map.MapCaption;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;

@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.map;
+package sunbeam.app.gpu;
 
 import java.util.Optional;
 import java.util.function.LongConsumer;
@@ -9,7 +9,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
-import sunbeam.app.gpu.LoopLimit;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
@@ -58,7 +58,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** Draws the map and leaves it on the device. */
     public void draw(Direction light, LongConsumer progress) {
-        MapTiles tiles = new MapTiles(size);
+        Tiles tiles = new Tiles(size);
         double secondsPerPixel = Double.POSITIVE_INFINITY;
         for (Optional<Tile> tile = tiles.next(secondsPerPixel); tile.isPresent(); tile = tiles.next(secondsPerPixel)) {
             long start = System.nanoTime();
@@ -79,7 +79,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
 
     /** Returns the drawn map: linear XYZ of rho, NaN outside the disc. */
     public LinearPicture picture() {
-        return LinearPicture.ofRgba(size, size, LoopLimit.checked(target.read(0)));
+        return LinearPicture.ofRgba(size, size, UploadedTables.requireWholeSums(target.read(0)));
     }
 
     public int coveredPixels() {
@@ -91,5 +91,50 @@ public final class BrdfMapRenderer implements AutoCloseable {
     public void close() {
         target.close();
         program.close();
+    }
+
+    /**
+     * Tiles in which a map is drawn, from top to bottom: small at first, then sized by the measured time per pixel. Tiles must not be too
+     * small, since waiting for a draw takes as long as some thousand pixels of a fast method.
+     */
+    private static final class Tiles {
+        // Side of the first tile, in pixels: four of llvmpipe's blocks of 64 x 64 pixels, each of which one processor
+        // draws. With a method of 0.12 ms per pixel the tile takes two seconds.
+        private static final int SIDE = 128;
+
+        // Target time of a tile. It may take five times as long: the first tiles are in the corners, whose pixels are
+        // faster than those of the disc.
+        private static final double BUDGET_SECONDS = 0.1;
+
+        private final int size;
+        private int left;
+        private int top;
+        private int height;
+
+        Tiles(int size) {
+            this.size = size;
+            this.height = Math.min(SIDE, size);
+        }
+
+        /** Returns the next tile, sized by the last one's seconds per pixel (infinity at first); empty after the last. */
+        Optional<Tile> next(double secondsPerPixel) {
+            if (top >= size) {
+                return Optional.empty();
+            }
+            double pixels = BUDGET_SECONDS / secondsPerPixel;
+            if (left == 0) {
+                int affordable = (int) Math.min(size, pixels / size) / SIDE * SIDE;
+                height = Math.min(Math.max(SIDE, affordable), size - top);
+            }
+            int rest = size - left;
+            int width = (double) rest * height <= pixels ? rest : Math.min(SIDE, rest);
+            Tile tile = new Tile(left, top, width, height);
+            left += width;
+            if (left == size) {
+                left = 0;
+                top += height;
+            }
+            return Optional.of(tile);
+        }
     }
 }

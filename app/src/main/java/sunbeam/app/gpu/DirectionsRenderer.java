@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.directions;
+package sunbeam.app.gpu;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -11,7 +11,7 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import sunbeam.app.gpu.LoopLimit;
+import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -70,7 +70,7 @@ public final class DirectionsRenderer implements AutoCloseable {
                 List<Query> batch = queries.subList(start, Math.min(queries.size(), start + BATCH));
                 texture.upload(texels(batch));
                 context.drawFullScreen(program, textures, target, new Tile(0, 0, batch.size(), 1));
-                float[] rgba = LoopLimit.checked(target.read(0, new Tile(0, 0, batch.size(), 1)));
+                float[] rgba = UploadedTables.requireWholeSums(target.read(0, new Tile(0, 0, batch.size(), 1)));
                 for (int i = 0; i < batch.size(); i++) {
                     results.add(new float[] {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]});
                 }

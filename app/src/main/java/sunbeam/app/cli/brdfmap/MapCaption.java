@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.map;
+package sunbeam.app.cli.brdfmap;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -16,7 +16,7 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** Caption of an annotated map: patch, light, material, window, exposure. */
-public final class MapCaption {
+final class MapCaption {
     private MapCaption() {}
 
     /**
@@ -26,7 +26,7 @@ public final class MapCaption {
      * @param index refractive index as text
      * @param limiting length of the scan's side to which the coherence length was limited, as text
      */
-    public record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {}
+    record Remarks(Optional<String> spectrum, Optional<String> index, Optional<String> limiting) {}
 
     /**
      * Returns one paragraph for the patch and one for light and window.
@@ -34,7 +34,7 @@ public final class MapCaption {
      * @param light towards the light
      * @param coherenceLength four standard deviations of the window that was drawn with, meters
      */
-    public static List<String> of(
+    static List<String> of(
             Patch patch, Direction light, double coherenceLength, Method method, Remarks remarks) {
         HeightMap map = patch.heights();
         String surface = Text.format(
@@ -56,7 +56,7 @@ public final class MapCaption {
         return List.of(surface, lit);
     }
 
-    public static List<String> with(List<String> caption, String paragraph) {
+    static List<String> with(List<String> caption, String paragraph) {
         List<String> all = new ArrayList<>(caption);
         all.add(paragraph);
         return all;

@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.picture;
+package sunbeam.app.files.input;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -14,7 +14,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 
 /** {@code figures} and {@code render --resume} keep only undamaged pictures with unchanged parameters. */
-class PictureParametersTest {
+class PngTextTest {
     private static final String HASH = "0123";
 
     @TempDir
@@ -23,15 +23,15 @@ class PictureParametersTest {
     private Path picture() {
         Path file = folder.resolve("picture.png");
         BufferedImage image = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
-        PngWriter.write(file, Overwrite.REPLACE, image, Map.of(PictureParameters.KEYWORD, HASH));
+        PngWriter.write(file, Overwrite.REPLACE, image, Map.of(PngText.PARAMETERS, HASH));
         return file;
     }
 
     @Test
     void aPictureIsKnownByTheHashOfWhatDeterminesIt() {
-        assertThat(PictureParameters.find(picture(), HASH)).isPresent();
-        assertThat(PictureParameters.find(picture(), "4567")).isEmpty();
-        assertThat(PictureParameters.find(folder.resolve("none.png"), HASH)).isEmpty();
+        assertThat(PngText.find(picture(), HASH)).isPresent();
+        assertThat(PngText.find(picture(), "4567")).isEmpty();
+        assertThat(PngText.find(folder.resolve("none.png"), HASH)).isEmpty();
     }
 
     @Test
@@ -42,6 +42,6 @@ class PictureParametersTest {
         bytes[pixels + 8] ^= 1;
         Files.write(file, bytes);
 
-        assertThat(PictureParameters.find(file, HASH)).isEmpty();
+        assertThat(PngText.find(file, HASH)).isEmpty();
     }
 }

@@ -1,4 +1,4 @@
-package sunbeam.app.gpu.map;
+package sunbeam.app.gpu;
 
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;

@@ -1,2 +1,0 @@
-/** Evaluates lists of directions by the shaders. */
-package sunbeam.app.gpu.directions;
