@@ -1,7 +1,7 @@
 #include "include/average.glsl"
 #include "include/expansion.glsl"
 
-// Interpolation of spectra that were windowed and resampled beforehand (sunbeam.precompute.resample).
+// Interpolation of spectra that were windowed and resampled beforehand (sunbeam.precompute.spectrum).
 
 // KERNEL_AT_PLACE: expression for the weights of the TAPS taps by place, the position between two samples from -1 to 1: polynomials without
 // a loop, since drivers limit iterations (include/loops.glsl).

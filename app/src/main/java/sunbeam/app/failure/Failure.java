@@ -15,7 +15,7 @@ import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.shader.TableException;
 
 /**
  * Failure as the user sees it on the command line and in the viewer: exit code and message of an exception.

@@ -22,7 +22,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.shader.TableException;
 
 final class FailuresTest {
     private final StringWriter err = new StringWriter();

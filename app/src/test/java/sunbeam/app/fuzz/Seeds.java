@@ -19,7 +19,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableLabel;
 
 /** Small good files of every kind. */
 final class Seeds {

@@ -29,9 +29,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.reference.WindowLight;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /** One surface by method {@code full}, coherent average, on the GPU and by the reference. */
 final class Comparison {
@@ -65,10 +63,7 @@ final class Comparison {
         List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
         HeightLevels heights = HeightLevels.of(map);
         SpectrumPlan plan = new Planner(map, heights, cie).plan(full.table(), full.area(), VisibleRange.of(pairs));
-        PatchIdentity identity =
-                new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
-        FourierTable table =
-                new TableBuilder(identity, heights, done -> {}).build(plan.expansion(), plan.bandX(), plan.bandY());
+        FourierTable table = plan.fourierTable(heights, done -> {});
         MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;
         try (UploadedTables method =
                         UploadedTables.upload(context, plan.sampling().tables(plan, table, use, cie));

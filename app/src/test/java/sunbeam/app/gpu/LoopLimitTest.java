@@ -26,7 +26,6 @@ import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.TableBuilder;
 
 /** Mesa's software renderer silently ends loops after 65,535 steps; the partial sums must be refused. */
 @NeedsDisplay
@@ -74,12 +73,8 @@ class LoopLimitTest extends InAContext {
                 AREA.origin(),
                 AREA.average(),
                 sampling);
-        ShaderTables tables = sampling.tables(
-                plan,
-                new TableBuilder(surface.identity(), surface.levels(), done -> {})
-                        .build(plan.expansion(), plan.bandX(), plan.bandY()),
-                MethodUse.COLOR,
-                surface.cie());
+        ShaderTables tables =
+                sampling.tables(plan, plan.fourierTable(surface.levels(), done -> {}), MethodUse.COLOR, surface.cie());
         try (UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, false)) {
             return renderer.evaluate(ASKED, done -> {});

@@ -25,8 +25,7 @@ import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -141,8 +140,7 @@ record RandomCase(
     }
 
     private List<float[]> evaluate(RenderContext context, Surface surface, SpectrumPlan plan) {
-        FourierTable table = new TableBuilder(surface.identity(), surface.levels(), done -> {})
-                .build(plan.expansion(), plan.bandX(), plan.bandY());
+        FourierTable table = plan.fourierTable(surface.levels(), done -> {});
         MethodUse use = colors ? MethodUse.COLOR : MethodUse.SPECTRAL;
         try (UploadedTables method =
                         UploadedTables.upload(context, plan.sampling().tables(plan, table, use, surface.cie()));

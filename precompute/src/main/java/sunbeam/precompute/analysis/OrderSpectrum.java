@@ -2,10 +2,10 @@ package sunbeam.precompute.analysis;
 
 import java.util.function.Consumer;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
-import sunbeam.precompute.expansion.PhaseSamples;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.numerics.GaussLegendre;
 import sunbeam.precompute.optics.Direction;
@@ -13,9 +13,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Light that the scalar model sends into the diffraction orders of a surface that repeats one patch without end, one order for each DFT bin
@@ -42,7 +40,7 @@ public final class OrderSpectrum {
     private final Band bandX;
     private final Band bandY;
     private final HeightScale scale;
-    private final PhaseSamples coefficients;
+    private final CoefficientTable coefficients;
     // [(bin * terms + term) * 2]: real and imaginary parts
     private final float[] values;
 
@@ -78,9 +76,8 @@ public final class OrderSpectrum {
         scale = HeightScale.midRange(levels);
         Expansion expansion = LowRankExpansion.within(
                 levels, scale, 0, scale.phase(CieTable.MINIMUM_WAVELENGTH, LARGEST_W), TOLERANCE);
-        coefficients = PhaseSamples.of(expansion::coefficients, 0, expansion.maximumPhase());
-        PatchIdentity identity = new PatchIdentity("orders", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "");
-        values = values(new TableBuilder(identity, levels, terms -> {}).build(expansion, bandX, bandY));
+        coefficients = CoefficientTable.sampled(expansion);
+        values = values(FourierTable.of(levels, expansion, bandX, bandY, terms -> {}));
     }
 
     /** Returns the bins that are visible at the shortest wavelength under some light and are no aliases of others. */

@@ -2,44 +2,43 @@ package sunbeam.precompute.expansion;
 
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
+import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Real coefficients c_n(zeta) of an {@link Expansion}, sampled at equal steps of the phase zeta in radians. Shaders interpolate them by
- * parabolas through the nearest three samples.
+ * Functions of the phase zeta, such as the coefficients c_n(zeta) of an {@link Expansion}, sampled at equal steps in radians. Shaders
+ * interpolate them by parabolas through the nearest three samples.
  *
- * @param values {@code [term][sample]}
+ * @param values {@code [sample][function]}
  */
-public record CoefficientTable(double minimumPhase, double maximumPhase, float[][] values) {
+public record CoefficientTable(double minimumPhase, double maximumPhase, double[][] values) {
 
-    // Interpolation error of functions of bandwidth 1 and magnitude 1, per radian of the range of phases: a third of
+    // Error of the parabolas for functions of bandwidth 1 and magnitude 1, per radian of the range of phases: a third
+    // of
     // float32's rounding of the phase and of the coefficients. Weak orders, small differences of large terms, see both
     // errors.
     private static final double LARGEST_ERROR = 2e-8;
     // The parabola through three samples errs by step^3 / PARABOLA.
     private static final double PARABOLA = 16;
     private static final int FEWEST_SAMPLES = 64;
+    private static final int POINTS = 6;
+    private static final int BEFORE = POINTS / 2 - 1;
 
     public static CoefficientTable sampled(Expansion expansion) {
-        return sampled(
-                expansion.minimumPhase(), expansion.maximumPhase(), 1, expansion.terms(), expansion::coefficients);
+        return sampled(expansion.minimumPhase(), expansion.maximumPhase(), 1, expansion::coefficients);
     }
 
     /**
-     * Returns the samples of functions of the phase between two phases in radians.
+     * Returns the samples of functions between two phases.
      *
      * @param bandwidth largest frequency of the functions, in radians per radian of phase
-     * @param terms number of functions
      */
     public static CoefficientTable sampled(
-            double low, double high, double bandwidth, int terms, DoubleFunction<double[]> coefficientsAt) {
+            double low, double high, double bandwidth, DoubleFunction<double[]> functions) {
         int samples = sampleCount(high - low, bandwidth);
-        float[][] values = new float[terms][samples];
-        IntStream.range(0, samples).parallel().forEach(i -> {
-            double[] coefficients = coefficientsAt.apply(low + (high - low) * i / (samples - 1));
-            for (int n = 0; n < terms; n++) {
-                values[n][i] = (float) coefficients[n];
-            }
-        });
+        double[][] values = IntStream.range(0, samples)
+                .parallel()
+                .mapToObj(i -> functions.apply(low + (high - low) * i / (samples - 1)))
+                .toArray(double[][]::new);
         return new CoefficientTable(low, high, values);
     }
 
@@ -54,10 +53,38 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, float[]
     }
 
     public int samples() {
-        return values[0].length;
+        return values.length;
     }
 
     public int terms() {
-        return values.length;
+        return values[0].length;
+    }
+
+    /** Returns a function's samples in single precision. */
+    public float[] floats(int term) {
+        float[] floats = new float[samples()];
+        for (int i = 0; i < floats.length; i++) {
+            floats[i] = (float) values[i][term];
+        }
+        return floats;
+    }
+
+    /**
+     * Returns all functions at a phase, by polynomials of degree 5, which err by less than 1e-9 for functions of magnitude 1. Phases beyond
+     * the samples are clamped.
+     */
+    public double[] at(double phase) {
+        double perSample = (maximumPhase - minimumPhase) / (samples() - 1);
+        double place = Math.max(0, Math.min(samples() - 1.0, (phase - minimumPhase) / perSample));
+        int first = Math.max(0, Math.min((int) place - BEFORE, samples() - POINTS));
+        double[] sums = new double[terms()];
+        for (int k = 0; k < POINTS; k++) {
+            double weight = Lagrange.weight(place - first, k, POINTS);
+            double[] sample = values[first + k];
+            for (int n = 0; n < sums.length; n++) {
+                sums[n] += weight * sample[n];
+            }
+        }
+        return sums;
     }
 }

@@ -13,7 +13,29 @@ import sunbeam.precompute.setting.ValueKind;
  */
 public interface Expansion {
 
-    ExpansionKind kind();
+    /** Kind of an expansion of exp(i k w h). */
+    enum Kind {
+        /** Powers of the height: the thesis's choice (eq. 2.44). Its terms reach e^phase before they shrink. */
+        TAYLOR,
+        /** Singular vectors of the kernel exp(-i zeta s) over the patch's heights and the phases that a scene needs. */
+        LOWRANK;
+
+        private static final Complex[] POWERS_OF_MINUS_I = {
+            Complex.ONE, Complex.I.negate(), Complex.ONE.negate(), Complex.I
+        };
+
+        /** True if all T_n are real; then term n has the factor (-i)^n, and two terms share one complex transform. */
+        public boolean hasRealBasis() {
+            return this == TAYLOR;
+        }
+
+        /** Returns the constant factor of term n: (-i)^n for a real basis, 1 otherwise. */
+        public Complex turn(int n) {
+            return hasRealBasis() ? POWERS_OF_MINUS_I[n % 4] : Complex.ONE;
+        }
+    }
+
+    Kind kind();
 
     int terms();
 

@@ -1,28 +1,61 @@
 package sunbeam.precompute.expansion;
 
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.QRDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.apache.commons.math3.special.BesselJ;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), with heights weighted by their number of
- * samples, over the phases that a scene needs (Eckart and Young 1936). The c_n are real and orthonormal over the phases; T_n is stored as a
- * Chebyshev series.
+ * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), sampled at Gauss-Legendre nodes of the
+ * phases that a scene needs and at the heights of a {@link HeightRule}, weighted by their number of samples (Eckart and Young 1936). The
+ * c_n are real and orthonormal over the phases; T_n, the mean over zeta of c_n(zeta) exp(-i zeta s), is stored as a Chebyshev series.
  */
 public final class LowRankExpansion implements Expansion {
     // Relative to the largest coefficient of all terms: a hundredth of a double's rounding.
     private static final double SMALLEST_SIGNIFICANT = 1e-18;
 
     private final HeightScale scale;
-    private final PhaseBasis phases;
+    private final PhaseNodes nodes;
     private final int terms;
+    private final double error;
+    // [term][node]
+    private final double[][] functions;
     // [term][j]: coefficients of the Chebyshev polynomials of degree 2 j, and of degree 2 j + 1.
     private final double[][] even;
     private final double[][] odd;
 
-    private LowRankExpansion(HeightScale scale, PhaseBasis phases, int terms) {
+    private LowRankExpansion(
+            HeightLevels heights,
+            HeightScale scale,
+            double minimumPhase,
+            double maximumPhase,
+            double tolerance,
+            int mostTerms) {
         this.scale = scale;
-        this.phases = phases;
-        this.terms = terms;
-        double[][] series = phases.chebyshevSeries(terms);
+        // The bandwidth is 1, since |s| is at most 1.
+        this.nodes = new PhaseNodes(minimumPhase, maximumPhase, 1);
+        // The kernel's Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9
+        // count. The kernel's triangular QR factor has few rows and the same singular values and right vectors.
+        RealMatrix triangle = new QRDecomposition(kernel(HeightRule.of(heights, scale, maximumPhase))).getR();
+        int last = nodes.count() - 1;
+        SingularValueDecomposition decomposition =
+                new SingularValueDecomposition(triangle.getSubMatrix(0, last, 0, last));
+        double[] errors = errors(decomposition.getSingularValues());
+        int count = 1;
+        while (count < Math.min(mostTerms, last + 1) && errors[count] > tolerance) {
+            count++;
+        }
+        this.terms = count;
+        this.error = errors[count];
+        this.functions = new double[terms][nodes.count()];
+        for (int n = 0; n < terms; n++) {
+            for (int q = 0; q < nodes.count(); q++) {
+                functions[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
+            }
+        }
+        double[][] series = chebyshevSeries();
         this.even = everySecond(series, 0);
         this.odd = everySecond(series, 1);
     }
@@ -30,19 +63,74 @@ public final class LowRankExpansion implements Expansion {
     /** Returns the expansion with the fewest terms whose root mean square error over heights and phases is within a tolerance. */
     public static LowRankExpansion within(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, double tolerance) {
-        PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
-        int terms = 1;
-        while (terms < phases.size() && phases.rootMeanSquareError(terms) > tolerance) {
-            terms++;
-        }
-        return new LowRankExpansion(scale, phases, terms);
+        return new LowRankExpansion(heights, scale, minimumPhase, maximumPhase, tolerance, Integer.MAX_VALUE);
     }
 
     /** Returns the expansion with the smallest error for this number of terms. */
     public static LowRankExpansion ofTerms(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
-        PhaseBasis phases = PhaseBasis.of(heights, scale, minimumPhase, maximumPhase);
-        return new LowRankExpansion(scale, phases, Math.min(terms, phases.size()));
+        return new LowRankExpansion(heights, scale, minimumPhase, maximumPhase, Double.NEGATIVE_INFINITY, terms);
+    }
+
+    /** Real and imaginary parts of exp(-i zeta s) are separate rows, so that the functions of the phase are real. */
+    private RealMatrix kernel(HeightRule rule) {
+        int heights = rule.heights().length;
+        // A QR decomposition needs at least as many rows as columns.
+        double[][] matrix = new double[Math.max(2 * heights, nodes.count())][nodes.count()];
+        for (int i = 0; i < heights; i++) {
+            for (int q = 0; q < nodes.count(); q++) {
+                double factor = Math.sqrt(rule.shares()[i] * nodes.weight(q));
+                double phase = nodes.node(q) * rule.heights()[i];
+                matrix[2 * i][q] = factor * Math.cos(phase);
+                matrix[2 * i + 1][q] = factor * Math.sin(phase);
+            }
+        }
+        return new Array2DRowRealMatrix(matrix, false);
+    }
+
+    /** Root mean square errors without the terms from each index on. */
+    private static double[] errors(double[] singularValues) {
+        double[] errors = new double[singularValues.length + 1];
+        double tail = 0;
+        for (int n = singularValues.length - 1; n >= 0; n--) {
+            tail += singularValues[n] * singularValues[n];
+            errors[n] = Math.sqrt(tail);
+        }
+        return errors;
+    }
+
+    /**
+     * Returns the Chebyshev series of each T_n: {@code [n][k]} multiplies the Chebyshev polynomial of degree k; even k belong to the real
+     * part, odd k to the imaginary part.
+     */
+    private double[][] chebyshevSeries() {
+        // Beyond n = zeta, the Bessel function J_n(zeta) falls faster than exponentially; 12 zeta^(1/3) orders later it
+        // is below 1e-17.
+        int length = (int) Math.ceil(maximumPhase() + 12 * Math.cbrt(maximumPhase()) + 12);
+        double[][] series = new double[terms][length];
+        for (int q = 0; q < nodes.count(); q++) {
+            double[] coefficients = bessel(length, nodes.node(q));
+            for (int k = 0; k < length; k++) {
+                // (-i)^k is 1, -i, -1, i.
+                double sign = k % 4 == 0 || k % 4 == 3 ? 1 : -1;
+                double bessel = sign * nodes.weight(q) * coefficients[k];
+                for (int n = 0; n < terms; n++) {
+                    series[n][k] += bessel * functions[n][q];
+                }
+            }
+        }
+        return series;
+    }
+
+    /** Returns J_0(zeta) and 2 J_n(zeta): exp(-i zeta s) in Chebyshev polynomials without factors (-i)^n (Jacobi-Anger, DLMF 10.12.3). */
+    static double[] bessel(int count, double zeta) {
+        BesselJ.BesselJResult result = BesselJ.rjBesl(zeta, 0, count);
+        double[] values = result.getVals();
+        // The library does not compute orders that underflow a double.
+        for (int n = 1; n < count; n++) {
+            values[n] = n < result.getnVals() || result.getnVals() == count ? 2 * values[n] : 0;
+        }
+        return values;
     }
 
     private static double[][] everySecond(double[][] series, int first) {
@@ -76,8 +164,8 @@ public final class LowRankExpansion implements Expansion {
     }
 
     @Override
-    public ExpansionKind kind() {
-        return ExpansionKind.LOWRANK;
+    public Kind kind() {
+        return Kind.LOWRANK;
     }
 
     @Override
@@ -121,21 +209,21 @@ public final class LowRankExpansion implements Expansion {
 
     @Override
     public double[] coefficients(double zeta) {
-        return phases.values(terms, zeta);
+        return nodes.interpolate(functions, terms, zeta);
     }
 
     @Override
     public double minimumPhase() {
-        return phases.minimumPhase();
+        return nodes.minimum();
     }
 
     @Override
     public double maximumPhase() {
-        return phases.maximumPhase();
+        return nodes.maximum();
     }
 
     @Override
     public double error() {
-        return phases.rootMeanSquareError(terms);
+        return error;
     }
 }

@@ -15,8 +15,8 @@ public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase)
     }
 
     @Override
-    public ExpansionKind kind() {
-        return ExpansionKind.TAYLOR;
+    public Kind kind() {
+        return Kind.TAYLOR;
     }
 
     @Override

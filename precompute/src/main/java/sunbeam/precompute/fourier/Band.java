@@ -24,8 +24,17 @@ public record Band(int first, int count) {
         return first + count - 1;
     }
 
+    /** Returns a band of at least this many bins from the same first one. */
+    public Band extended(int least) {
+        return new Band(first, Math.max(count, least));
+    }
+
     public boolean holds(int bin) {
         return bin >= first && bin <= last();
+    }
+
+    public Band widened(int margin) {
+        return of(first - margin, last() + margin);
     }
 
     public Band symmetric() {

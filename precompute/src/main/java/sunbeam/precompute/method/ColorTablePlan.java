@@ -17,7 +17,6 @@ import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -85,8 +84,7 @@ public record ColorTablePlan(
             return Optional.empty();
         }
         return finest.spectrum()
-                .map(plan -> PowerSpectrum.widened(
-                        plan,
+                .map(plan -> plan.widened(
                         surface.map().width(),
                         surface.map().height(),
                         table.widest().window()));

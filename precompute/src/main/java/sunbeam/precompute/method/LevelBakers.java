@@ -10,11 +10,12 @@ import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableSpace;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.radial.GaussianPyramid;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.radial.SlopeBaker;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Bakers of the levels of a table of all directions: one power spectrum for all levels of an ensemble average, the shader of method full
@@ -33,7 +34,7 @@ public final class LevelBakers {
         this.cie = plan.surface().cie();
         this.spectrum = new Lazy<>(() -> {
             SpectrumPlan bins = plan.spectrum().orElseThrow();
-            return new PowerSpectrum(bins, sources.fourier(bins), plan.tolerance());
+            return PowerSpectrum.of(sources.fourier(bins), new ErrorBudget(plan.tolerance()).powerBasis());
         });
         this.pyramid = new Lazy<>(() -> SlopeBaker.pyramid(spectrum.get(), plan.table()));
     }

@@ -13,14 +13,15 @@ import sunbeam.precompute.colortable.TablePoints;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -144,12 +145,11 @@ final class PointTable {
             return design -> sources.baker(evaluated);
         }
         HeightMap map = surface.map();
-        SpectrumPlan widened = PowerSpectrum.widened(
-                source.spectrum().orElseThrow(),
-                map.width(),
-                map.height(),
-                method.area().window());
-        PowerSpectrum spectrum = new PowerSpectrum(widened, sources.fourier(widened), method.sourceTolerance());
+        SpectrumPlan widened = source.spectrum()
+                .orElseThrow()
+                .widened(map.width(), map.height(), method.area().window());
+        PowerSpectrum spectrum =
+                PowerSpectrum.of(sources.fourier(widened), new ErrorBudget(method.sourceTolerance()).powerBasis());
         return design -> new RadialBaker(
                 spectrum, surface.cie(), method.area(), design.step(), design.sliceStep(), points.farthest(), true);
     }

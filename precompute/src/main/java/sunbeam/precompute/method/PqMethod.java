@@ -27,8 +27,6 @@ import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.resample.PeriodInterpolation;
-import sunbeam.precompute.resample.PeriodSpectrum;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.Setting;
@@ -41,6 +39,8 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.spectrum.PeriodInterpolation;
+import sunbeam.precompute.spectrum.PeriodSpectrum;
 import sunbeam.precompute.text.Text;
 
 /**

@@ -7,20 +7,18 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.StatisticsCache;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.table.PatchIdentity;
 
 /**
  * Surface and light for which methods are planned.
  *
- * @param map heights without missing samples
- * @param levels the map's distinct heights, and their index at each sample
- * @param identity identity of the surface in caches
+ * @param levels heights, without missing samples
+ * @param name name in messages, not unique
+ * @param digest SHA-256 of grid and heights, in hexadecimal, for cache keys
  * @param cie observer and illuminant
  */
-public record Surface(
-        HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie, StatisticsCache statistics) {
-    public Surface(HeightMap map, HeightLevels levels, PatchIdentity identity, CieTable cie) {
-        this(map, levels, identity, cie, StatisticsCache.NONE);
+public record Surface(HeightLevels levels, String name, String digest, CieTable cie, StatisticsCache statistics) {
+    public Surface(HeightMap map, String name, String digest, CieTable cie) {
+        this(HeightLevels.of(map), name, digest, cie, StatisticsCache.NONE);
     }
 
     /** Returns the surface of a loaded patch, under D65. */
@@ -34,18 +32,20 @@ public record Surface(
     }
 
     private static Surface of(Patch patch, String digest) {
-        HeightMap map = patch.heights();
-        PatchIdentity identity =
-                new PatchIdentity(patch.name(), map.columns(), map.rows(), map.pitchX(), map.pitchY(), digest);
-        return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+        return new Surface(patch.heights(), patch.name(), digest, CieTable.load());
+    }
+
+    /** Returns the heights, without missing samples. */
+    public HeightMap map() {
+        return levels.map();
     }
 
     public Surface withLight(CieTable light) {
-        return new Surface(map, levels, identity, light, statistics);
+        return new Surface(levels, name, digest, light, statistics);
     }
 
     public Surface withStatistics(StatisticsCache newStatistics) {
-        return new Surface(map, levels, identity, cie, newStatistics);
+        return new Surface(levels, name, digest, cie, newStatistics);
     }
 
     /** @throws SettingException for light with spectral lines */
@@ -59,11 +59,11 @@ public record Surface(
     }
 
     public Planner planner() {
-        return new Planner(map, levels, cie).withStatistics(statistics);
+        return new Planner(map(), levels, cie).withStatistics(statistics);
     }
 
     /** Identifies surface and light in cache keys. */
     String key() {
-        return identity.digest() + "|" + cie.digest();
+        return digest + "|" + cie.digest();
     }
 }

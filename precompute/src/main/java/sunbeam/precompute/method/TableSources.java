@@ -6,7 +6,7 @@ import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /** Source of a surface's tables, which makes them or reads them from caches. */
 public interface TableSources {

@@ -4,15 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.WindowPhase;
+import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /** Arrays and constants of shaders/method/neighborhood.glsl, which reads the DFT bins of all terms. */
@@ -28,7 +25,7 @@ final class BinArrays {
         List<ArrayLayout> layouts = new ArrayList<>();
         Expansion expansion = plan.expansion();
         layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
-        if (expansion.kind() != ExpansionKind.TAYLOR) {
+        if (expansion.kind() != Expansion.Kind.TAYLOR) {
             int samples = CoefficientTable.sampleCount(expansion, 1);
             layouts.add(SpectrumArrays.singleLayout(COEFFICIENTS, samples, expansion.terms()));
         }
@@ -54,8 +51,8 @@ final class BinArrays {
                 .define("FEW_BINS", areFew(plan, neighborhood) ? 1 : 0)
                 .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
-        double width = table.patch().width();
-        double height = table.patch().height();
+        double width = table.map().width();
+        double height = table.map().height();
         return tables.reals("tablePeriod", width, height)
                 .reals("tablePeriodRest", width - (float) width, height - (float) height)
                 .reals("windowSigmaBins", sigma * width, sigma * height);
@@ -68,25 +65,29 @@ final class BinArrays {
     }
 
     private static void addTerms(ShaderTables.Builder tables, SpectrumPlan plan, FourierTable table) {
-        WindowPhase phase = new WindowPhase(table, plan.origin());
         tables.array(TableArray.computed(
-                        terms(table.bandX(), table.bandY(), table.terms()), n -> interleaved(phase.term(n))))
+                        terms(table.bandX(), table.bandY(), table.terms()),
+                        n -> interleaved(table.amplitudes(n, n + 1, plan.origin()))))
                 .integers("tableFirst", table.bandX().first(), table.bandY().first());
     }
 
     private static void addExpansion(ShaderTables.Builder tables, FourierTable table) {
-        SpectrumArrays.define(tables, table.coefficients().isPresent(), table.terms());
-        tables.reals("heightHalfRange", table.scale().halfRange());
-        table.coefficients()
-                .ifPresent(coefficients -> tables.array(SpectrumArrays.singleCoefficients(COEFFICIENTS, coefficients))
-                        .reals("expansionPhaseMap", SpectrumArrays.phaseMap(coefficients)));
+        Expansion expansion = table.expansion();
+        boolean sampled = expansion.kind() != Expansion.Kind.TAYLOR;
+        SpectrumArrays.define(tables, sampled, table.terms());
+        tables.reals("heightHalfRange", expansion.scale().halfRange());
+        if (sampled) {
+            CoefficientTable coefficients = CoefficientTable.sampled(expansion);
+            tables.array(SpectrumArrays.singleCoefficients(COEFFICIENTS, coefficients))
+                    .reals("expansionPhaseMap", SpectrumArrays.phaseMap(coefficients));
+        }
     }
 
-    private static float[] interleaved(ComplexVector values) {
-        float[] result = new float[2 * values.length()];
-        for (int i = 0; i < values.length(); i++) {
-            result[2 * i] = (float) values.real()[i];
-            result[2 * i + 1] = (float) values.imaginary()[i];
+    private static float[] interleaved(double[][] parts) {
+        float[] result = new float[2 * parts[0].length];
+        for (int i = 0; i < parts[0].length; i++) {
+            result[2 * i] = (float) parts[0][i];
+            result[2 * i + 1] = (float) parts[1][i];
         }
         return result;
     }

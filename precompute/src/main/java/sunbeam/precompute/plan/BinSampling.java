@@ -9,7 +9,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Sum over a neighborhood of bins at fixed wavelengths for all directions (shaders/method/full_bins.glsl): equal steps, as in the thesis,

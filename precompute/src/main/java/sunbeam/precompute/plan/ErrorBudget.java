@@ -1,6 +1,6 @@
 package sunbeam.precompute.plan;
 
-import sunbeam.precompute.resample.InterpolationDesign;
+import sunbeam.precompute.spectrum.InterpolationDesign;
 
 /**
  * Shares of the tolerance t for each source of error. The promise holds for powers of {@link #DARKEST_POWER} or more: the relative error of

@@ -1,16 +1,11 @@
 package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.IntFunction;
 import sunbeam.precompute.expansion.CoefficientTable;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.resample.AxisGrid;
-import sunbeam.precompute.resample.Fields;
-import sunbeam.precompute.resample.GridResampler;
-import sunbeam.precompute.resample.GridResampler.Order;
-import sunbeam.precompute.resample.PowerFields;
+import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
@@ -18,7 +13,11 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.shader.TermsLayout;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.spectrum.GridResampler;
+import sunbeam.precompute.spectrum.GridResampler.Axis;
+import sunbeam.precompute.spectrum.GridResampler.Order;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Arrays of shaders/method/grid_tables.glsl: the resampled spectra of one average. */
 final class GridArrays {
@@ -26,55 +25,65 @@ final class GridArrays {
 
     private final GridSampling sampling;
     private final SpectrumPlan plan;
-    private final Average average;
+    private final boolean coherent;
     private final String name;
     private final double sigma;
     private final double step;
     private final int taps;
     // Positions of columns along x and of rows along y; samples along rows and along columns.
-    private final AxisGrid nodesX;
-    private final AxisGrid nodesY;
-    private final AxisGrid samplesX;
-    private final AxisGrid samplesY;
+    private final Band nodesX;
+    private final Band nodesY;
+    private final Band samplesX;
+    private final Band samplesY;
+
+    /** Fields of a windowed spectrum with one real value per DFT bin: parts of complex amplitudes, or terms of powers. */
+    private interface Fields {
+        /** Returns the values of some fields, {@code [field - first][bin]}. */
+        double[][] range(int first, int end);
+    }
 
     GridArrays(GridSampling sampling, SpectrumPlan plan, Average average) {
         this.sampling = sampling;
         this.plan = plan;
-        this.average = average;
+        this.coherent = average == Average.COHERENT;
         this.name = ValueKind.name(average);
         double window = plan.window().sigmaFrequency();
-        this.sigma = average == Average.COHERENT ? window : window / Math.sqrt(2);
+        this.sigma = coherent ? window : window / Math.sqrt(2);
         this.step = sigma / sampling.interpolation().deviation();
         this.taps = sampling.interpolation().taps();
-        this.nodesX = plan.range().gridX(sampling.nodeStep(), 1);
-        this.nodesY = plan.range().gridY(sampling.nodeStep(), 1);
-        this.samplesX = plan.range().gridX(step, taps);
-        this.samplesY = plan.range().gridY(step, taps);
+        this.nodesX = plan.range().bandX(1 / sampling.nodeStep(), 1);
+        this.nodesY = plan.range().bandY(1 / sampling.nodeStep(), 1);
+        this.samplesX = plan.range().bandX(1 / step, taps);
+        this.samplesY = plan.range().bandY(1 / step, taps);
     }
 
     /**
      * The ensemble has about twice as many terms as the expansion; these are real, four per texel, while two complex terms share a texel.
      */
     List<ArrayLayout> layouts(MethodUse use) {
-        Expansion expansion = plan.expansion();
-        int texels = (2 * expansion.terms() + CHANNELS - 1) / CHANNELS;
-        int samples = CoefficientTable.sampleCount(expansion, average == Average.COHERENT ? 1 : PowerFields.BANDWIDTH);
-        int functions = average == Average.COHERENT ? expansion.terms() : CHANNELS * texels;
-        ArrayLayout coefficients = SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions);
-        List<ArrayLayout> layouts =
-                new ArrayList<>(List.of(coefficients, pointLayout(texels, use).array()));
+        int terms = plan.expansion().terms();
+        int texels = texels(2 * terms);
+        int samples = CoefficientTable.sampleCount(plan.expansion(), coherent ? 1 : PowerSpectrum.BANDWIDTH);
+        int functions = coherent ? terms : CHANNELS * texels;
+        List<ArrayLayout> layouts = new ArrayList<>(List.of(
+                SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions),
+                pointLayout(texels, use).array()));
         if (use == MethodUse.COLOR) {
             raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
         }
         return layouts;
     }
 
+    private static int texels(int fields) {
+        return (fields + CHANNELS - 1) / CHANNELS;
+    }
+
     private TermsLayout pointLayout(int texels, MethodUse use) {
         VisibleRange range = pointRange(use);
         return TermsLayout.of(
                 name + "Point",
-                range.gridX(step, taps).count(),
-                range.gridY(step, taps).count(),
+                range.bandX(1 / step, taps).count(),
+                range.bandY(1 / step, taps).count(),
                 texels,
                 1);
     }
@@ -105,78 +114,92 @@ final class GridArrays {
         return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
     }
 
-    void addTo(ShaderTables.Builder tables, FourierTable table, Fields fields, MethodUse use) {
-        int texels = (fields.values().length + CHANNELS - 1) / CHANNELS;
+    void addTo(ShaderTables.Builder tables, FourierTable table, MethodUse use) {
+        if (coherent) {
+            CoefficientTable coefficients = CoefficientTable.sampled(table.expansion());
+            Fields amplitudes = (first, end) -> table.amplitudes(first / 2, end / 2, plan.origin());
+            addTo(tables, table, coefficients, 2 * table.terms(), amplitudes, use);
+        } else {
+            PowerSpectrum spectrum = PowerSpectrum.of(table, sampling.budget().powerBasis());
+            addTo(
+                    tables,
+                    table,
+                    spectrum.coefficients(),
+                    spectrum.coefficients().terms(),
+                    spectrum::terms,
+                    use);
+        }
+    }
+
+    private void addTo(
+            ShaderTables.Builder tables,
+            FourierTable table,
+            CoefficientTable coefficients,
+            int count,
+            Fields fields,
+            MethodUse use) {
+        int texels = texels(count);
         String prefix = name.toUpperCase(Locale.ROOT);
+        VisibleRange range = pointRange(use);
+        Band pointX = range.bandX(1 / step, taps);
+        Band pointY = range.bandY(1 / step, taps);
         TermsLayout point = pointLayout(texels, use);
-        CoefficientTable coefficients = fields.coefficients();
+        GridResampler points = new GridResampler(interpolated(pointX, table.x()), interpolated(pointY, table.y()));
         tables.define(prefix + "_TEXELS", texels)
                 .define(prefix + "_POINT_TOGETHER", point.together())
                 .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients))
                 .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))
-                .reals(name + "Scale", 1 / step);
-        addPoint(tables, table, fields, point, use);
+                .reals(name + "Scale", 1 / step)
+                .array(TableArray.computed(
+                        point.array(), layer -> layer(fields, count, layer, point, points, Order.ROWS)))
+                .reals(name + "PointFirst", pointX.first(), pointY.first());
         if (use == MethodUse.COLOR) {
             List<TermsLayout> rays = raysLayouts(texels);
             tables.define(prefix + "_RAYS_TOGETHER", rays.get(0).together())
                     .define(prefix + "_RAYS_LAYERS", rays.get(0).layersPerGrid())
                     .define("RAYS_APART", rays.size() - 1);
-            addRays(tables, table, fields, rays);
+            addRays(tables, table, fields, count, rays);
         }
     }
 
-    private void addPoint(
-            ShaderTables.Builder tables, FourierTable table, Fields fields, TermsLayout layout, MethodUse use) {
-        AxisGrid pointX = pointRange(use).gridX(step, taps);
-        AxisGrid pointY = pointRange(use).gridY(step, taps);
-        GridResampler resampler = new GridResampler(
-                GridResampler.Axis.forInterpolation(
-                        pointX, table.bandX(), table.patch().width(), sampling.interpolation()),
-                GridResampler.Axis.forInterpolation(
-                        pointY, table.bandY(), table.patch().height(), sampling.interpolation()));
-        tables.array(TableArray.computed(layout.array(), layer -> layer(fields, layer, layout, resampler, Order.ROWS)))
-                .reals(name + "PointFirst", pointX.first(), pointY.first());
+    private Axis interpolated(Band grid, PowerSpectrum.Axis bins) {
+        return Axis.forInterpolation(grid, step, bins, sampling.interpolation());
+    }
+
+    private Axis nodes(Band grid, PowerSpectrum.Axis bins) {
+        return Axis.forGridPoints(grid, sampling.nodeStep(), bins, sigma);
     }
 
     /** Adds the two grids for rays: columns at steps along x, and rows at steps along y. Each column or row is one row of a texture. */
-    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
+    private void addRays(
+            ShaderTables.Builder tables, FourierTable table, Fields fields, int count, List<TermsLayout> layouts) {
         TermsLayout layout = layouts.get(0);
-        double patchWidth = table.patch().width();
-        double patchHeight = table.patch().height();
+        int height = layout.array().height();
         GridResampler columns = new GridResampler(
-                GridResampler.Axis.forGridPoints(
-                        nodesX.extended(layout.array().height()), table.bandX(), patchWidth, sigma),
-                GridResampler.Axis.forInterpolation(
-                        samplesY.extended(layout.samples()), table.bandY(), patchHeight, sampling.interpolation()));
+                nodes(nodesX.extended(height), table.x()),
+                interpolated(samplesY.extended(layout.samples()), table.y()));
         GridResampler rows = new GridResampler(
-                GridResampler.Axis.forInterpolation(
-                        samplesX.extended(layout.samples()), table.bandX(), patchWidth, sampling.interpolation()),
-                GridResampler.Axis.forGridPoints(
-                        nodesY.extended(layout.array().height()), table.bandY(), patchHeight, sigma));
+                interpolated(samplesX.extended(layout.samples()), table.x()),
+                nodes(nodesY.extended(height), table.y()));
+        // The layers of all columns precede those of all rows.
         int layers = layout.layersPerGrid();
-        if (layouts.size() == 1) {
-            tables.array(TableArray.computed(
-                    layout.array(),
-                    layer -> layer < layers
-                            ? layer(fields, layer, layout, columns, Order.COLUMNS)
-                            : layer(fields, layer - layers, layout, rows, Order.ROWS)));
-        } else {
-            tables.array(TableArray.computed(
-                            layout.array(), layer -> layer(fields, layer, layout, columns, Order.COLUMNS)))
-                    .array(TableArray.computed(
-                            layouts.get(1).array(), layer -> layer(fields, layer, layout, rows, Order.ROWS)));
+        IntFunction<float[]> rays = layer -> layer < layers
+                ? layer(fields, count, layer, layout, columns, Order.COLUMNS)
+                : layer(fields, count, layer - layers, layout, rows, Order.ROWS);
+        tables.array(TableArray.computed(layout.array(), rays));
+        if (layouts.size() == 2) {
+            tables.array(TableArray.computed(layouts.get(1).array(), layer -> rays.apply(layers + layer)));
         }
         tables.reals("gridRayScale", 1 / step)
                 .reals("gridRaysFirst", nodesX.first(), samplesY.first(), nodesY.first(), samplesX.first());
     }
 
-    private static float[] layer(Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {
+    private static float[] layer(
+            Fields fields, int count, int layer, TermsLayout layout, GridResampler resampler, Order order) {
         int stride = CHANNELS * layout.together();
         float[] texels = new float[stride * resampler.size()];
         int first = stride * layer;
-        double[][] together =
-                Arrays.copyOfRange(fields.values(), first, Math.min(fields.values().length, first + stride));
-        resampler.resample(together, texels, stride, order);
+        resampler.resample(fields.range(first, Math.min(count, first + stride)), texels, stride, order);
         return texels;
     }
 }

@@ -6,16 +6,14 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.resample.Fields;
-import sunbeam.precompute.resample.InterpolationDesign;
-import sunbeam.precompute.resample.PowerFields;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.SpectrumArrays;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.spectrum.InterpolationDesign;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -153,9 +151,9 @@ public record GridSampling(
         tables.define("COHERENT_TEXELS", 0)
                 .define("ENSEMBLE_TEXELS", 0)
                 .define("GRID_ENDS_CUT", endsCut() ? 1 : 0)
-                .reals("heightHalfRange", table.scale().halfRange());
+                .reals("heightHalfRange", table.expansion().scale().halfRange());
         for (Average average : averages(plan, use)) {
-            new GridArrays(this, plan, average).addTo(tables, table, fields(average, plan, table), use);
+            new GridArrays(this, plan, average).addTo(tables, table, use);
         }
         tables.array(ColorArrays.cieWeights(cie));
         if (use == MethodUse.COLOR) {
@@ -167,11 +165,5 @@ public record GridSampling(
                     .reals("cieWhite", cie.white());
         }
         return tables.build(plan.window().sigmaMeters(), plan.specularReach());
-    }
-
-    private Fields fields(Average average, SpectrumPlan plan, FourierTable table) {
-        return average == Average.COHERENT
-                ? Fields.amplitudes(table, plan.expansion(), plan.origin())
-                : new PowerFields(table, plan.expansion(), budget.powerBasis()).fields();
     }
 }

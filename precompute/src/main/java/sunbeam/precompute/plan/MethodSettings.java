@@ -1,12 +1,12 @@
 package sunbeam.precompute.plan;
 
-import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
-import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
@@ -45,8 +45,8 @@ public final class MethodSettings {
                             + " method reference is more exact.")
             .withStandard(ErrorBudget.STANDARD);
 
-    public static final Setting<ExpansionKind> EXPANSION = new Setting<>(
-            "expansion", ValueKind.word("KIND", ExpansionKind.class), "Expansion of exp(i k w h): taylor or lowrank.");
+    public static final Setting<Expansion.Kind> EXPANSION = new Setting<>(
+            "expansion", ValueKind.word("KIND", Expansion.Kind.class), "Expansion of exp(i k w h): taylor or lowrank.");
 
     public static final Setting<Integer> TERMS =
             new Setting<>("terms", ValueKind.integer("N", 1, MOST_TERMS), "Number of terms of the expansion.");

@@ -9,7 +9,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Sums the DFT bins around frequencies f = (u, v) / lambda on a direction's ray, each bin a diffraction order of the repeated patch: for

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -55,7 +54,7 @@ final class PlanChecks {
         if (maximumPhase > LARGEST_PHASE) {
             throw SettingException.of(
                     EXPANSION,
-                    ExpansionKind.LOWRANK,
+                    Expansion.Kind.LOWRANK,
                     Text.format(
                             "does not reach over a relief of %s, whose phases are up to %.0f rad, more than %.0f; method"
                                     + " reference, for lists, takes any relief; else crop the patch",
@@ -102,7 +101,7 @@ final class PlanChecks {
         String relief = Text.format(
                 " at this relief (%s, phases up to %.1f); use lowrank",
                 Lengths.format(2 * expansion.scale().halfRange()), expansion.maximumPhase());
-        return SettingException.of(EXPANSION, ExpansionKind.TAYLOR, problem + relief);
+        return SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
     }
 
     static SettingException tooLarge(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {

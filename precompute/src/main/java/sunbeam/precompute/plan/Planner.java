@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.ExpansionKind;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
@@ -108,11 +107,11 @@ public record Planner(
 
     private Expansion expansion(TableChoices choices, VisibleRange range, ErrorBudget budget) {
         boolean thesis = choices.isThesis();
-        ExpansionKind kind = choices.expansion().orElse(thesis ? ExpansionKind.TAYLOR : ExpansionKind.LOWRANK);
+        Expansion.Kind kind = choices.expansion().orElse(thesis ? Expansion.Kind.TAYLOR : Expansion.Kind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
-        if (kind == ExpansionKind.LOWRANK) {
+        if (kind == Expansion.Kind.LOWRANK) {
             PlanChecks.requireExpandable(scale, maximum);
         }
         if (choices.terms().isPresent() || thesis) {

@@ -7,7 +7,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.FourierTable;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /** Rule for evaluating the windowed spectrum from DFT bins: the bins or grids to read, and the wavelengths. */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {

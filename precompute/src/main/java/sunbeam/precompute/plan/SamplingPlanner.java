@@ -8,7 +8,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.WindowLight;
-import sunbeam.precompute.resample.InterpolationDesign;
+import sunbeam.precompute.spectrum.InterpolationDesign;
 
 /** Planner of the sampling of the windowed spectrum: single orders if the window resolves them, sums over bins or a grid otherwise. */
 record SamplingPlanner(

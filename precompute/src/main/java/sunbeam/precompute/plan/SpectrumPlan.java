@@ -5,13 +5,16 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntConsumer;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
@@ -33,6 +36,32 @@ public record SpectrumPlan(
         WindowOrigin origin,
         Average average,
         Sampling sampling) {
+    /** Margin of bins for shorter windows, in their sigma_f. */
+    private static final double SHORT_WINDOW_REACH = 4;
+
+    /**
+     * Transforms a surface's heights.
+     *
+     * @param progress receives the number of terms finished by each transform
+     */
+    public FourierTable fourierTable(HeightLevels heights, IntConsumer progress) {
+        return FourierTable.of(heights, expansion, bandX, bandY, progress);
+    }
+
+    /** Returns this plan with the bins, too, that are within reach of visible directions under a shorter window. */
+    public SpectrumPlan widened(double width, double height, CoherenceWindow shortest) {
+        double margin = SHORT_WINDOW_REACH * shortest.sigmaFrequency();
+        return new SpectrumPlan(
+                tolerance,
+                range,
+                expansion,
+                bandX.widened((int) Math.ceil(margin * width)),
+                bandY.widened((int) Math.ceil(margin * height)),
+                window,
+                origin,
+                average,
+                sampling);
+    }
 
     /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light. */
     public double specularReach() {

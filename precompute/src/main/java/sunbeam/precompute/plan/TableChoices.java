@@ -10,7 +10,7 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
@@ -24,7 +24,7 @@ import sunbeam.precompute.setting.Setting;
  */
 public record TableChoices(
         Optional<Double> promisedTolerance,
-        Optional<ExpansionKind> expansion,
+        Optional<Expansion.Kind> expansion,
         Optional<Integer> terms,
         Optional<Neighborhood> neighborhood,
         Optional<Double> wavelengthStep) {

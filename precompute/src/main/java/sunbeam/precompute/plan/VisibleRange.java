@@ -6,7 +6,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.resample.AxisGrid;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -82,20 +81,6 @@ public record VisibleRange(
     /** Returns the bins along y, like {@link #bandX}. */
     public Band bandY(double period, int margin) {
         return band(minimumV, maximumV, period, margin);
-    }
-
-    /** Returns samples along x of the frequencies visible at 380 nm or longer, with a margin on both sides. */
-    public AxisGrid gridX(double step, int margin) {
-        return grid(minimumU, maximumU, step, margin);
-    }
-
-    /** Returns samples along y, like {@link #gridX}. */
-    public AxisGrid gridY(double step, int margin) {
-        return grid(minimumV, maximumV, step, margin);
-    }
-
-    private static AxisGrid grid(double low, double high, double step, int margin) {
-        return AxisGrid.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), step, margin);
     }
 
     private static double wavelengthTowards(double u, int side) {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.SplineFilter;
+import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
 
 /**
  * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and
@@ -66,7 +68,7 @@ public final class GaussianPyramid {
      * @param widest sigma_f that the last plane reaches
      * @param farthest largest frequency along either axis, cycles per meter
      */
-    GaussianPyramid(SpectrumPlane bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
+    GaussianPyramid(PowerSpectrum bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
         Plane first = Plane.empty(narrowest, farthest, stride);
         double share = Math.pow(pointSigmaFrequency / narrowest, 2);
@@ -74,14 +76,7 @@ public final class GaussianPyramid {
         for (int i = 0; i < powers.length; i++) {
             powers[i] = (float) bins.powers()[i];
         }
-        sum(
-                powers,
-                bins.columns(),
-                bins.rows(),
-                first,
-                new Lines(narrowest, bins.periodX(), bins.firstX()),
-                new Lines(narrowest, bins.periodY(), bins.firstY()),
-                share);
+        sum(powers, bins.x(), bins.y(), narrowest, first, share);
         planes.add(first);
         while (planes.size() < TAPS || planes.get(planes.size() - 1).sigmaFrequency < widest) {
             Plane before = planes.get(planes.size() - 1);
@@ -91,33 +86,26 @@ public final class GaussianPyramid {
         planes.get(planes.size() - 1).prefilter(stride);
     }
 
-    /** Gaussians over nodes along one axis: nodes per unit of frequency (meters), number of the first node. */
-    private record Lines(double sigmaFrequency, double perFrequency, double first) {
-        GaussianWeights weights() {
-            return new GaussianWeights(1 / (sigmaFrequency * perFrequency), REACH);
-        }
-    }
-
     private Plane wider(Plane before, double farthest) {
         Plane next = Plane.empty(RATIO * before.sigmaFrequency, farthest, stride);
         double blur = before.sigmaFrequency * Math.sqrt(RATIO * RATIO - 1);
-        Lines lines = new Lines(blur, 1 / before.spacing, -before.half);
+        Axis nodes = new Axis(1 / before.spacing, -before.half, before.side());
         double share = Math.pow(before.spacing / blur, 2) / Math.PI;
-        sum(before.powers, before.side(), before.side(), next, lines, lines, share);
+        sum(before.powers, nodes, nodes, blur, next, share);
         return next;
     }
 
     /** Blurs along columns, then along rows, and multiplies by a factor. */
-    private void sum(float[] from, int columns, int rows, Plane to, Lines alongX, Lines alongY, double share) {
+    private void sum(float[] from, Axis alongX, Axis alongY, double sigmaFrequency, Plane to, double share) {
         int side = to.side();
         IntStream.range(0, side).parallel().forEach(row -> {
-            GaussianWeights y = alongY.weights();
-            y.moveTo((row - to.half) * to.spacing * alongY.perFrequency - alongY.first, 0, rows - 1);
-            float[] line = new float[columns * stride];
+            GaussianWeights y = new GaussianWeights(alongY, sigmaFrequency, REACH);
+            y.moveTo(alongY.place((row - to.half) * to.spacing), 0, alongY.count() - 1);
+            float[] line = new float[alongX.count() * stride];
             sum(from, y.first() * line.length, line.length, y, share, line, 0);
-            GaussianWeights x = alongX.weights();
+            GaussianWeights x = new GaussianWeights(alongX, sigmaFrequency, REACH);
             for (int column = 0; column < side; column++) {
-                x.moveTo((column - to.half) * to.spacing * alongX.perFrequency - alongX.first, 0, columns - 1);
+                x.moveTo(alongX.place((column - to.half) * to.spacing), 0, alongX.count() - 1);
                 sum(line, x.first() * stride, stride, x, 1, to.powers, (row * side + column) * stride);
             }
         });

@@ -1,5 +1,7 @@
 package sunbeam.precompute.radial;
 
+import sunbeam.precompute.spectrum.PowerSpectrum;
+
 /** Gaussian weights exp(-(distance / sigma_f)^2) of the DFT bins within reach of a frequency, along one axis. Not thread-safe. */
 final class GaussianWeights {
     private final double ratio;
@@ -9,12 +11,10 @@ final class GaussianWeights {
     private int first;
     private int count;
 
-    /**
-     * @param ratio distance between neighboring bins, divided by sigma_f
-     * @param reach distance in sigma_f beyond which a bin is left out
-     */
-    GaussianWeights(double ratio, double reach) {
-        this.ratio = ratio;
+    /** @param reach distance in sigma_f beyond which a bin is left out */
+    GaussianWeights(PowerSpectrum.Axis bins, double sigmaFrequency, double reach) {
+        // Distance between neighboring bins, divided by sigma_f.
+        this.ratio = 1 / (sigmaFrequency * bins.period());
         this.reach = reach;
         this.factorStep = Math.exp(-2 * ratio * ratio);
         this.weights = new double[3 + (int) Math.ceil(2 * reach / ratio)];

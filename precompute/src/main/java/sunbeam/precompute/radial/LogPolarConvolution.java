@@ -19,7 +19,7 @@ final class LogPolarConvolution {
 
     private final int count;
     private final AverageProjection interpolation;
-    private final LogGrid knots;
+    private final RayBatch.Knots knots;
     private final int padded;
     private final int terms;
     private final int slices;
@@ -58,14 +58,14 @@ final class LogPolarConvolution {
         // A kernel's last B-spline coefficient belongs to the frequency of the first position at the longest
         // wavelength.
         double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
-        this.knots = new LogGrid(lowest, stride * step, length);
+        this.knots = new RayBatch.Knots(lowest, stride * step, length);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
             for (int i = 0; i < nodes; i++) {
                 atNodes[slice][i] = coefficients.at(wavelengths.wavelengths()[i], depths[slice]);
             }
         }
-        // An even number, padded by zeros as those of SpectrumPlane: terms are transformed and multiplied in pairs.
+        // An even number, padded by zeros as those of PowerSpectrum: terms are transformed and multiplied in pairs.
         this.terms = (atNodes[0][0].length + 1) / 2 * 2;
         this.kernels = new double[pairs()][terms][][];
         for (int pair = 0; pair < pairs(); pair++) {
@@ -121,7 +121,7 @@ final class LogPolarConvolution {
         return count;
     }
 
-    LogGrid knots() {
+    RayBatch.Knots knots() {
         return knots;
     }
 

@@ -9,6 +9,14 @@ final class LogRadialBand {
     private static final int RAYS_PER_SECTOR_PAIR = 400;
     // Step of ln lambda; resolves the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
+    // Step between positions, in ln |(u, v)|, at a tolerance of 1, for light with a smooth spectrum: colors vary along
+    // a
+    // ray only as fast as the color matching functions do, however sharp orders are. Splines err most beside an order
+    // that
+    // the end of the visible band cuts.
+    private static final double WIDEST_SMOOTH = 0.01424;
+    // Exponent p: this step is proportional to tolerance^p.
+    private static final double STEP_EXPONENT = 0.1;
     // At the ends of the light's band, polynomials and B-splines extend that many wavelength steps.
     private static final int LEAST_STRIDE = 3;
     // Largest step between positions, in widths of an order.
@@ -30,15 +38,16 @@ final class LogRadialBand {
     private final double positionStep;
 
     /**
-     * @param widestStep largest step between positions for light with a smooth spectrum ({@link PowerSpectrum#widestStep})
+     * @param tolerance error of the power spectrum
      * @param high |(u, v)| of the outermost positions
      * @param step distance in (u, v) between rays at {@code high}
      */
-    LogRadialBand(CieTable cie, double widestStep, double sigmaFrequency, double high, double step) {
+    LogRadialBand(CieTable cie, double tolerance, double sigmaFrequency, double high, double step) {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
         this.sectors = 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR);
         double orderWidth = sigmaFrequency * cie.shortestWavelength() / high;
+        double widestStep = WIDEST_SMOOTH * Math.pow(tolerance, STEP_EXPONENT);
         double widerStep = Math.min(MOST_WIDER * widestStep, WIDEST_OF_ORDER * orderWidth);
         double widest = cie.isSmooth() ? Math.max(widestStep, widerStep) : WIDEST_ON_FLANKS * orderWidth;
         this.positions = Positions.widest(cie, widest, Math.min(step / high, WIDEST_STEP));

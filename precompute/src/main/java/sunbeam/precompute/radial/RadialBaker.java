@@ -13,6 +13,7 @@ import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a ray at once
@@ -72,8 +73,8 @@ public final class RadialBaker implements ColorBaker {
             double sliceStep,
             double farthest,
             boolean includeFaintTails) {
-        this.powers =
-                spectrum.withWindow(area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
+        this.powers = new WindowedSpectrum(
+                spectrum, area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
         this.sliceStep = sliceStep;
         double sigma = area.window().sigmaFrequency();
         this.direct = new DirectBaker(powers, cie, sigma);
@@ -82,7 +83,7 @@ public final class RadialBaker implements ColorBaker {
         this.bands = IntStream.rangeClosed(0, last)
                 .parallel()
                 .mapToObj(number ->
-                        new LogRadialBand(cie, spectrum.widestStep(), sigma, farthest / (1 << number), rayStep))
+                        new LogRadialBand(cie, spectrum.tolerance(), sigma, farthest / (1 << number), rayStep))
                 .toList();
         this.firstTiles = new int[bands.size() + 1];
         for (int band = 0; band < bands.size(); band++) {

@@ -1,6 +1,7 @@
 package sunbeam.precompute.radial;
 
 import java.util.Arrays;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Batch of rays close to each other, which share one blurred spectrum. A line holds the frequencies that have the same component along the
@@ -16,9 +17,9 @@ final class RayBatch {
     private static final double RELATIVE_TOLERANCE = 1e-12;
     private static final int SHARES = 4;
 
-    private final SpectrumPlane bins;
+    private final PowerSpectrum bins;
     private final boolean alongX;
-    private final LogGrid knots;
+    private final Knots knots;
     private final GaussianWeights weights;
     // Per line: frequency along the axis in cycles per meter, its logarithm, quadrature weight in ln |f|.
     private final double[] frequencies;
@@ -31,23 +32,42 @@ final class RayBatch {
     private final double[] blurred;
 
     /**
+     * Knots of cubic B-splines along a ray, equally spaced in ln |f|.
+     *
+     * @param first ln |f| of the first knot, f in cycles per meter
+     */
+    record Knots(double first, double spacing, int count) {
+        /** Half the support of a B-spline, in knots. */
+        static final int REACH = 2;
+
+        /** Returns the lowest |f| in the support of any spline, in cycles per meter. */
+        double lowest() {
+            return Math.exp(first - REACH * spacing);
+        }
+
+        double highest() {
+            return Math.exp(first + (count - 1 + REACH) * spacing);
+        }
+    }
+
+    /**
      * @param bins powers of the bins, transposed if necessary so that the rays cross rows
      * @param alongX whether all bins of a row have the same x
      * @param reach distance in sigma_f beyond which a bin is left out
      * @param firstAngle angle of the first ray from the x axis, radians
      */
     RayBatch(
-            SpectrumPlane bins,
+            PowerSpectrum bins,
             boolean alongX,
             double sigmaFrequency,
             double reach,
             double firstAngle,
             double lastAngle,
-            LogGrid knots) {
+            Knots knots) {
         this.bins = bins;
         this.alongX = alongX;
         this.knots = knots;
-        this.weights = new GaussianWeights(1 / (sigmaFrequency * bins.periodX()), reach);
+        this.weights = new GaussianWeights(bins.x(), sigmaFrequency, reach);
         double firstAlong = Math.abs(along(firstAngle));
         double lastAlong = Math.abs(along(lastAngle));
         double least = Math.min(firstAlong, lastAlong);
@@ -67,10 +87,10 @@ final class RayBatch {
         Arrays.sort(slopes);
         double byFrequency = MOST_SIGMAS * sigmaFrequency * least;
         this.blurred = new double[layOut(byFrequency, slopes, reach * sigmaFrequency)];
-        GaussianWeights rows = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
+        GaussianWeights rows = new GaussianWeights(bins.y(), sigmaFrequency, reach);
         double sign = Math.signum(along(firstAngle));
         for (int i = 0; i < frequencies.length; i++) {
-            rows.moveTo(sign * frequencies[i] * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
+            rows.moveTo(bins.y().place(sign * frequencies[i]), 0, bins.y().count() - 1);
             blur(i, rows);
         }
     }
@@ -87,10 +107,10 @@ final class RayBatch {
         for (int i = 0; i < frequencies.length; i++) {
             logarithms[i] = Math.log(frequencies[i]);
             quadratureWeights[i] = 1 / (1 / (MOST_KNOT_SPACINGS * knots.spacing()) + frequencies[i] / byFrequency);
-            double low = (frequencies[i] * slopes[0] - margin) * bins.periodX() - bins.firstX();
-            double high = (frequencies[i] * slopes[1] + margin) * bins.periodX() - bins.firstX();
+            double low = bins.x().place(frequencies[i] * slopes[0] - margin);
+            double high = bins.x().place(frequencies[i] * slopes[1] + margin);
             firstBins[i] = (int) Math.max(0, Math.ceil(low));
-            counts[i] = Math.max(0, (int) Math.min(bins.columns() - 1.0, Math.floor(high)) - firstBins[i] + 1);
+            counts[i] = Math.max(0, (int) Math.min(bins.x().count() - 1.0, Math.floor(high)) - firstBins[i] + 1);
             offsets[i] = size;
             size = Math.addExact(size, counts[i] * bins.stride());
         }
@@ -132,7 +152,7 @@ final class RayBatch {
         int stride = bins.stride();
         int length = counts[line] * stride;
         double[] powers = bins.powers();
-        int perRow = bins.columns() * stride;
+        int perRow = bins.x().count() * stride;
         int from = rows.first() * perRow + firstBins[line] * stride;
         int row = 0;
         for (; row + 3 < rows.count(); row += 4) {
@@ -183,7 +203,6 @@ final class RayBatch {
         double slope = across(angle) / along;
         double toKnots = 1 / knots.spacing();
         double first = knots.first() + Math.log(along);
-        double perFrequency = slope * bins.periodX();
         int last = knots.count() - 1;
         double[] shares = new double[SHARES];
         for (int i = 0; i < frequencies.length; i++) {
@@ -196,7 +215,7 @@ final class RayBatch {
             shares(place - below, quadratureWeights[i] * toKnots, shares);
             int begin = Math.max(0, -knot);
             int end = Math.min(SHARES, last + 1 - knot);
-            weights.moveTo(frequencies[i] * perFrequency - bins.firstX(), firstBins[i], firstBins[i] + counts[i] - 1);
+            weights.moveTo(bins.x().place(frequencies[i] * slope), firstBins[i], firstBins[i] + counts[i] - 1);
             if (weights.count() > 0) {
                 add(i, knot, shares, begin, end, averages);
             }
@@ -220,7 +239,7 @@ final class RayBatch {
         double[] binWeights = weights.weights();
         int count = weights.count();
         int first = offsets[line] + (weights.first() - firstBins[line]) * stride;
-        for (int m = 0; m < stride; m += SpectrumPlane.TOGETHER) {
+        for (int m = 0; m < stride; m += PowerSpectrum.TOGETHER) {
             double sum0 = 0;
             double sum1 = 0;
             double sum2 = 0;

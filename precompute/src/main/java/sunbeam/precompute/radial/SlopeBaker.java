@@ -8,6 +8,7 @@ import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Bakes colors of a surface with relief finer than a pixel: means of the ensemble average over normally distributed slopes, each of which
@@ -49,7 +50,8 @@ public final class SlopeBaker implements ColorBaker {
     /** Builds the pyramid that all levels of a table with slopes share; takes tenths of a second. */
     public static GaussianPyramid pyramid(PowerSpectrum spectrum, ColorTable table) {
         int coarsest = table.levels().size() - 1;
-        return spectrum.pyramid(
+        return new GaussianPyramid(
+                spectrum,
                 table.area().window().sigmaFrequency(),
                 sigmaFrequency(table, 0, 0, CieTable.MAXIMUM_WAVELENGTH),
                 sigmaFrequency(table, coarsest, ColorTable.DEEPEST, CieTable.MINIMUM_WAVELENGTH),

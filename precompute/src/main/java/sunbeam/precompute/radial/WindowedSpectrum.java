@@ -1,33 +1,31 @@
 package sunbeam.precompute.radial;
 
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * {@link PowerSpectrum} under a window: at any frequency, the sum of the DFT bins' terms, each weighted by the Gaussian of its distance, in
  * double precision. Immutable.
  */
 final class WindowedSpectrum {
-    private final PowerSpectrum spectrum;
-    private final SpectrumPlane bins;
-    private final SpectrumPlane transposed;
+    /** Largest spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
+    private static final double DECIMATED_SPACING = 0.4;
+
+    private final PowerSpectrum bins;
     private final double sigmaFrequency;
     private final double reach;
 
     /**
-     * @param transposed {@code bins} with x and y exchanged
+     * @param window window, no longer than that for whose plan the spectrum was made
      * @param reach distance in sigma_f beyond which a bin is left out; its weight would be below exp(-reach^2)
+     * @param decimated whether bins closer than 0.4 sigma_f may be merged, with an error of 1e-3
      */
-    WindowedSpectrum(
-            PowerSpectrum spectrum,
-            SpectrumPlane bins,
-            SpectrumPlane transposed,
-            CoherenceWindow window,
-            double reach) {
-        this.spectrum = spectrum;
-        this.bins = bins;
-        this.transposed = transposed;
+    WindowedSpectrum(PowerSpectrum spectrum, CoherenceWindow window, double reach, boolean decimated) {
         this.sigmaFrequency = window.sigmaFrequency();
         this.reach = reach;
+        double spacing = decimated ? DECIMATED_SPACING * sigmaFrequency : 0;
+        this.bins = spectrum.decimated((int) Math.max(1, spacing * spectrum.x().period()), (int)
+                Math.max(1, spacing * spectrum.y().period()));
     }
 
     int stride() {
@@ -35,7 +33,7 @@ final class WindowedSpectrum {
     }
 
     double[] coefficients(double wavelength, double depth) {
-        return spectrum.coefficients(wavelength, depth);
+        return bins.coefficients(wavelength, depth);
     }
 
     Sums sums() {
@@ -44,17 +42,17 @@ final class WindowedSpectrum {
 
     /** Not thread-safe. */
     final class Sums {
-        private final GaussianWeights x = new GaussianWeights(1 / (sigmaFrequency * bins.periodX()), reach);
-        private final GaussianWeights y = new GaussianWeights(1 / (sigmaFrequency * bins.periodY()), reach);
+        private final GaussianWeights x = new GaussianWeights(bins.x(), sigmaFrequency, reach);
+        private final GaussianWeights y = new GaussianWeights(bins.y(), sigmaFrequency, reach);
         private final double[] sums = new double[bins.stride()];
 
         private Sums() {}
 
         /** Returns all terms at a frequency in cycles per meter; overwritten by the next call. */
         double[] at(double fx, double fy) {
-            x.moveTo(fx * bins.periodX() - bins.firstX(), 0, bins.columns() - 1);
-            y.moveTo(fy * bins.periodY() - bins.firstY(), 0, bins.rows() - 1);
-            for (int m = 0; m < sums.length; m += SpectrumPlane.TOGETHER) {
+            x.moveTo(bins.x().place(fx), 0, bins.x().count() - 1);
+            y.moveTo(bins.y().place(fy), 0, bins.y().count() - 1);
+            for (int m = 0; m < sums.length; m += PowerSpectrum.TOGETHER) {
                 sum(m);
             }
             return sums;
@@ -69,7 +67,7 @@ final class WindowedSpectrum {
             double sum2 = 0;
             double sum3 = 0;
             for (int j = 0; j < y.count(); j++) {
-                int at = ((y.first() + j) * bins.columns() + x.first()) * stride + m;
+                int at = ((y.first() + j) * bins.x().count() + x.first()) * stride + m;
                 for (int i = 0; i < x.count(); i++) {
                     double weight = y.weights()[j] * x.weights()[i];
                     sum0 += weight * powers[at];
@@ -87,9 +85,10 @@ final class WindowedSpectrum {
     }
 
     /** Blurs the spectrum for rays, less than 90 degrees apart, that are closer to the same axis; angles from the x axis, radians. */
-    RayBatch batch(double firstAngle, double lastAngle, LogGrid knots) {
+    RayBatch batch(double firstAngle, double lastAngle, RayBatch.Knots knots) {
         boolean alongX = isAlongX(0.5 * (firstAngle + lastAngle));
-        return new RayBatch(alongX ? transposed : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
+        return new RayBatch(
+                alongX ? bins.transposed() : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
     }
 
     /** True if a ray is closer to the x axis than to the y axis. */

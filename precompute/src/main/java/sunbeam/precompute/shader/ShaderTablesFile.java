@@ -20,8 +20,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.zip.CRC32C;
 import java.util.zip.CheckedOutputStream;
-import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableLabel;
 
 /**
  * {@link ShaderTables} as a file with the arrays in memory layout.

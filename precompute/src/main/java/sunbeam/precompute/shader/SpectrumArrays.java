@@ -28,7 +28,7 @@ public final class SpectrumArrays {
         for (int n = 0; n < coefficients.terms(); n++) {
             for (int i = 0; i < samples; i++) {
                 texels[((n / PER_TEXEL) * samples + i) * PER_TEXEL + n % PER_TEXEL] =
-                        coefficients.values()[n][i];
+                        (float) coefficients.values()[i][n];
             }
         }
         return TableArray.of(layout, texels);
@@ -44,8 +44,9 @@ public final class SpectrumArrays {
         ArrayLayout layout = singleLayout(sampler, samples, coefficients.terms());
         float[] texels = new float[layout.floatsPerLayer()];
         for (int n = 0; n < coefficients.terms(); n++) {
+            float[] floats = coefficients.floats(n);
             for (int i = 1; i < samples - 1; i++) {
-                System.arraycopy(coefficients.values()[n], i - 1, texels, (n * samples + i) * PER_TEXEL, 3);
+                System.arraycopy(floats, i - 1, texels, (n * samples + i) * PER_TEXEL, 3);
             }
         }
         return TableArray.of(layout, texels);

@@ -102,7 +102,7 @@ class ExpansionTest {
     @Test
     void besselCoefficientsAgreeWithTheLibrarysSingleValues() {
         for (double zeta : new double[] {0, 1e-9, 0.3, 6.2, 13.5, 83}) {
-            double[] all = PhaseBasis.bessel(60, zeta);
+            double[] all = LowRankExpansion.bessel(60, zeta);
             for (int n = 0; n < 60; n++) {
                 double expected = (n == 0 ? 1 : 2) * BesselJ.value(n, zeta);
                 assertThat(all[n]).as("2 J_%d(%g)", n, zeta).isCloseTo(expected, within(1e-14));

@@ -104,7 +104,7 @@ class SpikeTest {
             int middle = (int) Math.round(zeta / perSample);
             double t = zeta / perSample - middle;
             for (int n = 0; n < table.terms(); n++) {
-                float[] values = table.values()[n];
+                float[] values = table.floats(n);
                 double parabola = t * (t - 1) / 2 * values[middle - 1]
                         + (1 - t * t) * values[middle]
                         + t * (t + 1) / 2 * values[middle + 1];

@@ -28,9 +28,9 @@ import sunbeam.precompute.plan.Neighborhood.Anchor;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.spectrum.PeriodInterpolation;
 
 /** Choices to methods: settings without a meaning for the method are refused. */
 class MethodsTest {

@@ -8,12 +8,10 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.table.PatchIdentity;
 
 /** What determines a table of colors. */
 class TableKeyTest {
@@ -21,9 +19,7 @@ class TableKeyTest {
 
     private static String key(List<DirectionPair> pairs) {
         HeightMap map = BuiltInPatches.generate("blaze");
-        PatchIdentity identity =
-                new PatchIdentity("blaze", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
-        Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+        Surface surface = new Surface(map, "blaze", "digest", CieTable.load());
         return METHOD.plan(surface, VisibleRange.of(pairs)).key(MethodUse.COLOR);
     }
 

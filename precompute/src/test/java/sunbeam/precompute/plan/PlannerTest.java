@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.expansion.ExpansionKind;
+import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
@@ -67,7 +67,7 @@ class PlannerTest {
                 .as("380..780 nm in steps of 5 nm")
                 .isEqualTo(81);
         assertThat(plan.expansion().terms()).isEqualTo(37);
-        assertThat(plan.expansion().kind()).isEqualTo(ExpansionKind.TAYLOR);
+        assertThat(plan.expansion().kind()).isEqualTo(Expansion.Kind.TAYLOR);
     }
 
     @Test
@@ -80,7 +80,7 @@ class PlannerTest {
 
     @Test
     void taylorIsRefusedWhereItCancelsInFloat32() {
-        Optional<ExpansionKind> taylor = Optional.of(ExpansionKind.TAYLOR);
+        Optional<Expansion.Kind> taylor = Optional.of(Expansion.Kind.TAYLOR);
 
         assertThat(plan(250e-9, request(taylor, 0, 65e-6, 0)).expansion().terms())
                 .as("16 for the blaze at 1e-3; here the share of the expansion is 2e-5")
@@ -231,7 +231,7 @@ class PlannerTest {
 
     /** Zero or empty where the planner chooses. */
     private static Request request(
-            Optional<ExpansionKind> expansion, int terms, double coherenceLength, double wavelengthStep) {
+            Optional<Expansion.Kind> expansion, int terms, double coherenceLength, double wavelengthStep) {
         TableChoices table = new TableChoices(
                 Optional.of(ErrorBudget.STANDARD),
                 expansion,

@@ -18,9 +18,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /** The memory that a plan estimates is that of its tables. */
 class SamplingTablesTest {
@@ -83,10 +81,7 @@ class SamplingTablesTest {
     }
 
     private static ShaderTables tables(SpectrumPlan plan, MethodUse use) {
-        PatchIdentity identity =
-                new PatchIdentity("skin", SKIN.columns(), SKIN.rows(), SKIN.pitchX(), SKIN.pitchY(), SKIN.digest());
-        FourierTable table = new TableBuilder(identity, HeightLevels.of(SKIN), done -> {})
-                .build(plan.expansion(), plan.bandX(), plan.bandY());
+        FourierTable table = plan.fourierTable(HeightLevels.of(SKIN), done -> {});
         return plan.sampling().tables(plan, table, use, CIE);
     }
 }

@@ -19,16 +19,14 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 class RadialBakerTest {
     private static final GaussianArea ENSEMBLE = ensemble(10e-6);
@@ -46,18 +44,16 @@ class RadialBakerTest {
     }
 
     private static PowerSpectrum spectrum(HeightMap map, GaussianArea shortest) {
-        return spectrum(map, shortest, 1e-4);
+        return spectrum(map, ENSEMBLE, shortest, 1e-4);
     }
 
-    private static PowerSpectrum spectrum(HeightMap map, GaussianArea shortest, double tolerance) {
-        PatchIdentity identity =
-                new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
-        Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
-        SpectrumPlan plan = surface.planner().plan(TableChoices.within(1e-4), ENSEMBLE, VisibleRange.all());
-        SpectrumPlan wide = PowerSpectrum.widened(plan, map.width(), map.height(), shortest.window());
-        FourierTable table = new TableBuilder(identity, surface.levels(), terms -> {})
-                .build(wide.expansion(), wide.bandX(), wide.bandY());
-        return new PowerSpectrum(wide, table, tolerance);
+    static PowerSpectrum spectrum(HeightMap map, GaussianArea area, GaussianArea shortest, double tolerance) {
+        Surface surface = new Surface(map, "test", "digest", CieTable.load());
+        SpectrumPlan wide = surface.planner()
+                .plan(TableChoices.within(1e-4), area, VisibleRange.all())
+                .widened(map.width(), map.height(), shortest.window());
+        return PowerSpectrum.of(
+                wide.fourierTable(surface.levels(), terms -> {}), new ErrorBudget(tolerance).powerBasis());
     }
 
     private static RadialBaker baker(PowerSpectrum spectrum, GaussianArea area, double step, double sliceStep) {
@@ -138,7 +134,7 @@ class RadialBakerTest {
             places[i] = (float) radius;
             places[i + 1] *= (float) (0.004 / radius);
         }
-        double[] errors = errors(map, area, spectrum(map, area, tolerance), places, 0.0029);
+        double[] errors = errors(map, area, spectrum(map, ENSEMBLE, area, tolerance), places, 0.0029);
         // Measured 2e-6, 1.7e-5 and 1.9e-5.
         assertThat(median(errors)).isLessThan(tolerance / 10);
         // Dark places between orders (1e-6 of them), where omitted terms of the power count; measured 7.8 at 5e-3.
@@ -158,7 +154,8 @@ class RadialBakerTest {
             places[3 * i] = (float) (wavelength / 1.25e-6);
             places[3 * i + 2] = -1.5f;
         }
-        float[] xyz = baker(spectrum(map, area, tolerance), area, 0.0009, 0.1).bake(places, BakeToken.NONE);
+        float[] xyz = baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009, 0.1)
+                .bake(places, BakeToken.NONE);
         double order = xyz[3 * 39 + 2];
         assertThat(order).isGreaterThan(1e-3);
         double largest = 0;
@@ -181,7 +178,7 @@ class RadialBakerTest {
             places[i] *= (float) inner;
             places[i + 1] *= (float) inner;
         }
-        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, 5e-5), places);
+        double[] errors = errors(map, ENSEMBLE, spectrum(map, ENSEMBLE, ENSEMBLE, 5e-5), places);
         // Measured 3.3e-5 with samples as close as sharp orders need, and 6.6e-5 at 0.014 apart; dark places between
         // orders have 2.2e-3 either way.
         assertThat(median(errors)).isLessThan(5e-5);

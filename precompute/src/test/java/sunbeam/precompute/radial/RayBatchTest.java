@@ -9,7 +9,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 class RayBatchTest {
     private static final double PERIOD_X = 65e-6;
@@ -18,12 +21,12 @@ class RayBatchTest {
     private static final int BINS = 2 * REACH_IN_BINS + 1;
     private static final double REACH = 4.8;
     private static final int TERMS = 5;
-    private static final LogGrid KNOTS = new LogGrid(Math.log(15 / PERIOD_X), 0.02, 50);
+    private static final RayBatch.Knots KNOTS = new RayBatch.Knots(Math.log(15 / PERIOD_X), 0.02, 50);
     // Of a B-spline, where it is summed for comparison.
     private static final int STEPS = 400;
 
     /** Terms' spectra with some bins a million times as bright as others. */
-    private static SpectrumPlane plane() {
+    private static PowerSpectrum plane() {
         SplittableRandom random = new SplittableRandom(8);
         double[][] fields = new double[TERMS][BINS * BINS];
         for (double[] field : fields) {
@@ -31,7 +34,17 @@ class RayBatchTest {
                 field[i] = Math.pow(10, -6 * random.nextDouble());
             }
         }
-        return SpectrumPlane.of(PERIOD_X, PERIOD_Y, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
+        return plane(PERIOD_Y, fields);
+    }
+
+    private static PowerSpectrum plane(double periodY, double[][] fields) {
+        return PowerSpectrum.of(
+                new HeightScale(0, 1e-6),
+                CoefficientTable.sampled(0, 1, 1, zeta -> new double[fields.length]),
+                new PowerSpectrum.Axis(PERIOD_X, -REACH_IN_BINS, BINS),
+                new PowerSpectrum.Axis(periodY, -REACH_IN_BINS, BINS),
+                fields,
+                1e-4);
     }
 
     /** One over 2 pi sigma is the deviation in cycles per meter, and the length is four sigma. */
@@ -39,8 +52,8 @@ class RayBatchTest {
         return CoherenceWindow.ofCoherenceLength(4 * PERIOD_X / (2 * Math.PI * sigmaBins));
     }
 
-    private static WindowedSpectrum powers(SpectrumPlane plane, CoherenceWindow window) {
-        return new WindowedSpectrum(null, plane, plane.transposed(), window, REACH);
+    private static WindowedSpectrum powers(PowerSpectrum plane, CoherenceWindow window) {
+        return new WindowedSpectrum(plane, window, REACH, false);
     }
 
     private static double spline(double distance) {
@@ -111,7 +124,7 @@ class RayBatchTest {
     @Test
     void beyondThePlaneThereIsNothing() {
         WindowedSpectrum powers = powers(plane(), window(0.64));
-        LogGrid beyond = new LogGrid(Math.log(80 / PERIOD_X), 0.02, 30);
+        RayBatch.Knots beyond = new RayBatch.Knots(Math.log(80 / PERIOD_X), 0.02, 30);
         double[] averages = new double[powers.stride() * beyond.count()];
         powers.batch(0, 0.1, beyond).averages(0.05, averages);
         assertThat(averages).containsOnly(0);
@@ -121,9 +134,8 @@ class RayBatchTest {
     void aConstantIsItsAverage() {
         double[][] fields = new double[1][BINS * BINS];
         Arrays.fill(fields[0], 1);
-        SpectrumPlane plane = SpectrumPlane.of(PERIOD_X, PERIOD_X, -REACH_IN_BINS, -REACH_IN_BINS, BINS, BINS, fields);
-        WindowedSpectrum powers = powers(plane, window(2));
-        LogGrid inside = new LogGrid(Math.log(10 / PERIOD_X), 0.01, 60);
+        WindowedSpectrum powers = powers(plane(PERIOD_X, fields), window(2));
+        RayBatch.Knots inside = new RayBatch.Knots(Math.log(10 / PERIOD_X), 0.01, 60);
         double[] averages = new double[powers.stride() * inside.count()];
         powers.batch(0.7, 0.78, inside).averages(0.75, averages);
         for (int knot = 0; knot < inside.count(); knot++) {

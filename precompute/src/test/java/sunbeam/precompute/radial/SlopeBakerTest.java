@@ -10,18 +10,11 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.SpectrumPlan;
-import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Means over slopes against sums of colors of points over slopes, by independent windows and grids. */
 class SlopeBakerTest {
@@ -34,15 +27,7 @@ class SlopeBakerTest {
     private static final int SIDE = 36;
 
     private static PowerSpectrum spectrum(HeightMap map, ColorTable table) {
-        PatchIdentity identity =
-                new PatchIdentity("test", map.columns(), map.rows(), map.pitchX(), map.pitchY(), "digest");
-        Surface surface = new Surface(map, HeightLevels.of(map), identity, CieTable.load());
-        SpectrumPlan plan = surface.planner().plan(TableChoices.within(1e-4), AREA, VisibleRange.all());
-        SpectrumPlan wide = PowerSpectrum.widened(
-                plan, map.width(), map.height(), table.widest().window());
-        FourierTable fourier = new TableBuilder(identity, surface.levels(), terms -> {})
-                .build(wide.expansion(), wide.bandX(), wide.bandY());
-        return new PowerSpectrum(wide, fourier, 1e-4);
+        return RadialBakerTest.spectrum(map, AREA, table.widest(), 1e-4);
     }
 
     /** The mean over slopes, by a sum over an even grid of them. */

@@ -12,8 +12,6 @@ import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableLabel;
 
 /** Tables are read back bit by bit, and other files are refused. */
 class ShaderTablesFileTest {

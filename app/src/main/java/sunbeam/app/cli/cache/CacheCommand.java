@@ -15,8 +15,8 @@ import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableException;
+import sunbeam.precompute.shader.TableLabel;
 import sunbeam.precompute.text.Text;
 
 /** {@code sunbeam cache}: lists and deletes cached tables. */

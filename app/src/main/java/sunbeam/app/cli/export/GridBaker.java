@@ -16,9 +16,10 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.SpectrumPlan;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Bakes color grids for the ensemble-averaged levels of a color table; coarser levels have wider orders (docs/color-tables.md). */
 final class GridBaker {
@@ -75,7 +76,7 @@ final class GridBaker {
         SpectrumPlan bins = plan.spectrum().orElseThrow();
         this.all = plan.table();
         this.levels = all.levels().subList(all.pointLevelCount(), all.levels().size());
-        this.spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
+        this.spectrum = PowerSpectrum.of(setup.fourierTable(bins), new ErrorBudget(plan.tolerance()).powerBasis());
         this.cie = setup.cie();
         this.tolerance = tolerance;
         this.display = setup.progress();

@@ -26,8 +26,8 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.TableFile;
+import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.spectrum.TableFile;
 import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam precompute}: writes the Fourier tables of a patch for other programs. */
@@ -114,20 +114,24 @@ public final class PrecomputeCommand extends ReportingCommand {
         long start = System.nanoTime();
         FourierTable table = setup.fourierTable(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
-        Path written = AtomicFile.writeFile(file, force.overwrite(output), path -> TableFile.write(path, table));
+        Path written = AtomicFile.writeFile(
+                file,
+                force.overwrite(output),
+                path -> TableFile.write(
+                        path, table, setup.surface().name(), setup.surface().digest()));
         PrintWriter out = out(file);
         json.text(out)
                 .println(Text.format(
                         "%d %s terms of %d x %d bins, %.1f MB, made in %.2f s",
                         table.terms(),
-                        ValueKind.name(table.kind()),
+                        ValueKind.name(table.expansion().kind()),
                         table.bandX().count(),
                         table.bandY().count(),
                         table.bytes() * 1e-6,
                         seconds));
         Map<String, Object> report = new LinkedHashMap<>();
         report.put("patch", setup.patch().name());
-        report.put("kind", ValueKind.name(table.kind()));
+        report.put("kind", ValueKind.name(table.expansion().kind()));
         report.put("terms", table.terms());
         report.put("columns", table.bandX().count());
         report.put("rows", table.bandY().count());

@@ -36,14 +36,15 @@ import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Command {@code sunbeam sample}: writes random rows of light, view and color. */
 @Command(
@@ -147,7 +148,8 @@ public final class SampleCommand extends ReportingCommand {
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
         SpectrumPlan bins = plan.spectrum().orElseThrow();
-        PowerSpectrum spectrum = new PowerSpectrum(bins, setup.fourierTable(bins), plan.tolerance());
+        PowerSpectrum spectrum =
+                PowerSpectrum.of(setup.fourierTable(bins), new ErrorBudget(plan.tolerance()).powerBasis());
         Optional<Certificate> certificate;
         Map<String, Object> made = metadata(setup, method, plan, part);
         try (Progress progress = environment().progress().start("Rows", rows)) {

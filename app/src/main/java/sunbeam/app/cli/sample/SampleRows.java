@@ -16,8 +16,8 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number, so that

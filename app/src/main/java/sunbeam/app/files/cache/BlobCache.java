@@ -15,8 +15,8 @@ import java.util.zip.CRC32C;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableException;
+import sunbeam.precompute.shader.TableLabel;
 
 /**
  * Cache of bytes that depend only on the build and a name: painted textures, heights of built-in patches, the sky visibility of a mesh. A

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableException;
+import sunbeam.precompute.shader.TableLabel;
 
 /**
  * File in the cache folder.

@@ -26,7 +26,7 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.table.TableException;
+import sunbeam.precompute.shader.TableException;
 
 /**
  * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory

@@ -20,7 +20,6 @@ import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
-import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Method;
@@ -37,9 +36,8 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.TableBuilder;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableLabel;
+import sunbeam.precompute.spectrum.FourierTable;
 
 /**
  * Loaded patch and the cache of its tables. A table is stored under a hash of all that determines it. Missing tables are made; damaged ones
@@ -150,15 +148,13 @@ public record DiffractionSetup(
 
             @Override
             public BakeToken progress(long samples) {
-                return progress.start("Colors of " + surface.identity().name(), samples);
+                return progress.start("Colors of " + surface.name(), samples);
             }
 
             @Override
             public boolean hasTiles() {
                 return folder.open(warning).isPresent()
-                        && folder.entries().stream()
-                                .anyMatch(entry ->
-                                        entry.isTilesOf(surface.identity().digest()));
+                        && folder.entries().stream().anyMatch(entry -> entry.isTilesOf(surface.digest()));
             }
 
             @Override
@@ -218,7 +214,7 @@ public record DiffractionSetup(
     }
 
     private TableLabel label(MethodPlan plan) {
-        return TableLabel.of(surface.identity().name(), surface.identity().digest(), plan.summary());
+        return TableLabel.of(surface.name(), surface.digest(), plan.summary());
     }
 
     private static String tilesKey(ColorTablePlan plan) {
@@ -260,20 +256,14 @@ public record DiffractionSetup(
 
     /** Computes the Fourier table of a plan. It is not cached, because the colors that need it take longer. */
     public FourierTable fourierTable(SpectrumPlan plan) {
-        Expansion expansion = plan.expansion();
-        try (Progress task =
-                progress.start("Fourier tables of " + surface.identity().name(), expansion.terms())) {
-            int[] done = {0};
-            TableBuilder builder = new TableBuilder(surface.identity(), surface.levels(), terms -> {
-                task.step(terms - done[0]);
-                done[0] = terms;
-            });
-            return builder.build(expansion, plan.bandX(), plan.bandY());
+        try (Progress task = progress.start(
+                "Fourier tables of " + surface.name(), plan.expansion().terms())) {
+            return plan.fourierTable(surface.levels(), task::step);
         }
     }
 
     private Optional<Path> file(String key, String ending) {
-        String name = CacheEntry.name(surface.identity().digest(), Sha256.of(key), ending);
+        String name = CacheEntry.name(surface.digest(), Sha256.of(key), ending);
         return folder.open(warning).map(path -> path.resolve(name));
     }
 

@@ -29,8 +29,8 @@ import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.table.TableException;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableException;
+import sunbeam.precompute.shader.TableLabel;
 
 /**
  * Cache file of the tiles of one color table, in the order in which they were baked. After the head (format, label, hash of the key) come

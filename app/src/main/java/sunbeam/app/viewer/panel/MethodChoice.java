@@ -18,9 +18,9 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Preset;
-import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.spectrum.PeriodInterpolation;
 
 /** Entry of the method list: a method that can draw meshes, in one of its forms that look different (interpolation or preset). */
 public final class MethodChoice {

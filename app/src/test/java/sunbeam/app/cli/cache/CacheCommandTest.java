@@ -14,7 +14,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableLabel;
 
 final class CacheCommandTest extends CommandLineFixture {
     private Path cache;

@@ -16,10 +16,10 @@ import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.TableChoices;
-import sunbeam.precompute.resample.PeriodInterpolation;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.spectrum.PeriodInterpolation;
 
 /** Parses methods from command lines. */
 class MethodOptionsTest {

@@ -34,21 +34,19 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.radial.PowerSpectrum;
 import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableLabel;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Tables are made once, and are read back unchanged. */
 class DiffractionSetupTest {
@@ -82,9 +80,7 @@ class DiffractionSetupTest {
 
     private static Surface surface(String name) {
         HeightMap map = BuiltInPatches.generate("blaze");
-        PatchIdentity identity =
-                new PatchIdentity(name, map.columns(), map.rows(), map.pitchX(), map.pitchY(), map.digest());
-        return new Surface(map, HeightLevels.of(map), identity, CieTable.load());
+        return new Surface(map, name, map.digest(), CieTable.load());
     }
 
     private DiffractionSetup setup(String name) {
@@ -140,8 +136,7 @@ class DiffractionSetupTest {
                 .isEqualTo(PosixFilePermissions.fromString("rw-------"));
         CacheEntry entry = folder.entries().get(0);
         assertThat(entry.lastUsed()).isAfter(Instant.now().minusSeconds(600));
-        assertThat(entry.label())
-                .isEqualTo(TableLabel.of("a", surface("a").identity().digest(), "counted"));
+        assertThat(entry.label()).isEqualTo(TableLabel.of("a", surface("a").digest(), "counted"));
     }
 
     @Test
@@ -175,7 +170,7 @@ class DiffractionSetupTest {
         TileGrid grid = TileGrid.of(all.table().levels().get(0));
         BitSet tiles = grid.reachable();
         SpectrumPlan bins = all.spectrum().orElseThrow();
-        PowerSpectrum spectrum = new PowerSpectrum(bins, setup("a").fourierTable(bins), all.tolerance());
+        PowerSpectrum spectrum = PowerSpectrum.of(setup("a").fourierTable(bins), 0.4 * all.tolerance());
         List<byte[]> made = new LevelBaking(grid, all.table().numbers())
                 .bake(
                         tiles,

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
-import sunbeam.precompute.table.TableLabel;
+import sunbeam.precompute.shader.TableLabel;
 
 final class TileFileTest {
     private static final TableLabel LABEL = new TableLabel("bläze", "table: 3 levels");

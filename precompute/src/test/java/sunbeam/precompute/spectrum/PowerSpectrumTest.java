@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -15,11 +15,8 @@ import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.table.FourierTable;
-import sunbeam.precompute.table.PatchIdentity;
-import sunbeam.precompute.table.TableBuilder;
 
-class PowerFieldsTest {
+class PowerSpectrumTest {
     private static final double MAXIMUM_PHASE = 6;
     private static final double TOLERANCE = 1e-6;
 
@@ -34,15 +31,14 @@ class PowerFieldsTest {
                 ? LowRankExpansion.ofTerms(heights, scale, 0, MAXIMUM_PHASE, terms)
                 : new TaylorExpansion(scale, terms, MAXIMUM_PHASE);
         Band band = Band.of(-3, 4);
-        PatchIdentity patch = new PatchIdentity("random", map.columns(), map.rows(), 40e-9, 40e-9, "");
-        FourierTable table = new TableBuilder(patch, heights, done -> {}).build(expansion, band, band);
-        PowerFields fields = new PowerFields(table, expansion, TOLERANCE);
+        FourierTable table = FourierTable.of(heights, expansion, band, band, done -> {});
+        PowerSpectrum spectrum = PowerSpectrum.of(table, TOLERANCE);
         for (int bin = 0; bin < band.count() * band.count(); bin++) {
             double largest = 0;
             double worst = 0;
             for (double phase = 0.1; phase < MAXIMUM_PHASE; phase += 0.37) {
                 double expected = power(table, expansion, phase, bin);
-                double found = power(fields, phase, bin);
+                double found = power(spectrum, phase, bin);
                 largest = Math.max(largest, expected);
                 worst = Math.max(worst, Math.abs(found - expected));
             }
@@ -52,10 +48,10 @@ class PowerFieldsTest {
         }
     }
 
-    private static double power(PowerFields fields, double phase, int bin) {
-        double[] functions = fields.functions(phase);
+    private static double power(PowerSpectrum spectrum, double phase, int bin) {
+        double[] functions = spectrum.coefficients().at(phase);
         return IntStream.range(0, functions.length)
-                .mapToDouble(n -> functions[n] * fields.projections()[n][bin])
+                .mapToDouble(n -> functions[n] * spectrum.powers()[bin * spectrum.stride() + n])
                 .sum();
     }
 
@@ -64,7 +60,7 @@ class PowerFieldsTest {
         Complex sum = Complex.ZERO;
         for (int n = 0; n < coefficients.length; n++) {
             Complex term = new Complex(table.real()[n][bin], table.imaginary()[n][bin]);
-            sum = sum.add(term.multiply(table.kind().turn(n)).multiply(coefficients[n]));
+            sum = sum.add(term.multiply(table.expansion().kind().turn(n)).multiply(coefficients[n]));
         }
         return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
     }

@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;

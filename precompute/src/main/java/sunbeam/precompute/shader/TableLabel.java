@@ -1,4 +1,4 @@
-package sunbeam.precompute.table;
+package sunbeam.precompute.shader;
 
 /**
  * Description of a cached table, shown when the cache is listed; it is not part of the cache key.

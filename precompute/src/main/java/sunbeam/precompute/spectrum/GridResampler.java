@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
@@ -10,45 +10,55 @@ public record GridResampler(Axis alongX, Axis alongY) {
     /**
      * Weights from the DFT bins of one axis to the samples of a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within reach.
      *
-     * @param firstBin index of the first bin within reach of each sample, counted from the band's first bin
+     * @param bins number of bins along the axis
+     * @param firstBin index of the first bin within reach of each sample
      * @param weights {@code [sample][bin]}, beginning with {@code firstBin}
      */
-    public record Axis(AxisGrid grid, Band band, int[] firstBin, double[][] weights) {
+    public record Axis(int bins, int[] firstBin, double[][] weights) {
 
         /**
          * Returns weights for samples that are interpolated later: the Gaussian with the interpolation kernel divided out of its transform.
+         *
+         * @param grid numbers of the samples; sample i has the frequency i * step
+         * @param step cycles per meter
          */
-        public static Axis forInterpolation(AxisGrid grid, Band band, double period, InterpolationDesign design) {
-            Spread spread = design.spread();
-            return of(grid, band, period, spread::value, spread.reach());
+        public static Axis forInterpolation(
+                Band grid, double step, PowerSpectrum.Axis bins, InterpolationDesign design) {
+            InterpolationDesign.Spread spread = design.spread();
+            return of(grid, step, bins, spread::value, spread.reach());
         }
 
         /** Returns weights for samples that are read at grid points only: the plain Gaussian; sigma in cycles per meter. */
-        public static Axis forGridPoints(AxisGrid grid, Band band, double period, double sigma) {
-            double deviation = sigma / grid.step();
+        public static Axis forGridPoints(Band grid, double step, PowerSpectrum.Axis bins, double sigma) {
+            double deviation = sigma / step;
             return of(
                     grid,
-                    band,
-                    period,
+                    step,
+                    bins,
                     distance -> Math.exp(-0.5 * Math.pow(distance / deviation, 2)),
-                    Spread.GAUSS_REACH * deviation);
+                    InterpolationDesign.GAUSS_REACH * deviation);
         }
 
-        private static Axis of(AxisGrid grid, Band band, double period, DoubleUnaryOperator weight, double reach) {
+        private static Axis of(
+                Band grid, double step, PowerSpectrum.Axis bins, DoubleUnaryOperator weight, double reach) {
             int[] firstBin = new int[grid.count()];
             double[][] weights = new double[grid.count()][];
-            double stepsPerBin = 1 / (period * grid.step());
+            double stepsPerBin = 1 / (bins.period() * step);
             for (int i = 0; i < grid.count(); i++) {
                 double position = (grid.first() + i) / stepsPerBin;
-                int low = (int) Math.max(band.first(), Math.ceil(position - reach / stepsPerBin));
-                int high = (int) Math.min(band.last(), Math.floor(position + reach / stepsPerBin));
-                firstBin[i] = low - band.first();
+                int low = (int) Math.max(bins.first(), Math.ceil(position - reach / stepsPerBin));
+                int high = (int) Math.min(bins.last(), Math.floor(position + reach / stepsPerBin));
+                firstBin[i] = low - bins.first();
                 weights[i] = new double[Math.max(0, high - low + 1)];
                 for (int j = 0; j < weights[i].length; j++) {
                     weights[i][j] = weight.applyAsDouble((position - low - j) * stepsPerBin);
                 }
             }
-            return new Axis(grid, band, firstBin, weights);
+            return new Axis(bins.count(), firstBin, weights);
+        }
+
+        int samples() {
+            return weights.length;
         }
     }
 
@@ -59,7 +69,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     public int size() {
-        return Math.multiplyExact(alongX.grid().count(), alongY.grid().count());
+        return Math.multiplyExact(alongX.samples(), alongY.samples());
     }
 
     /**
@@ -72,8 +82,8 @@ public record GridResampler(Axis alongX, Axis alongY) {
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];
         Arrays.setAll(halves, i -> alongX(fields[i]));
-        int columns = alongX.grid().count();
-        int rows = alongY.grid().count();
+        int columns = alongX.samples();
+        int rows = alongY.samples();
         IntStream.range(0, rows).parallel().forEach(row -> {
             double[][] sums = new double[fields.length][];
             Arrays.setAll(sums, i -> row(halves[i], row));
@@ -87,10 +97,10 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     private double[] alongX(double[] bins) {
-        int binColumns = alongX.band().count();
-        int columns = alongX.grid().count();
-        double[] half = new double[alongY.band().count() * columns];
-        IntStream.range(0, alongY.band().count()).parallel().forEach(binRow -> {
+        int binColumns = alongX.bins();
+        int columns = alongX.samples();
+        double[] half = new double[alongY.bins() * columns];
+        IntStream.range(0, alongY.bins()).parallel().forEach(binRow -> {
             for (int column = 0; column < columns; column++) {
                 double[] weights = alongX.weights()[column];
                 int first = binRow * binColumns + alongX.firstBin()[column];
@@ -105,7 +115,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     private double[] row(double[] half, int row) {
-        int columns = alongX.grid().count();
+        int columns = alongX.samples();
         double[] weights = alongY.weights()[row];
         double[] sums = new double[columns];
         for (int j = 0; j < weights.length; j++) {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,7 +10,7 @@ class InterpolationDesignTest {
     void skirtsAreInterpolatedAsWellAsPeaks() {
         double skirt = 4.6;
         InterpolationDesign design = InterpolationDesign.within(1e-4, skirt);
-        Spread spread = design.spread();
+        InterpolationDesign.Spread spread = design.spread();
         for (double distance = 0; distance <= skirt; distance += 0.37) {
             double f = 0.3 + distance * design.deviation();
             double sum = 0;

@@ -1,11 +1,9 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
-import sunbeam.precompute.table.FourierTable;
 
 /** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. */
 final class BinPowers {
@@ -17,7 +15,7 @@ final class BinPowers {
     // [node][term]
     private final double[][] coefficients;
 
-    BinPowers(FourierTable table, Expansion expansion, PhaseNodes nodes) {
+    BinPowers(FourierTable table, PhaseNodes nodes) {
         rows = table.bandY().count();
         columns = table.bandX().count();
         terms = table.terms();
@@ -26,13 +24,13 @@ final class BinPowers {
                 .mapToObj(row -> row(table, row))
                 .toArray(double[][]::new);
         coefficients = new double[nodes.count()][];
-        Arrays.setAll(coefficients, q -> expansion.coefficients(nodes.node(q)));
+        Arrays.setAll(coefficients, q -> table.expansion().coefficients(nodes.node(q)));
     }
 
     private double[] row(FourierTable table, int row) {
         double[] result = new double[Math.multiplyExact(columns, 2 * terms)];
         for (int n = 0; n < terms; n++) {
-            Complex turn = table.kind().turn(n);
+            Complex turn = table.expansion().kind().turn(n);
             for (int column = 0; column < columns; column++) {
                 double real = table.real()[n][row * columns + column];
                 double imaginary = table.imaginary()[n][row * columns + column];

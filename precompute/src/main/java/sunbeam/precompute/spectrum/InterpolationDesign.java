@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -26,6 +26,9 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
     // These err least of 1.5 to 3.2, both in the middle and on the skirts.
     private static final double[] BETA_PER_TAP = {2.5, 2.65, 2.8, 2.95};
+
+    // Standard deviations; exp(-7.5^2 / 2) = 6e-13.
+    static final double GAUSS_REACH = 7.5;
 
     /**
      * Returns the design within an error that has the fewest taps, and of those the coarsest grid.
@@ -81,5 +84,79 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
 
     Spread spread() {
         return new Spread(deviation, taps, beta);
+    }
+
+    /** Function K of a design. */
+    static final class Spread {
+        private static final int SPECTRUM_SAMPLES = 256;
+        // Distances at which the error of a design is measured, in standard deviations.
+        private static final double DISTANCE_STEP = 0.6;
+        // Between two grid points.
+        private static final int POSITIONS = 4;
+
+        private final KaiserBessel kernel;
+        private final double deviation;
+        private final double[] spectrum = new double[SPECTRUM_SAMPLES + 1];
+
+        Spread(double deviation, int taps, double beta) {
+            this.kernel = new KaiserBessel(taps, beta);
+            this.deviation = deviation;
+            for (int i = 0; i <= SPECTRUM_SAMPLES; i++) {
+                double frequency = 0.5 * i / SPECTRUM_SAMPLES;
+                double end = i == 0 || i == SPECTRUM_SAMPLES ? 0.5 : 1;
+                double gauss = Math.exp(-0.5 * Math.pow(2 * Math.PI * deviation * frequency, 2));
+                spectrum[i] = end * gauss / kernel.transform(frequency);
+            }
+        }
+
+        double reach() {
+            return GAUSS_REACH * deviation + 0.5 * kernel.taps();
+        }
+
+        double value(double distance) {
+            if (Math.abs(distance) > reach()) {
+                return 0;
+            }
+            // cos(i angle) by rotation; a few hundred steps lose two digits of sixteen.
+            double angle = Math.PI * distance / SPECTRUM_SAMPLES;
+            double stepCosine = Math.cos(angle);
+            double stepSine = Math.sin(angle);
+            double cosine = 1;
+            double sine = 0;
+            double sum = 0;
+            for (double value : spectrum) {
+                sum += value * cosine;
+                double next = cosine * stepCosine - sine * stepSine;
+                sine = sine * stepCosine + cosine * stepSine;
+                cosine = next;
+            }
+            return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
+        }
+
+        /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian, over a skirt in its standard deviations. */
+        private double largestError(double skirt) {
+            double largest = 0;
+            int distances = (int) Math.ceil(skirt / DISTANCE_STEP);
+            for (int i = 0; i <= distances; i++) {
+                for (int place = 0; place < POSITIONS; place++) {
+                    double bin = (double) place / POSITIONS;
+                    // The offset of f from the grid point below varies with the distance.
+                    double f = bin + skirt * i / distances * deviation;
+                    double gauss = Math.exp(-0.5 * Math.pow((f - bin) / deviation, 2));
+                    largest = Math.max(largest, Math.abs(interpolated(f, bin) / gauss - 1));
+                }
+            }
+            return largest;
+        }
+
+        /** Returns sum_m phi(f - m) K(m - bin), in grid steps. */
+        double interpolated(double f, double bin) {
+            double sum = 0;
+            double half = 0.5 * kernel.taps();
+            for (long m = (long) Math.ceil(f - half); m <= f + half; m++) {
+                sum += kernel.value(f - m) * value(m - bin);
+            }
+            return sum;
+        }
     }
 }

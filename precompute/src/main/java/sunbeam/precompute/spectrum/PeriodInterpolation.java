@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import sunbeam.precompute.numerics.KaiserBessel;
 

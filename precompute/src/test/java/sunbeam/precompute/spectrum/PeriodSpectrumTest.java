@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,10 +1,13 @@
-package sunbeam.precompute.table;
+package sunbeam.precompute.spectrum;
 
 import io.jhdf.HdfFile;
 import io.jhdf.WritableHdfFile;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Arrays;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.setting.ValueKind;
 
 /**
@@ -21,18 +24,24 @@ public final class TableFile {
     /**
      * Writes a table to a new file. The caller writes to a temporary name, and renames the file when it is complete.
      *
+     * @param name name of the patch
+     * @param digest SHA-256 of the patch's grid and heights, in hexadecimal
      * @throws UncheckedIOException if the file cannot be written
      */
-    public static void write(Path file, FourierTable table) {
+    public static void write(Path file, FourierTable table, String name, String digest) {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             hdf.putDataset("terms", nested(table));
             describe(hdf, table);
-            describe(hdf, table.patch());
-            table.coefficients().ifPresent(coefficients -> {
-                hdf.putDataset("coefficients", coefficients.values());
+            hdf.putAttribute("patch_name", name);
+            hdf.putAttribute("patch_digest_sha256", digest);
+            if (table.expansion().kind() != Expansion.Kind.TAYLOR) {
+                CoefficientTable coefficients = CoefficientTable.sampled(table.expansion());
+                float[][] values = new float[coefficients.terms()][];
+                Arrays.setAll(values, coefficients::floats);
+                hdf.putDataset("coefficients", values);
                 hdf.putAttribute("coefficients_first_phase_radians", coefficients.minimumPhase());
                 hdf.putAttribute("coefficients_last_phase_radians", coefficients.maximumPhase());
-            });
+            }
         } catch (RuntimeException e) {
             throw new UncheckedIOException(
                     "cannot write " + file + ": " + rootMessage(e), new IOException(rootMessage(e), e));
@@ -49,20 +58,15 @@ public final class TableFile {
                 "columns_are", "bins of x, ascending from first_bin_x; frequency = bin / width, cycles per metre");
         hdf.putAttribute(
                 "window", "none: the Gaussian window acts when the table is used; phases refer to the top left sample");
-        hdf.putAttribute("expansion", ValueKind.name(table.kind()));
-        hdf.putAttribute("height_centre_metres", table.scale().center());
-        hdf.putAttribute("height_half_range_metres", table.scale().halfRange());
+        hdf.putAttribute("expansion", ValueKind.name(table.expansion().kind()));
+        hdf.putAttribute("height_centre_metres", table.expansion().scale().center());
+        hdf.putAttribute("height_half_range_metres", table.expansion().scale().halfRange());
         hdf.putAttribute("first_bin_x", table.bandX().first());
         hdf.putAttribute("first_bin_y", table.bandY().first());
-    }
-
-    private static void describe(WritableHdfFile hdf, PatchIdentity patch) {
-        hdf.putAttribute("patch_name", patch.name());
-        hdf.putAttribute("patch_digest_sha256", patch.digest());
-        hdf.putAttribute("patch_columns", patch.columns());
-        hdf.putAttribute("patch_rows", patch.rows());
-        hdf.putAttribute("pitch_x_metres", patch.pitchX());
-        hdf.putAttribute("pitch_y_metres", patch.pitchY());
+        hdf.putAttribute("patch_columns", table.map().columns());
+        hdf.putAttribute("patch_rows", table.map().rows());
+        hdf.putAttribute("pitch_x_metres", table.map().pitchX());
+        hdf.putAttribute("pitch_y_metres", table.map().pitchY());
     }
 
     private static float[][][][] nested(FourierTable table) {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.table;
+package sunbeam.precompute.spectrum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -12,7 +12,7 @@ import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
-class TableBuilderTest {
+class FourierTableTest {
 
     @ParameterizedTest
     @CsvSource({
@@ -33,8 +33,7 @@ class TableBuilderTest {
         TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), terms, 5);
         Band bandX = Band.of(-2, 4);
         Band bandY = Band.of(-3, 1);
-        PatchIdentity patch = new PatchIdentity("random", columns, rows, 40e-9, 40e-9, "");
-        FourierTable table = new TableBuilder(patch, heights, done -> {}).build(expansion, bandX, bandY);
+        FourierTable table = FourierTable.of(heights, expansion, bandX, bandY, done -> {});
         for (int n = 0; n < terms; n++) {
             for (int jy = bandY.first(); jy <= bandY.last(); jy++) {
                 for (int jx = bandX.first(); jx <= bandX.last(); jx++) {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.resample;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.PriorityQueue;
@@ -10,17 +10,13 @@ import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.table.FourierTable;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
  * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones. Each phase is scaled by
  * the mean power in the octave around it, over which one color integrates, so that grazing light counts, too.
  */
-public final class PowerFields {
-    /** Largest angular frequency of a power over the phase: two scaled heights s, both in -1..1, differ by at most 2. */
-    public static final double BANDWIDTH = 2;
-
+final class PowerBasis {
     private static final int STRONGEST_BINS = 300;
     private static final int RANDOM_BINS = 300;
     // Bins of this share of the strongest one's strength (a mirror's among grains) must keep the tolerance.
@@ -35,10 +31,11 @@ public final class PowerFields {
     private final double[][] projections;
 
     /** @param tolerance relative root-mean-square error of the powers over an octave of phases */
-    public PowerFields(FourierTable table, Expansion expansion, double tolerance) {
-        nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), BANDWIDTH);
+    PowerBasis(FourierTable table, double tolerance) {
+        Expansion expansion = table.expansion();
+        nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
         PhaseOctaves octaves = new PhaseOctaves(nodes);
-        BinPowers powers = new BinPowers(table, expansion, nodes);
+        BinPowers powers = new BinPowers(table, nodes);
         int[] bins = sample(powers);
         double[][] rows = Arrays.stream(bins).mapToObj(powers::at).toArray(double[][]::new);
         double[] mirror = mirror(table, powers);
@@ -205,19 +202,16 @@ public final class PowerFields {
         return largest.element();
     }
 
-    public double[] functions(double zeta) {
-        return nodes.interpolate(functions, functions.length, zeta);
-    }
-
-    public Fields fields() {
-        return new Fields(
-                projections,
-                CoefficientTable.sampled(
-                        nodes.minimum(), nodes.maximum(), BANDWIDTH, functions.length, this::functions));
+    CoefficientTable coefficients() {
+        return CoefficientTable.sampled(
+                nodes.minimum(),
+                nodes.maximum(),
+                PowerSpectrum.BANDWIDTH,
+                zeta -> nodes.interpolate(functions, functions.length, zeta));
     }
 
     /** {@code [function][bin]}. */
-    public double[][] projections() {
+    double[][] projections() {
         return projections;
     }
 

@@ -1,0 +1,181 @@
+package sunbeam.precompute.spectrum;
+
+import java.util.Arrays;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.IntConsumer;
+import org.apache.commons.math3.complex.Complex;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.fourier.Band;
+import sunbeam.precompute.fourier.BandTransform2d;
+import sunbeam.precompute.fourier.ComplexVector;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.patch.HeightLevels;
+
+/**
+ * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies.
+ *
+ * @param bandX bins along x; frequency = bin / width
+ * @param bandY bins along y, ascending with y
+ * @param real real parts {@code [term][row * bandX.count() + column]}, rows and columns in ascending order of bins; phases refer to sample
+ *     (0, 0), at the top left
+ * @param imaginary imaginary parts, in the order of {@code real}
+ */
+public record FourierTable(
+        HeightMap map, Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
+
+    /**
+     * Transforms the terms within bands of bins.
+     *
+     * @param progress receives the number of terms finished by each transform
+     */
+    public static FourierTable of(
+            HeightLevels heights, Expansion expansion, Band bandX, Band bandY, IntConsumer progress) {
+        float[][] empty = new float[expansion.terms()][];
+        FourierTable table = new FourierTable(heights.map(), expansion, bandX, bandY, empty, empty.clone());
+        if (expansion.kind().hasRealBasis()) {
+            table.transformPairs(heights, progress);
+        } else {
+            table.transformSingly(heights, progress);
+        }
+        return table;
+    }
+
+    private void transformSingly(HeightLevels heights, IntConsumer progress) {
+        BandTransform2d transform = new BandTransform2d(map.columns(), map.rows(), bandX, bandY);
+        for (int n = 0; n < terms(); n++) {
+            int term = n;
+            ComplexVector bins = transform.transform(
+                    rows(heights, s -> expansion.realBasis(term, s), s -> expansion.imaginaryBasis(term, s)));
+            real[n] = toFloat(bins.real());
+            imaginary[n] = toFloat(bins.imaginary());
+            progress.accept(1);
+        }
+    }
+
+    /** Transforms two real terms a, b at once, z = a + i b: A(f) = (Z(f) + Z*(-f)) / 2, B(f) = (Z(f) - Z*(-f)) / 2i. */
+    private void transformPairs(HeightLevels heights, IntConsumer progress) {
+        Band symmetricX = bandX.symmetric();
+        Band symmetricY = bandY.symmetric();
+        BandTransform2d transform = new BandTransform2d(map.columns(), map.rows(), symmetricX, symmetricY);
+        for (int n = 0; n < terms(); n += 2) {
+            int first = n;
+            int count = Math.min(2, terms() - n);
+            ComplexVector z = transform.transform(rows(
+                    heights,
+                    s -> expansion.realBasis(first, s),
+                    s -> count == 2 ? expansion.realBasis(first + 1, s) : 0));
+            for (int term = n; term < n + count; term++) {
+                separate(z, symmetricX, symmetricY, term == n, term);
+            }
+            progress.accept(count);
+        }
+    }
+
+    private void separate(ComplexVector z, Band symmetricX, Band symmetricY, boolean first, int term) {
+        float[] re = new float[bins()];
+        float[] im = new float[bins()];
+        int last = z.length() - 1;
+        int target = 0;
+        for (int jy = bandY.first(); jy <= bandY.last(); jy++) {
+            for (int jx = bandX.first(); jx <= bandX.last(); jx++, target++) {
+                int at = (jy - symmetricY.first()) * symmetricX.count() + jx - symmetricX.first();
+                double a = z.real()[at];
+                double b = z.imaginary()[at];
+                double mirroredA = z.real()[last - at];
+                double mirroredB = z.imaginary()[last - at];
+                re[target] = (float) (0.5 * (first ? a + mirroredA : b + mirroredB));
+                im[target] = (float) (0.5 * (first ? b - mirroredB : mirroredA - a));
+            }
+        }
+        real[term] = re;
+        imaginary[term] = im;
+    }
+
+    /** Returns the rows of a complex image: its real and imaginary parts are the given functions of the scaled height of each sample. */
+    private BandTransform2d.RowSource rows(
+            HeightLevels heights, DoubleUnaryOperator realPart, DoubleUnaryOperator imaginaryPart) {
+        int columns = map.columns();
+        if (heights.areTooManyToTabulate()) {
+            return (row, realRow, imaginaryRow) -> {
+                for (int column = 0; column < columns; column++) {
+                    double scaled = expansion.scale().scaled(map.at(column, row));
+                    realRow[column] = realPart.applyAsDouble(scaled);
+                    imaginaryRow[column] = imaginaryPart.applyAsDouble(scaled);
+                }
+            };
+        }
+        double[] realLevels = atLevels(heights, realPart);
+        double[] imaginaryLevels = atLevels(heights, imaginaryPart);
+        int[] index = heights.index();
+        return (row, realRow, imaginaryRow) -> {
+            for (int column = 0, i = row * columns; column < columns; column++, i++) {
+                realRow[column] = realLevels[index[i]];
+                imaginaryRow[column] = imaginaryLevels[index[i]];
+            }
+        };
+    }
+
+    private double[] atLevels(HeightLevels heights, DoubleUnaryOperator function) {
+        double[] levels = heights.levels();
+        double[] values = new double[levels.length];
+        Arrays.parallelSetAll(
+                values, i -> function.applyAsDouble(expansion.scale().scaled(levels[i])));
+        return values;
+    }
+
+    private static float[] toFloat(double[] values) {
+        float[] result = new float[values.length];
+        for (int i = 0; i < values.length; i++) {
+            result[i] = (float) values[i];
+        }
+        return result;
+    }
+
+    public int terms() {
+        return real.length;
+    }
+
+    public PowerSpectrum.Axis x() {
+        return new PowerSpectrum.Axis(map.width(), bandX.first(), bandX.count());
+    }
+
+    public PowerSpectrum.Axis y() {
+        return new PowerSpectrum.Axis(map.height(), bandY.first(), bandY.count());
+    }
+
+    /** Returns the number of bins of a term. */
+    public int bins() {
+        return Math.multiplyExact(bandX.count(), bandY.count());
+    }
+
+    public long bytes() {
+        return 2L * Float.BYTES * terms() * bins();
+    }
+
+    /**
+     * Returns some terms, each times its factor {@link Expansion.Kind#turn}, with phases that refer to the sample under the window's maximum.
+     *
+     * @return real and imaginary part of each term, {@code [2 * (term - first) + part][bin]}
+     */
+    public double[][] amplitudes(int first, int end, WindowOrigin origin) {
+        double[][] alongX = bandX.phases(map.columns(), -origin.sample(map.columns()));
+        // Rows run downwards, y upwards.
+        double[][] alongY = bandY.phases(map.rows(), origin.sample(map.rows()));
+        double[][] amplitudes = new double[2 * (end - first)][bins()];
+        for (int n = first; n < end; n++) {
+            Complex turn = expansion.kind().turn(n);
+            for (int i = 0; i < bins(); i++) {
+                int column = i % bandX.count();
+                int row = i / bandX.count();
+                double cosine = alongX[0][column] * alongY[0][row] - alongX[1][column] * alongY[1][row];
+                double sine = alongX[0][column] * alongY[1][row] + alongX[1][column] * alongY[0][row];
+                double a = real[n][i] * turn.getReal() - imaginary[n][i] * turn.getImaginary();
+                double b = real[n][i] * turn.getImaginary() + imaginary[n][i] * turn.getReal();
+                amplitudes[2 * (n - first)][i] = a * cosine - b * sine;
+                amplitudes[2 * (n - first) + 1][i] = a * sine + b * cosine;
+            }
+        }
+        return amplitudes;
+    }
+}

@@ -1,0 +1,184 @@
+package sunbeam.precompute.spectrum;
+
+import java.util.stream.IntStream;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.HeightScale;
+import sunbeam.precompute.numerics.Lagrange;
+
+/**
+ * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.
+ * It is built once per surface; each user applies its own window. The terms of a bin lie side by side in memory. Immutable.
+ */
+public final class PowerSpectrum {
+    /** Largest angular frequency of a power over the phase: two scaled heights, both in -1..1, differ by at most 2. */
+    public static final double BANDWIDTH = 2;
+
+    /** Number of terms that loops sum at once, in registers. */
+    public static final int TOGETHER = 4;
+
+    private static final int POINTS = 8;
+    private static final int BEFORE = POINTS / 2 - 1;
+
+    private final HeightScale scale;
+    private final CoefficientTable coefficients;
+    private final Axis x;
+    private final Axis y;
+    private final double[] powers;
+    private final double tolerance;
+    // Computed on first use; two threads may compute it, neither waits.
+    private volatile PowerSpectrum transposed;
+
+    /**
+     * Bins along one axis.
+     *
+     * @param period reciprocal of the distance between bins, meters, which is the surface's extent unless bins were decimated: bin i has the
+     *     frequency (first + i) / period
+     */
+    public record Axis(double period, int first, int count) {
+        public int last() {
+            return first + count - 1;
+        }
+
+        /** Returns the place of a frequency in cycles per meter among the bins. */
+        public double place(double frequency) {
+            return frequency * period - first;
+        }
+    }
+
+    private PowerSpectrum(
+            HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[] powers, double tolerance) {
+        this.scale = scale;
+        this.coefficients = coefficients;
+        this.x = x;
+        this.y = y;
+        this.powers = powers;
+        this.tolerance = tolerance;
+    }
+
+    /**
+     * Returns the power spectrum of a surface.
+     *
+     * @param tolerance relative root-mean-square error of the powers over an octave of phases
+     */
+    public static PowerSpectrum of(FourierTable table, double tolerance) {
+        PowerBasis basis = new PowerBasis(table, tolerance);
+        return of(
+                table.expansion().scale(), basis.coefficients(), table.x(), table.y(), basis.projections(), tolerance);
+    }
+
+    /**
+     * Returns a spectrum of given terms.
+     *
+     * @param terms {@code [term][bin]}
+     */
+    public static PowerSpectrum of(
+            HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[][] terms, double tolerance) {
+        int stride = (terms.length + TOGETHER - 1) / TOGETHER * TOGETHER;
+        double[] powers = new double[Math.multiplyExact(stride, Math.multiplyExact(x.count, y.count))];
+        IntStream.range(0, x.count * y.count).parallel().forEach(bin -> {
+            for (int m = 0; m < terms.length; m++) {
+                powers[bin * stride + m] = terms[m][bin];
+            }
+        });
+        return new PowerSpectrum(scale, coefficients, x, y, powers, tolerance);
+    }
+
+    /** Returns the error allowed to the powers. */
+    public double tolerance() {
+        return tolerance;
+    }
+
+    public Axis x() {
+        return x;
+    }
+
+    public Axis y() {
+        return y;
+    }
+
+    /** Returns the values of the terms, {@code [row][column][term]}; not to be changed. */
+    public double[] powers() {
+        return powers;
+    }
+
+    /** Returns the number of values per bin: the terms, padded with zeros. */
+    public int stride() {
+        return powers.length / (x.count * y.count);
+    }
+
+    /** Returns the functions of the phase that are the terms' coefficients. */
+    public CoefficientTable coefficients() {
+        return coefficients;
+    }
+
+    /** Returns the values of some terms, {@code [term - first][bin]}. */
+    public double[][] terms(int first, int end) {
+        double[][] terms = new double[end - first][x.count * y.count];
+        for (int bin = 0; bin < terms[0].length; bin++) {
+            for (int m = first; m < end; m++) {
+                terms[m - first][bin] = powers[bin * stride() + m];
+            }
+        }
+        return terms;
+    }
+
+    /** Returns the terms' coefficients at a wavelength in meters; phases beyond those of the surface's plan are clamped to them. */
+    public double[] coefficients(double wavelength, double absoluteW) {
+        return coefficients.at(scale.phase(wavelength, absoluteW));
+    }
+
+    /** Returns the spectrum with x and y exchanged. */
+    public PowerSpectrum transposed() {
+        PowerSpectrum known = transposed;
+        if (known == null) {
+            double[] target = new double[powers.length];
+            int stride = stride();
+            IntStream.range(0, x.count).parallel().forEach(column -> {
+                for (int row = 0; row < y.count; row++) {
+                    int from = (row * x.count + column) * stride;
+                    System.arraycopy(powers, from, target, (column * y.count + row) * stride, stride);
+                }
+            });
+            known = new PowerSpectrum(scale, coefficients, y, x, target, tolerance);
+            known.transposed = this;
+            transposed = known;
+        }
+        return known;
+    }
+
+    /**
+     * Returns bins that are farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of degree 7, so
+     * that sums over Gaussians wider than the new spacing do not change.
+     */
+    public PowerSpectrum decimated(int factorX, int factorY) {
+        PowerSpectrum alongX = factorX == 1 ? this : decimatedX(factorX);
+        return factorY == 1 ? alongX : alongX.transposed().decimatedX(factorY).transposed();
+    }
+
+    private PowerSpectrum decimatedX(int factor) {
+        int first = Math.floorDiv(x.first, factor) - BEFORE;
+        int last = Math.floorDiv(x.last(), factor) + POINTS - BEFORE;
+        int count = last - first + 1;
+        int stride = stride();
+        double[] sums = new double[Math.multiplyExact(Math.multiplyExact(y.count, count), stride)];
+        double[][] weights = IntStream.range(0, factor)
+                .mapToObj(rest -> IntStream.range(0, POINTS)
+                        .mapToDouble(k -> Lagrange.weight((double) rest / factor + BEFORE, k, POINTS))
+                        .toArray())
+                .toArray(double[][]::new);
+        IntStream.range(0, y.count).parallel().forEach(row -> {
+            for (int column = 0; column < x.count; column++) {
+                int below = Math.floorDiv(x.first + column, factor);
+                double[] shares = weights[Math.floorMod(x.first + column, factor)];
+                for (int k = 0; k < POINTS; k++) {
+                    int to = (row * count + below - BEFORE + k - first) * stride;
+                    int from = (row * x.count + column) * stride;
+                    for (int m = 0; m < stride; m++) {
+                        sums[to + m] += shares[k] * powers[from + m];
+                    }
+                }
+            }
+        });
+        return new PowerSpectrum(scale, coefficients, new Axis(x.period / factor, first, count), y, sums, tolerance);
+    }
+}

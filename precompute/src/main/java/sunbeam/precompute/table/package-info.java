@@ -1,2 +1,0 @@
-/** Fourier tables of a patch's expansion terms, and their files for other programs. */
-package sunbeam.precompute.table;
