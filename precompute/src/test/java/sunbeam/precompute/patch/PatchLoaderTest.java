@@ -133,13 +133,6 @@ class PatchLoaderTest {
     }
 
     @Test
-    void refusesAnImageOfNanAlone() throws IOException {
-        Path file = TestImages.write(TestImages.gray32f(3, 3, (c, r, b) -> Double.NaN), folder.resolve("nan.tiff"));
-
-        assertRefused(PatchRequests.of(file, WIDTH, "1um", MAX_HEIGHT, "1nm"), "nan.tiff", "all 9 samples are missing");
-    }
-
-    @Test
     void fillsMissingSamplesAndSaysHowMany() throws IOException {
         TestImages.Samples tilted = (c, r, b) -> c >= 12 && r >= 12 ? Double.NaN : 100 + 5 * c - 3 * r;
         Path file = TestImages.write(TestImages.gray32f(16, 16, tilted), folder.resolve("holes.tiff"));

@@ -1,7 +1,11 @@
 package sunbeam.precompute.patch;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.HeightMap;
 
@@ -31,6 +35,20 @@ class PlausibilityTest {
     void warnsOfGrayLevelsThatAreHighSteps() {
         assertThat(Plausibility.heightStep(818.69e-9 / 255)).isEmpty();
         assertThat(Plausibility.heightStep(5e-6 / 255).orElseThrow()).contains("19.6078 nm", "16-bit");
+    }
+
+    /** More equal samples than a flat mirror needs. */
+    @Test
+    void refusesALargeFileWithoutAnyHeight() {
+        HeightMap empty = map(2049, 2049, 50e-9, 50e-9);
+        assertThatThrownBy(() -> Plausibility.requireRelief(empty, Optional.empty(), Path.of("sparse.tif")))
+                .isInstanceOf(PatchException.class)
+                .hasMessageContaining("sparse.tif: all of its 2049 x 2049 samples are equal: it is empty")
+                .hasMessageContaining("export the scan again");
+        empty.heights()[7] = 1e-9;
+        HeightMap scan = empty.with(empty.heights());
+        assertThatCode(() -> Plausibility.requireRelief(scan, Optional.empty(), Path.of("scan.tif")))
+                .doesNotThrowAnyException();
     }
 
     private static HeightMap map(int columns, int rows, double pitchX, double pitchY) {

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
@@ -50,23 +49,5 @@ class SharedPatchesTest {
         assertThat(load(name).warnings().get(0))
                 .startsWith("the scan's repetition has a step that draws a cross: opposite borders differ by");
         assertThat(load(name).warnings().get(1)).startsWith("slopes too steep for scalar theory: " + share);
-    }
-
-    @Test
-    void theBlazedPatchGivesNoCauseForWarnings() {
-        // Its steep side is one column of 99, 1 % of the surface.
-        assertThat(load("blaze").warnings()).isEmpty();
-    }
-
-    @Test
-    void theBlazedPatchRisesTowardsPositiveXUntilItsLastColumnFallsBack() {
-        HeightMap blaze = load("blaze").heights();
-
-        for (int row = 0; row < blaze.rows(); row++) {
-            for (int column = 1; column < blaze.columns() - 1; column++) {
-                assertThat(blaze.at(column, row)).isGreaterThan(blaze.at(column - 1, row));
-            }
-            assertThat(blaze.at(99, row)).isEqualTo(blaze.minimum());
-        }
     }
 }

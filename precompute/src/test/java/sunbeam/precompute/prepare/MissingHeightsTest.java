@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Preparation.MissingHeights;
 
@@ -16,46 +18,26 @@ class MissingHeightsTest {
         return new HeightMap(columns, rows, 1e-9, 1e-9, heights);
     }
 
-    @Test
-    void leavesACompleteMapAlone() {
-        HeightMap map = map(2, 2, 1, 2, 3, 4);
-
-        MissingHeights.Filled filled = MissingHeights.fill(map);
-
-        assertThat(filled.count()).isZero();
-        assertThat(filled.field()).isSameAs(map);
+    /** Infinities are missing; samples of one ring do not see each other; none is seen across the edge. */
+    @ParameterizedTest
+    @CsvSource({
+        "3, 1 2 3 4 NaN 6 7 8 9, 1 2 3 4 5 6 7 8 9",
+        "4, Infinity 3 5 -Infinity, 3 3 5 5",
+        "6, 0 NaN NaN NaN NaN 8, 0 0 0 8 8 8",
+        "4, NaN 1 50 100, 1 1 50 100"
+    })
+    void holesHaveTheAverageOfTheirNeighbors(int columns, String heights, String expected) {
+        double[] given = numbers(heights);
+        MissingHeights.Filled filled = MissingHeights.fill(map(columns, given.length / columns, given));
+        assertThat(filled.field().heights()).containsExactly(numbers(expected));
+        assertThat(filled.count()).isEqualTo((int)
+                Arrays.stream(given).filter(h -> !Double.isFinite(h)).count());
     }
 
-    @Test
-    void fillsAHoleWithTheAverageOfItsNeighbors() {
-        MissingHeights.Filled filled = MissingHeights.fill(map(3, 3, 1, 2, 3, 4, NAN, 6, 7, 8, 9));
-
-        assertThat(filled.count()).isEqualTo(1);
-        assertThat(filled.field().at(1, 1)).isEqualTo(5);
-    }
-
-    @Test
-    void takesInfinitiesAsMissing() {
-        MissingHeights.Filled filled =
-                MissingHeights.fill(map(4, 1, Double.POSITIVE_INFINITY, 3, 5, Double.NEGATIVE_INFINITY));
-
-        assertThat(filled.count()).isEqualTo(2);
-        assertThat(filled.field().heights()).containsExactly(3, 3, 5, 5);
-    }
-
-    @Test
-    void samplesOfOneRingDoNotSeeEachOther() {
-        HeightMap filled =
-                MissingHeights.fill(map(6, 1, 0, NAN, NAN, NAN, NAN, 8)).field();
-
-        assertThat(filled.heights()).containsExactly(0, 0, 0, 8, 8, 8);
-    }
-
-    @Test
-    void doesNotLookAcrossTheEdge() {
-        HeightMap filled = MissingHeights.fill(map(4, 1, NAN, 1, 50, 100)).field();
-
-        assertThat(filled.at(0, 0)).isEqualTo(1);
+    private static double[] numbers(String text) {
+        return Arrays.stream(text.split(" ", -1))
+                .mapToDouble(Double::parseDouble)
+                .toArray();
     }
 
     @Test

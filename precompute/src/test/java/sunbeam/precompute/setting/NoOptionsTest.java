@@ -35,13 +35,6 @@ class NoOptionsTest {
         assertThat(named).isEmpty();
     }
 
-    @Test
-    void optionsAreFoundInTextsOnly() {
-        assertThat(options("give(\"a larger --radius\"); // or --terms")).hasSize(1);
-        assertThat(options("/** {@code \"--radius\"} */ i--; \"a\"; j--; \"well--known\""))
-                .isEmpty();
-    }
-
     private static List<String> options(String source) {
         return LITERAL.matcher(COMMENT.matcher(source).replaceAll(""))
                 .results()

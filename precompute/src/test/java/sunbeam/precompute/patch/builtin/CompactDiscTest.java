@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -30,14 +29,6 @@ class CompactDiscTest {
                 assertThat(orders[p]).isLessThan(orders[TRACKS] / 100);
             }
         }
-    }
-
-    @Test
-    void thereIsNoOrderAlongTheTracks() {
-        double[] frequencies = new Spectrum(disc).byQ((p, q) -> q != 0);
-        double all = Arrays.stream(frequencies).sum();
-        // The pits' mean length of 5 bits makes a hump of some 20 bins, none of which stands out.
-        assertThat(Arrays.stream(frequencies).max().orElseThrow()).isLessThan(all / 10);
     }
 
     @Test

@@ -27,31 +27,6 @@ class GratingsTest {
     }
 
     @Test
-    void blazeSendsLightToMinusX() {
-        HeightMap blaze = BuiltInPatches.generate("blaze");
-        double lambda = 500e-9;
-        double left = orderPower(blaze, lambda, -1);
-        double right = orderPower(blaze, lambda, 1);
-        // 250 nm retard 500 nm light by one wave per period: all of it goes into the first order on the left.
-        assertThat(left).isGreaterThan(0.99);
-        assertThat(right).isLessThan(0.01);
-    }
-
-    /** Power near the normal (w = -2) in the direction wr = (order * lambda / period, 0, .), so u = -x. */
-    private static double orderPower(HeightMap patch, double lambda, int order) {
-        double k = 2 * Math.PI / lambda;
-        double u = -order * lambda / patch.width();
-        double re = 0;
-        double im = 0;
-        for (int column = 0; column < patch.columns(); column++) {
-            double phase = k * (-2 * patch.at(column, 0) + u * column * patch.pitchX());
-            re += Math.cos(phase) / patch.columns();
-            im += Math.sin(phase) / patch.columns();
-        }
-        return re * re + im * im;
-    }
-
-    @Test
     void sinusoidHasOneFrequencyOnly() {
         HeightMap sinusoid = BuiltInPatches.generate("sinusoid");
         Spectrum spectrum = new Spectrum(sinusoid);

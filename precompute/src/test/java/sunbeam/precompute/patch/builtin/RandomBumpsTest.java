@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.stream.LongStream;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -42,18 +41,6 @@ class RandomBumpsTest {
         // A power is a mean over 2 pi (8 um sigma_f)^2 = 41 bins of exponential statistics, of 48 draws: 2.3 %, four
         // times over; in the mirror direction there is less noise.
         assertThat(meanPower(bumps, phase, fx * 1e6, fy * 1e6)).isCloseTo(expected, within(0.09 * expected));
-    }
-
-    @Test
-    void oneBumpShinesAsARectangle() {
-        // The fifth order along x and second along y, resolved by a long window.
-        double fx = 5 / 8e-6;
-        double fy = 2 / 8e-6;
-        double phase = -2.0;
-        double amplitude = 2 * AREA / PATCH_AREA * Math.sin(phase / 2) * sinc(fx * WIDTH) * sinc(fy * LENGTH);
-        double power = power(RandomBumps.generate(SAMPLES, 1, 1), new CoherenceWindow(16e-6), phase, fx, fy);
-        // Sums over samples exceed the area's integral by (pi f pitch)^2 / 3 along x and y: 0.6 %.
-        assertThat(power).isCloseTo(amplitude * amplitude, within(0.01 * amplitude * amplitude));
     }
 
     private static double meanPower(int bumps, double phase, double fx, double fy) {
@@ -94,9 +81,5 @@ class RandomBumpsTest {
     /** The mean of p(s) p*(s + r) over all draws. */
     private static double correlation(int bumps, double phase, double shared) {
         return Math.pow(1 - 2 * (1 - Math.cos(phase)) * (AREA - shared) / PATCH_AREA, bumps);
-    }
-
-    private static double sinc(double x) {
-        return Math.sin(Math.PI * x) / (Math.PI * x);
     }
 }
