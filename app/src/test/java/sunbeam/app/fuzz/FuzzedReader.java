@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.app.files.cache.CacheEntry;
+import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
@@ -105,7 +105,7 @@ enum FuzzedReader {
     PAGES("one.tiles", "pages") {
         @Override
         void read(Path file) throws IOException {
-            new CacheEntry(file, Files.size(file), Instant.EPOCH).label();
+            new CacheFolder.Entry(file, Files.size(file), Instant.EPOCH).label();
             BitSet pages = new BitSet();
             pages.set(0, 8);
             try (CachedTiles kept = Seeds.pages(file)) {

@@ -10,7 +10,6 @@ import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.ReportingCommand;
-import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ByteSize;
@@ -48,8 +47,8 @@ public final class CacheCommand extends ReportingCommand {
     }
 
     private static void clear(CacheFolder folder, PrintWriter out) {
-        List<CacheEntry> left = new ArrayList<>(folder.entries());
-        List<CacheEntry> removed = folder.clear();
+        List<CacheFolder.Entry> left = new ArrayList<>(folder.entries());
+        List<CacheFolder.Entry> removed = folder.clear();
         out.println(Text.format("%s: removed %s", folder.path(), count(removed)));
         left.removeAll(removed);
         if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
@@ -60,7 +59,7 @@ public final class CacheCommand extends ReportingCommand {
     }
 
     private static void list(CacheFolder folder, PrintWriter out) {
-        List<CacheEntry> entries = folder.entries();
+        List<CacheFolder.Entry> entries = folder.entries();
         out.println(
                 Text.format("%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(folder.limit())));
         if (entries.isEmpty()) {
@@ -68,7 +67,7 @@ public final class CacheCommand extends ReportingCommand {
         }
         out.println();
         out.println("      size  last used         for                       what");
-        for (CacheEntry entry : entries) {
+        for (CacheFolder.Entry entry : entries) {
             TableLabel label = label(entry);
             out.println(Text.format(
                     "  %8s  %s  %-24s  %s",
@@ -79,7 +78,7 @@ public final class CacheCommand extends ReportingCommand {
         }
     }
 
-    private static TableLabel label(CacheEntry entry) {
+    private static TableLabel label(CacheFolder.Entry entry) {
         try {
             return entry.label();
         } catch (TableException unusable) {
@@ -89,8 +88,8 @@ public final class CacheCommand extends ReportingCommand {
         }
     }
 
-    private static String count(List<CacheEntry> entries) {
-        long bytes = entries.stream().mapToLong(CacheEntry::bytes).sum();
+    private static String count(List<CacheFolder.Entry> entries) {
+        long bytes = entries.stream().mapToLong(CacheFolder.Entry::bytes).sum();
         return Text.format("%d file%s, %s", entries.size(), entries.size() == 1 ? "" : "s", ByteSize.format(bytes));
     }
 }

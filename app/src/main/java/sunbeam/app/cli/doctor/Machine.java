@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
-import sunbeam.app.files.cache.CacheEntry;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
@@ -89,8 +88,9 @@ final class Machine {
         String place = cache.path().toString();
         try {
             if (cache.open(warnings::add).isPresent()) {
-                long bytes =
-                        cache.entries().stream().mapToLong(CacheEntry::bytes).sum();
+                long bytes = cache.entries().stream()
+                        .mapToLong(CacheFolder.Entry::bytes)
+                        .sum();
                 String used = ByteSize.format(bytes) + " used of "
                         + ByteSize.format(cache.limit()) + " allowed, "
                         + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";

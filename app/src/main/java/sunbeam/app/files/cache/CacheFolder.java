@@ -26,7 +26,9 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableException;
+import sunbeam.precompute.shader.TableLabel;
 
 /**
  * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory
@@ -36,6 +38,57 @@ import sunbeam.precompute.shader.TableException;
  * @param allowed limit of the folder's size as the environment states it; empty for {@link #STANDARD_LIMIT}
  */
 public record CacheFolder(Path path, String allowed) {
+    /**
+     * File in the cache folder.
+     *
+     * @param bytes length of the file
+     * @param lastUsed time of the last read, or of the write if there was no read
+     */
+    public record Entry(Path file, long bytes, Instant lastUsed) {
+        static final String SHADER = "tables";
+        static final String TILES = "tiles";
+        static final String BYTES = "bytes";
+
+        // Hexadecimal digits in a file's name, of the surface's digest and of the hash of the key.
+        private static final int SURFACE_DIGITS = 12;
+        private static final int KEY_DIGITS = 32;
+
+        static String name(String surfaceDigest, String keyHash, String ending) {
+            return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
+        }
+
+        static String name(String keyHash) {
+            return keyHash.substring(0, KEY_DIGITS) + "." + BYTES;
+        }
+
+        boolean isTilesOf(String surfaceDigest) {
+            String name = file.getFileName().toString();
+            return name.startsWith(surfaceDigest.substring(0, SURFACE_DIGITS)) && name.endsWith("." + TILES);
+        }
+
+        static boolean isOne(Path file) {
+            return List.of(SHADER, TILES, BYTES).contains(ending(file));
+        }
+
+        private static String ending(Path file) {
+            String name = file.getFileName().toString();
+            return name.substring(name.lastIndexOf('.') + 1);
+        }
+
+        /**
+         * Reads the label of the table and its surface, without checking the rest of the file.
+         *
+         * @throws TableException if the file is damaged, of another version, or gone
+         */
+        public TableLabel label() {
+            return switch (ending(file)) {
+                case TILES -> TileFile.label(file, TileFile.FORMAT);
+                case BYTES -> TileFile.label(file, BlobCache.FORMAT);
+                default -> ShaderTablesFile.label(file);
+            };
+        }
+    }
+
     /** Default limit of the folder's size in bytes. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
@@ -106,21 +159,21 @@ public record CacheFolder(Path path, String allowed) {
      *
      * @throws UncheckedIOException if the folder cannot be listed
      */
-    public List<CacheEntry> entries() {
-        List<CacheEntry> entries = new ArrayList<>();
+    public List<Entry> entries() {
+        List<Entry> entries = new ArrayList<>();
         for (Path file : files()) {
             try {
                 BasicFileAttributes attributes =
                         Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
                 if (attributes.isRegularFile()) {
                     Instant used = attributes.lastModifiedTime().toInstant();
-                    entries.add(new CacheEntry(file, attributes.size(), used));
+                    entries.add(new Entry(file, attributes.size(), used));
                 }
             } catch (IOException gone) {
                 // Removed by another process.
             }
         }
-        entries.sort(Comparator.comparing(CacheEntry::lastUsed)
+        entries.sort(Comparator.comparing(Entry::lastUsed)
                 .reversed()
                 .thenComparing(entry -> entry.file().toString()));
         return entries;
@@ -131,7 +184,7 @@ public record CacheFolder(Path path, String allowed) {
             return List.of();
         }
         try (Stream<Path> listed = Files.list(path)) {
-            return listed.filter(CacheEntry::isOne).toList();
+            return listed.filter(Entry::isOne).toList();
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot list " + path, failure);
         }
@@ -209,12 +262,12 @@ public record CacheFolder(Path path, String allowed) {
      * @param inUse file that counts as the one used last
      * @return the deleted files, the one used longest ago first
      */
-    public List<CacheEntry> shrink(long limitBytes, Optional<Path> inUse) {
-        List<CacheEntry> newestFirst = new ArrayList<>(entries());
+    public List<Entry> shrink(long limitBytes, Optional<Path> inUse) {
+        List<Entry> newestFirst = new ArrayList<>(entries());
         newestFirst.sort(Comparator.comparing(entry -> !inUse.equals(Optional.of(entry.file()))));
         long left = limitBytes;
-        List<CacheEntry> deleted = new ArrayList<>();
-        for (CacheEntry entry : newestFirst) {
+        List<Entry> deleted = new ArrayList<>();
+        for (Entry entry : newestFirst) {
             boolean fits = entry.bytes() <= left;
             if (!fits && entry.file().toFile().delete()) {
                 deleted.add(entry);
@@ -231,7 +284,7 @@ public record CacheFolder(Path path, String allowed) {
      *
      * @return the files that could be deleted
      */
-    public List<CacheEntry> clear() {
+    public List<Entry> clear() {
         return entries().stream()
                 .filter(entry -> entry.file().toFile().delete())
                 .toList();

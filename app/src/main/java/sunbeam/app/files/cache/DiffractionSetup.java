@@ -112,14 +112,8 @@ public record DiffractionSetup(
      * @throws SettingException if the method does not support the use
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
-        return freshTables(plan, use, bakers, warning);
-    }
-
-    /** @param shortfall receives a line for each table that misses its tolerance */
-    private ShaderTables freshTables(
-            MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
         requireUse(plan, use);
-        return plan.tables(use, sources(bakers, shortfall));
+        return plan.tables(use, sources(bakers, warning));
     }
 
     /**
@@ -159,12 +153,16 @@ public record DiffractionSetup(
 
             @Override
             public boolean hasTiles(ColorTablePlan plan) {
-                return setup.hasTiles(plan);
+                return file(tilesKey(plan), CacheFolder.Entry.TILES)
+                        .filter(Files::exists)
+                        .isPresent();
             }
 
             @Override
             public CachedTiles tiles(ColorTablePlan plan) {
-                return setup.tiles(plan);
+                String key = tilesKey(plan);
+                Optional<Path> file = file(key, CacheFolder.Entry.TILES);
+                return file.map(path -> openTiles(path, key, plan)).orElse(CachedTiles.NONE);
             }
 
             @Override
@@ -191,23 +189,24 @@ public record DiffractionSetup(
             MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, DoubleConsumer progress) {
         requireUse(plan, use);
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
-        Optional<Path> file = file(key, CacheEntry.SHADER);
+        Optional<Path> file = file(key, CacheFolder.Entry.SHADER);
         if (file.isEmpty() || plan.memory().textureBytes() > folder.largest()) {
             return freshTables(plan, use, bakers).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return folder.read(file.get(), reader, warning).orElseGet(() -> {
-            TableLabel label = label(plan);
             List<String> shortfalls = new ArrayList<>();
-            ShaderTables made = freshTables(plan, use, bakers, shortfalls::add).preceded(progress);
+            ShaderTables made =
+                    plan.tables(use, sources(bakers, shortfalls::add)).preceded(progress);
             shortfalls.forEach(warning);
             if (!shortfalls.isEmpty()) {
                 return made;
             }
-            TableLabel labelOfMade = made.trial().isEmpty()
-                    ? label
-                    : new TableLabel(label.patch(), "table in " + made.trial() + "; planned as " + label.what());
-            folder.save(file.get(), path -> ShaderTablesFile.write(path, key, labelOfMade, made), warning);
+            TableLabel planned = label(plan);
+            TableLabel label = made.trial().isEmpty()
+                    ? planned
+                    : new TableLabel(planned.patch(), "table in " + made.trial() + "; planned as " + planned.what());
+            folder.save(file.get(), path -> ShaderTablesFile.write(path, key, label, made), warning);
             // Mapped from the file, so that layers do not stay in the heap.
             return folder.read(file.get(), reader, warning).orElse(made);
         });
@@ -226,31 +225,13 @@ public record DiffractionSetup(
                 plan.spectrum().map(SpectrumPlan::key).orElse(""));
     }
 
-    /** True if the cache has a file of the plan's tiles; it may be damaged. */
-    public boolean hasTiles(ColorTablePlan plan) {
-        return file(tilesKey(plan), CacheEntry.TILES).filter(Files::exists).isPresent();
-    }
-
-    /** Opens the cached tiles of a plan; the caller closes them. Without a cache folder there are none. */
-    public CachedTiles tiles(ColorTablePlan plan) {
-        String key = tilesKey(plan);
-        TableLabel label = label(plan.plan());
-        Optional<Path> file = file(key, CacheEntry.TILES);
-        if (file.isEmpty()) {
-            return CachedTiles.NONE;
-        }
-        Path path = file.get();
+    private CachedTiles openTiles(Path file, String key, ColorTablePlan plan) {
         long most = folder.limit();
-        CachedTiles tiles = TileFile.of(
-                path,
-                key,
-                plan.table().numbers(),
-                label,
-                folder.largest(),
-                warning,
-                () -> folder.shrink(most, Optional.of(path)));
-        folder.used(path);
-        folder.shrink(most, file);
+        Runnable shrink = () -> folder.shrink(most, Optional.of(file));
+        CachedTiles tiles =
+                TileFile.of(file, key, plan.table().numbers(), label(plan.plan()), folder.largest(), warning, shrink);
+        folder.used(file);
+        shrink.run();
         return tiles;
     }
 
@@ -263,7 +244,7 @@ public record DiffractionSetup(
     }
 
     private Optional<Path> file(String key, String ending) {
-        String name = CacheEntry.name(surface.digest(), Sha256.of(key), ending);
+        String name = CacheFolder.Entry.name(surface.digest(), Sha256.of(key), ending);
         return folder.open(warning).map(path -> path.resolve(name));
     }
 

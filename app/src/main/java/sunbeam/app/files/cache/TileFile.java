@@ -45,12 +45,13 @@ public final class TileFile implements CachedTiles {
 
     private final FileChannel channel;
     private final byte[] key;
-    private final int contentBytes;
+    private final int recordBytes;
     private final long start;
     private final long mostBytes;
     private final Consumer<String> warning;
     private final Runnable closed;
     private final Map<Long, Long> records = new HashMap<>();
+    // Only the process with the lock appends.
     private final boolean locked;
     private boolean writable;
     private boolean warned;
@@ -58,21 +59,39 @@ public final class TileFile implements CachedTiles {
     private TileFile(
             FileChannel channel,
             String key,
-            int contentBytes,
-            long start,
+            NumberFormat numbers,
+            TableLabel label,
             long mostBytes,
             Consumer<String> warning,
-            Runnable closed,
-            boolean locked) {
+            Runnable closed)
+            throws IOException {
+        String all = key + numbers + ByteOrder.nativeOrder();
+        int contentBytes = numbers.bytes() * LevelBaking.TILE_NUMBERS;
+        byte[] head = head(FORMAT, label, Sha256.of(all + "|" + contentBytes));
         this.channel = channel;
-        this.key = key.getBytes(StandardCharsets.UTF_8);
-        this.contentBytes = contentBytes;
-        this.start = start;
+        this.key = all.getBytes(StandardCharsets.UTF_8);
+        this.recordBytes = HEAD_BYTES + contentBytes;
+        this.start = head.length;
         this.mostBytes = mostBytes;
         this.warning = warning;
         this.closed = closed;
-        this.locked = locked;
+        this.locked = lock(channel);
         this.writable = locked;
+        ByteBuffer found = ByteBuffer.allocate(head.length);
+        boolean isRight = read(channel, found, 0) && Arrays.equals(found.array(), head);
+        if (!isRight && !locked) {
+            throw new IOException("another process writes the file");
+        }
+        boolean isDamaged = !isRight && channel.size() > 0;
+        if (!isRight) {
+            channel.truncate(0);
+            write(channel, ByteBuffer.wrap(head), 0);
+        }
+        list();
+        // Without the lock, another process may be writing the last record.
+        if (isDamaged || (locked && (channel.size() - start) % recordBytes != 0)) {
+            warn(DAMAGED);
+        }
     }
 
     /**
@@ -90,8 +109,6 @@ public final class TileFile implements CachedTiles {
             long mostBytes,
             Consumer<String> warning,
             Runnable closed) {
-        int contentBytes = numbers.bytes() * LevelBaking.TILE_NUMBERS;
-        String all = key + numbers + ByteOrder.nativeOrder();
         FileChannel channel = null;
         try {
             channel = FileChannel.open(
@@ -102,27 +119,7 @@ public final class TileFile implements CachedTiles {
                     // A link may point to any file of the user.
                     LinkOption.NOFOLLOW_LINKS);
             CacheFolder.makeOwnersOnly(file);
-            boolean locked = lock(channel);
-            byte[] head = head(FORMAT, label, Sha256.of(all + "|" + contentBytes));
-            ByteBuffer found = ByteBuffer.allocate(head.length);
-            boolean isRight = read(channel, found, 0) && Arrays.equals(found.array(), head);
-            if (!isRight && !locked) {
-                channel.close();
-                return NONE;
-            }
-            boolean isDamaged = !isRight && channel.size() > 0;
-            if (!isRight) {
-                channel.truncate(0);
-                write(channel, ByteBuffer.wrap(head), 0);
-            }
-            TileFile records =
-                    new TileFile(channel, all, contentBytes, head.length, mostBytes, warning, closed, locked);
-            records.list();
-            // Without the lock, another process may be writing the last record.
-            if (isDamaged || (locked && (channel.size() - head.length) % records.recordBytes() != 0)) {
-                records.warn(DAMAGED);
-            }
-            return records;
+            return new TileFile(channel, key, numbers, label, mostBytes, warning, closed);
         } catch (IOException failure) {
             close(channel);
             return NONE;
@@ -163,15 +160,11 @@ public final class TileFile implements CachedTiles {
         }
     }
 
-    private int recordBytes() {
-        return HEAD_BYTES + contentBytes;
-    }
-
     /** Lists the records. The next record to be appended overwrites a truncated one at the end. */
     private void list() throws IOException {
         ByteBuffer number = ByteBuffer.allocate(Long.BYTES);
-        long last = channel.size() - recordBytes();
-        for (long at = start; at <= last; at += recordBytes()) {
+        long last = channel.size() - recordBytes;
+        for (long at = start; at <= last; at += recordBytes) {
             if (read(channel, number.clear(), at)) {
                 records.put(number.getLong(0), at);
             }
@@ -223,10 +216,10 @@ public final class TileFile implements CachedTiles {
     }
 
     private Optional<byte[]> content(long number) {
-        ByteBuffer record = ByteBuffer.allocate(recordBytes());
+        ByteBuffer record = ByteBuffer.allocate(recordBytes);
         try {
             boolean whole = read(channel, record, records.get(number));
-            byte[] content = Arrays.copyOfRange(record.array(), HEAD_BYTES, recordBytes());
+            byte[] content = Arrays.copyOfRange(record.array(), HEAD_BYTES, recordBytes);
             boolean right =
                     whole && record.getLong(0) == number && record.getLong(Long.BYTES) == checksum(number, content);
             return right ? Optional.of(content) : Optional.empty();
@@ -272,10 +265,10 @@ public final class TileFile implements CachedTiles {
     }
 
     private void append(long number, byte[] content) throws IOException {
-        long at = start + (channel.size() - start) / recordBytes() * recordBytes();
-        writable = at + recordBytes() <= mostBytes;
+        long at = start + (channel.size() - start) / recordBytes * recordBytes;
+        writable = at + recordBytes <= mostBytes;
         if (writable) {
-            ByteBuffer record = ByteBuffer.allocate(recordBytes());
+            ByteBuffer record = ByteBuffer.allocate(recordBytes);
             record.putLong(number).putLong(checksum(number, content)).put(content);
             write(channel, record.flip(), at);
             records.put(number, at);

@@ -100,6 +100,17 @@ class DiffractionSetupTest {
         }
     }
 
+    private ShaderTables tables(MethodPlan plan, MethodUse use) {
+        return setup("a").tables(plan, use, DiffractionSetupTest::refuseColors);
+    }
+
+    private String oneLight(MethodPlan plan) {
+        return setup("a")
+                .freshTables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
+                .defines()
+                .get("COLOR_ONE_LIGHT");
+    }
+
     private static float[] numbers(ShaderTables tables) {
         FloatBuffer layer = tables.arrays().get(0).layer(0);
         float[] values = new float[layer.remaining()];
@@ -112,29 +123,29 @@ class DiffractionSetupTest {
         AtomicInteger made = new AtomicInteger();
         MethodPlan plan = counted(made);
 
-        ShaderTables first = setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors);
-        ShaderTables second = setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors);
+        ShaderTables first = tables(plan, MethodUse.COLOR);
+        ShaderTables second = tables(plan, MethodUse.COLOR);
 
         assertThat(made.get()).isOne();
         assertThat(numbers(first)).containsExactly(1, 2, 3);
         assertThat(numbers(second)).containsExactly(1, 2, 3);
-        setup("a").tables(plan, MethodUse.SPECTRAL, DiffractionSetupTest::refuseColors);
+        tables(plan, MethodUse.SPECTRAL);
         assertThat(made.get()).as("another use").isEqualTo(2);
         assertThat(warnings).isEmpty();
     }
 
     @Test
     void readFilesCountAsUsedAndHaveALabel() throws Exception {
-        setup("a").tables(counted(new AtomicInteger()), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
+        tables(counted(new AtomicInteger()), MethodUse.COLOR);
         Path file = cached().get(0);
         Files.setLastModifiedTime(file, FileTime.fromMillis(0));
-        setup("a").tables(counted(new AtomicInteger()), MethodUse.COLOR, DiffractionSetupTest::refuseColors);
+        tables(counted(new AtomicInteger()), MethodUse.COLOR);
         CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         assertThat(folder.entries()).hasSize(1);
         assertThat(Files.getPosixFilePermissions(file))
                 .as("nobody else reads it")
                 .isEqualTo(PosixFilePermissions.fromString("rw-------"));
-        CacheEntry entry = folder.entries().get(0);
+        CacheFolder.Entry entry = folder.entries().get(0);
         assertThat(entry.lastUsed()).isAfter(Instant.now().minusSeconds(600));
         assertThat(entry.label()).isEqualTo(TableLabel.of("a", surface("a").digest(), "counted"));
     }
@@ -145,10 +156,8 @@ class DiffractionSetupTest {
         AtomicInteger made = new AtomicInteger();
         MethodPlan plan = counted(made);
 
-        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)))
-                .containsExactly(1, 2, 3);
-        assertThat(numbers(setup("a").tables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)))
-                .containsExactly(1, 2, 3);
+        assertThat(numbers(tables(plan, MethodUse.COLOR))).containsExactly(1, 2, 3);
+        assertThat(numbers(tables(plan, MethodUse.COLOR))).containsExactly(1, 2, 3);
 
         assertThat(made.get()).isEqualTo(2);
         assertThat(warnings).hasSize(2).allMatch(line -> line.startsWith("no cache"));
@@ -161,10 +170,7 @@ class DiffractionSetupTest {
                 .with(Average.ENSEMBLE);
         TableMethod method = new TableMethod(1e-2, area);
         MethodPlan map = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(20, 70)));
-        assertThat(setup("a")
-                        .freshTables(map, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
-                        .defines())
-                .containsEntry("COLOR_ONE_LIGHT", "1");
+        assertThat(oneLight(map)).isEqualTo("1");
         ColorTablePlan all =
                 method.plan(surface("a"), VisibleRange.all()).colorTable().orElseThrow();
         TileGrid grid = TileGrid.of(all.table().levels().get(0));
@@ -177,21 +183,17 @@ class DiffractionSetupTest {
                         new RadialBaker(
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
                         BakeToken.NONE);
-        try (CachedTiles kept = setup("a").tiles(all)) {
+        try (CachedTiles kept = setup("a")
+                .sources(DiffractionSetupTest::refuseColors, line -> {})
+                .tiles(all)) {
             int[] numbers = tiles.stream().toArray();
             kept.keep(
                     0,
                     IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get)));
         }
 
-        assertThat(setup("a")
-                        .freshTables(map, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
-                        .defines())
-                .containsEntry("COLOR_ONE_LIGHT", "0");
+        assertThat(oneLight(map)).isEqualTo("0");
         MethodPlan other = method.plan(surface("a"), VisibleRange.of(Direction.ofDegrees(0, 0)));
-        assertThat(setup("a")
-                        .freshTables(other, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
-                        .defines())
-                .containsEntry("COLOR_ONE_LIGHT", "0");
+        assertThat(oneLight(other)).isEqualTo("0");
     }
 }
