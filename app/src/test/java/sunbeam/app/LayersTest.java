@@ -74,7 +74,8 @@ final class LayersTest {
     /** jrtr.gl.DisplayFaults keeps what JOGL itself prints off the stream; it prints nothing of its own. */
     @ArchTest
     static final ArchRule onlyTheEntryPointAndProgressKnowTheStandardStreams = noClasses()
-            .that(outsideOf(Set.of("sunbeam.app.Main", "sunbeam.app.terminal.Terminal", "jrtr.gl.DisplayFaults")))
+            .that(outsideOf(
+                    Set.of("sunbeam.app.Main", "sunbeam.app.terminal.ProgressDisplay", "jrtr.gl.DisplayFaults")))
             .should()
             .accessField(System.class, "out")
             .orShould()

@@ -6,7 +6,6 @@ import java.util.concurrent.ExecutionException;
 import jrtr.GraphicsException;
 import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
-import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -36,7 +35,7 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
-            Map.entry(OutputExistsException.class, ExitCode.OUTPUT_EXISTS),
+            Map.entry(OutputException.Exists.class, ExitCode.OUTPUT_EXISTS),
             Map.entry(CancelledException.class, ExitCode.INTERRUPTED),
             Map.entry(InterruptedException.class, ExitCode.INTERRUPTED));
 

@@ -69,11 +69,7 @@ public final class SceneReader {
 
     private static JsonObject json(Path file) {
         InputException.requireRegular(file);
-        try {
-            return JsonFile.read(file);
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
+        return InputException.naming(file, () -> JsonFile.read(file));
     }
 
     /** True if a file looks like a scene; it may be invalid. */

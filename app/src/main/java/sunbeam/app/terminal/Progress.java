@@ -16,11 +16,11 @@ public final class Progress implements BakeToken {
 
     private static final int REDRAW_MILLISECONDS = 200;
 
-    private final ProgressLine line;
+    private final ProgressDisplay.Line line;
     private final ProgressBar bar;
     private final ShutdownHook hook;
 
-    private Progress(ProgressLine line, ProgressBar bar, ShutdownHook hook) {
+    private Progress(ProgressDisplay.Line line, ProgressBar bar, ShutdownHook hook) {
         this.line = line;
         this.bar = bar;
         this.hook = hook;
@@ -30,7 +30,7 @@ public final class Progress implements BakeToken {
         return new Progress(null, null, null);
     }
 
-    static Progress of(String label, long total, ProgressLine line) {
+    static Progress of(String label, long total, ProgressDisplay.Line line) {
         // On Ctrl-C the half-drawn line is erased, and none is drawn after it.
         ShutdownHook hook = new ShutdownHook(line::close);
         ProgressBar bar = new ProgressBarBuilder()

@@ -1,5 +1,9 @@
 package sunbeam.app.terminal;
 
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
@@ -7,6 +11,7 @@ import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import me.tongfei.progressbar.ProgressBarConsumer;
 
 /**
  * Shows the progress of long tasks and the time left on standard error; the program has one display. A task is shown after 2 s; if several
@@ -14,14 +19,25 @@ import java.util.function.LongSupplier;
  * s at most, however many tasks follow each other. Thread-safe.
  */
 public final class ProgressDisplay {
-    private final Terminal terminal;
+    /** Least time between printed lines if standard error is no terminal. */
+    static final Duration INTERVAL = Duration.ofSeconds(10);
+
+    // Width of the narrowest terminals in use, in characters.
+    private static final int COLUMNS = 80;
+    private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
+
+    private final PrintStream stream;
+    private final boolean interactive;
     private final LongSupplier nanoseconds;
     private final AtomicLong lastPrinted;
-    private final Deque<ProgressLine> open = new ConcurrentLinkedDeque<>();
+    // Lines of all tasks, the newest last.
+    private final Deque<Line> open = new ConcurrentLinkedDeque<>();
     private volatile boolean silent;
 
-    ProgressDisplay(Terminal terminal, LongSupplier nanoseconds) {
-        this.terminal = terminal;
+    /** @param interactive whether the stream is a terminal, on which a line can be overwritten */
+    ProgressDisplay(PrintStream stream, boolean interactive, LongSupplier nanoseconds) {
+        this.stream = stream;
+        this.interactive = interactive;
         this.nanoseconds = nanoseconds;
         this.lastPrinted = new AtomicLong(nanoseconds.getAsLong());
     }
@@ -32,7 +48,19 @@ public final class ProgressDisplay {
      * @param variables environment variables, of which {@code TERM} says whether lines can be erased
      */
     static ProgressDisplay ofStandardError(Map<String, String> variables) {
-        return new ProgressDisplay(Terminal.ofStandardError(variables), System::nanoTime);
+        boolean dumb = variables.getOrDefault("TERM", "dumb").equals("dumb");
+        return new ProgressDisplay(System.err, !dumb && isErrorTerminal(), System::nanoTime);
+    }
+
+    /** Finds out from Linux whether standard error is a terminal; Java's {@code Console} tells this only of input and output together. */
+    private static boolean isErrorTerminal() {
+        try {
+            String device = STANDARD_ERROR.toRealPath().toString();
+            return device.startsWith("/dev/pts/") || device.startsWith("/dev/tty") || device.equals("/dev/console");
+        } catch (IOException unknown) {
+            // Pipes and sockets have no path; other systems have no such file.
+            return false;
+        }
     }
 
     /** Hides all tasks that start later ({@code --quiet}). */
@@ -48,11 +76,7 @@ public final class ProgressDisplay {
      * @param total number of steps, at least 0
      */
     public Progress start(String label, long total) {
-        return silent ? Progress.hidden() : Progress.of(label, total, line());
-    }
-
-    ProgressLine line() {
-        return new ProgressLine(terminal, nanoseconds, lastPrinted, open);
+        return silent ? Progress.hidden() : Progress.of(label, total, new Line());
     }
 
     /** Returns the function's values of all items, computed in parallel, as a task with one step per item. */
@@ -65,6 +89,69 @@ public final class ProgressDisplay {
                         return result;
                     })
                     .toList();
+        }
+    }
+
+    /**
+     * Line of a task. On a terminal it is redrawn in place, and erased at the end; elsewhere copies of it are printed, a few a minute, and
+     * the last state of a task that has printed one. If several lines are open (for a task and its part), the newest is drawn.
+     */
+    final class Line implements ProgressBarConsumer {
+        private final long start = nanoseconds.getAsLong();
+        private int drawn;
+        private String printed = "";
+        private String last = "";
+        private boolean closed;
+
+        Line() {
+            open.addLast(this);
+        }
+
+        /** Returns one character less than the terminal is wide: some terminals wrap in the last column. */
+        @Override
+        public int getMaxRenderedLength() {
+            return COLUMNS - 1;
+        }
+
+        @Override
+        public synchronized void accept(String text) {
+            if (closed || open.peekLast() != this || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
+                return;
+            }
+            if (!interactive) {
+                last = text.strip();
+                long now = nanoseconds.getAsLong();
+                long before = lastPrinted.get();
+                if (now - before >= INTERVAL.toNanos() && lastPrinted.compareAndSet(before, now)) {
+                    printLast();
+                }
+                return;
+            }
+            String fitting = text.substring(0, Math.min(text.length(), getMaxRenderedLength()));
+            print("\r" + fitting + " ".repeat(Math.max(0, drawn - fitting.length())));
+            drawn = fitting.length();
+        }
+
+        @Override
+        public synchronized void close() {
+            if (!closed && drawn > 0) {
+                print("\r" + " ".repeat(drawn) + "\r");
+            }
+            if (!closed && !printed.isEmpty() && !printed.equals(last)) {
+                printLast();
+            }
+            closed = true;
+            open.remove(this);
+        }
+
+        private void printLast() {
+            print("sunbeam: " + last + System.lineSeparator());
+            printed = last;
+        }
+
+        private void print(String text) {
+            stream.print(text);
+            stream.flush();
         }
     }
 }

@@ -17,7 +17,7 @@ final class ProgressTest {
 
     private ProgressDisplay display(boolean interactive) {
         return new ProgressDisplay(
-                new Terminal(new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive), nanoseconds::get);
+                new PrintStream(drawn, true, StandardCharsets.US_ASCII), interactive, nanoseconds::get);
     }
 
     private String text() {
@@ -26,7 +26,7 @@ final class ProgressTest {
 
     @Test
     void withoutATerminalALineIsPrintedEveryTenSecondsAtMostAndAtTheEnd() {
-        try (ProgressLine line = display(false).line()) {
+        try (ProgressDisplay.Line line = display(false).new Line()) {
             for (int second = 0; second < 35; second++) {
                 nanoseconds.set(Duration.ofSeconds(second).toNanos());
                 line.accept("at " + second);
@@ -41,7 +41,7 @@ final class ProgressTest {
         ProgressDisplay display = display(false);
         for (int second = 0; second < 25; second += 3) {
             nanoseconds.set(Duration.ofSeconds(second).toNanos());
-            try (ProgressLine line = display.line()) {
+            try (ProgressDisplay.Line line = display.new Line()) {
                 nanoseconds.addAndGet(Progress.DELAY.toNanos());
                 line.accept("task of second " + second);
             }
@@ -52,7 +52,7 @@ final class ProgressTest {
     @Test
     void aLongTaskPrintsAPlainLineWithoutATerminal() {
         try (Progress progress = display(false).start("rendering", 10)) {
-            nanoseconds.set(ProgressLine.INTERVAL.toNanos());
+            nanoseconds.set(ProgressDisplay.INTERVAL.toNanos());
             progress.step(10);
         }
         // The bar's thread may have printed a line before the step.
@@ -81,7 +81,7 @@ final class ProgressTest {
     @ValueSource(booleans = {true, false})
     void aSilentDisplayDrawsNothing(boolean interactive) {
         try (Progress progress = display(interactive).silence().start("rendering", 10)) {
-            nanoseconds.set(ProgressLine.INTERVAL.toNanos());
+            nanoseconds.set(ProgressDisplay.INTERVAL.toNanos());
             progress.step(5);
         }
         assertThat(text()).isEmpty();
@@ -89,7 +89,7 @@ final class ProgressTest {
 
     @Test
     void aShorterLineCoversALongerOne() {
-        try (ProgressLine line = display(true).line()) {
+        try (ProgressDisplay.Line line = display(true).new Line()) {
             nanoseconds.set(Progress.DELAY.toNanos());
             line.accept("long line");
             line.accept("short");
@@ -100,9 +100,9 @@ final class ProgressTest {
     @Test
     void theInnerOfTwoTasksIsDrawnUntilItEnds() {
         ProgressDisplay display = display(true);
-        try (ProgressLine outer = display.line()) {
+        try (ProgressDisplay.Line outer = display.new Line()) {
             nanoseconds.set(Progress.DELAY.toNanos());
-            try (ProgressLine inner = display.line()) {
+            try (ProgressDisplay.Line inner = display.new Line()) {
                 nanoseconds.set(2 * Progress.DELAY.toNanos());
                 outer.accept("outer");
                 inner.accept("inner");
@@ -116,8 +116,8 @@ final class ProgressTest {
     @Test
     void programsInOneProcessShareNoState() {
         ProgressDisplay silent = display(true).silence();
-        try (ProgressLine one = display(true).line();
-                ProgressLine other = display(true).line();
+        try (ProgressDisplay.Line one = display(true).new Line();
+                ProgressDisplay.Line other = display(true).new Line();
                 Progress hidden = silent.start("hidden", 1)) {
             nanoseconds.set(Progress.DELAY.toNanos());
             hidden.step(1);
@@ -129,7 +129,7 @@ final class ProgressTest {
 
     @Test
     void nothingIsDrawnAfterTheEnd() {
-        ProgressLine line = display(true).line();
+        ProgressDisplay.Line line = display(true).new Line();
         nanoseconds.set(Progress.DELAY.toNanos());
         line.close();
         line.accept("late");

@@ -161,8 +161,8 @@ public final class BrdfMapCommand extends ReportingCommand {
         RefractiveIndex material = material(asked);
         // All options are checked before scans are read.
         Direction towards = light.direction();
-        AtomicFile.checkNamed(output, resume.beforeLoading(force.overwrite()));
-        AtomicFile.checkNamed(linear, resume.beforeLoading(force.overwrite()));
+        AtomicFile.checkWritable(output, resume.beforeLoading(force.overwrite()));
+        AtomicFile.checkWritable(linear, resume.beforeLoading(force.overwrite()));
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared
@@ -186,7 +186,7 @@ public final class BrdfMapCommand extends ReportingCommand {
             return finished.getAsInt();
         }
         AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
-        AtomicFile.checkNamed(linear, force.overwrite());
+        AtomicFile.checkWritable(linear, force.overwrite());
         List<MaterialMap> materials = plan(setups, choices, material, towards);
         MaterialMap firstMap = materials.get(0);
         Map<String, Object> report = new LinkedHashMap<>();

@@ -5,7 +5,7 @@ import java.util.Base64;
 import java.util.Map;
 import java.util.zip.Deflater;
 import sunbeam.app.files.output.AtomicFile;
-import sunbeam.app.files.output.Deflated;
+import sunbeam.app.files.output.ExrFile;
 import sunbeam.precompute.colortable.ColorTable;
 
 /** A self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
@@ -137,7 +137,7 @@ final class HtmlTable implements TableWriter {
                 }
                 before = now;
             }
-            return new QuantizedGrid(rounded, Deflated.of(codes, Deflater.BEST_COMPRESSION), most);
+            return new QuantizedGrid(rounded, ExrFile.deflated(codes, Deflater.BEST_COMPRESSION), most);
         }
 
         private static double square(double value) {

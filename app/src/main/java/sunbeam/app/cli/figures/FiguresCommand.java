@@ -16,7 +16,6 @@ import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
-import sunbeam.app.files.output.OutputExistsException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ExitCode;
@@ -190,7 +189,7 @@ public final class FiguresCommand extends ReportingCommand {
             if (force.overwrite() == Overwrite.REFUSE
                     && Files.exists(page)
                     && !Files.readString(page).contains(FiguresPage.GENERATOR)) {
-                throw new OutputExistsException(
+                throw new OutputException.Exists(
                         "cannot write " + page
                                 + ": it exists and is no page of figures; add --force to replace it, or choose another --output");
             }

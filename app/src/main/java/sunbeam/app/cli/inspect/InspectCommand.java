@@ -75,7 +75,7 @@ public final class InspectCommand extends ReportingCommand {
         }
         PrintWriter err = err();
         PrintWriter out = out(output);
-        AtomicFile.checkNamed(output, force.overwrite());
+        AtomicFile.checkWritable(output, force.overwrite());
         Patch loaded = patchOptions.load(Choices.none());
         ScanWarnings.print(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");

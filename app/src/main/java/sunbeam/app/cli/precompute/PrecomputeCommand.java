@@ -103,7 +103,7 @@ public final class PrecomputeCommand extends ReportingCommand {
 
     private int write(Choices choices) {
         FullMethod.of(choices);
-        AtomicFile.checkNamed(output, force.overwrite());
+        AtomicFile.checkWritable(output, force.overwrite());
         DiffractionSetup setup =
                 new DiffractionSetup(patchOptions.load(choices, environment(), err()), environment(), err());
         FullMethod method = FullMethod.of(setup.limitToScan(choices, err()));

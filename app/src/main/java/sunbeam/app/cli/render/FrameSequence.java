@@ -17,7 +17,7 @@ import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.LinearFile;
-import sunbeam.app.files.output.OutputExistsException;
+import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
@@ -96,7 +96,7 @@ public final class FrameSequence implements AutoCloseable {
     /**
      * Returns for each frame whether it must be drawn: its file is missing or has other parameters.
      *
-     * @throws OutputExistsException for a file with other parameters that must not be replaced
+     * @throws OutputException.Exists for a file with other parameters that must not be replaced
      */
     List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
         List<Boolean> missing = new ArrayList<>();
@@ -104,7 +104,7 @@ public final class FrameSequence implements AutoCloseable {
             boolean done =
                     PngText.find(files.get(i), text.identity(scenes.get(i))).isPresent();
             if (!done && overwrite == Overwrite.REFUSE && Files.exists(files.get(i))) {
-                throw new OutputExistsException("cannot write " + files.get(i)
+                throw new OutputException.Exists("cannot write " + files.get(i)
                         + ": it exists with other parameters; add --force to replace it");
             }
             missing.add(!done);

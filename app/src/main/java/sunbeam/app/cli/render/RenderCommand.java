@@ -28,7 +28,7 @@ import sunbeam.app.cli.options.TevOption;
 import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.OutputExistsException;
+import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
@@ -339,7 +339,7 @@ public final class RenderCommand extends ReportingCommand {
 
     private void checkPicture(Path file) {
         if (overwriteOfPictures() == Overwrite.REFUSE && Files.exists(file)) {
-            throw new OutputExistsException("cannot write " + file
+            throw new OutputException.Exists("cannot write " + file
                     + ": it exists; add --resume to keep what is finished, or --force to replace it");
         }
         if (!animation.isGiven()) {

@@ -46,22 +46,25 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
         if (Files.isDirectory(file)) {
             throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
         }
-        try (CsvReader<CsvRecord> reader = reader(Files.newInputStream(file))) {
+        return InputException.naming(file, () -> read(Files.newInputStream(file), required, optional, limits));
+    }
+
+    private static CsvTable read(InputStream stream, List<String> required, List<String> optional, Limits limits)
+            throws IOException {
+        try (CsvReader<CsvRecord> reader = reader(stream)) {
             Iterator<CsvRecord> records =
                     reader.stream().filter(record -> !isBlank(record)).iterator();
             if (!records.hasNext()) {
-                throw new InputException("cannot read " + file + ": it is empty; its first line must name the columns");
+                throw new InputException("it is empty; its first line must name the columns");
             }
             List<String> header =
                     records.next().getFields().stream().map(String::strip).toList();
-            List<String> columns = wantedColumns(file, header, required, optional);
-            return new CsvTable(columns, readRows(file, records, header, columns, limits));
+            List<String> columns = wantedColumns(header, required, optional);
+            return new CsvTable(columns, readRows(records, header, columns, limits));
         } catch (CsvParseException broken) {
-            throw new InputException("cannot use " + file + ": " + broken.getMessage() + "; is this a table?", broken);
+            throw new InputException(broken.getMessage() + "; is this a table?", broken);
         } catch (UncheckedIOException failure) {
-            throw InputException.of(file, failure.getCause());
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
+            throw failure.getCause();
         }
     }
 
@@ -89,39 +92,38 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
         return record.getFieldCount() == 1 && record.getField(0).isBlank();
     }
 
-    private static List<String> wantedColumns(
-            Path file, List<String> header, List<String> required, List<String> optional) {
+    private static List<String> wantedColumns(List<String> header, List<String> required, List<String> optional) {
         List<String> columns = Stream.concat(required.stream(), optional.stream())
-                .filter(name -> position(file, header, name) >= 0)
+                .filter(name -> position(header, name) >= 0)
                 .toList();
         for (String name : required) {
             if (!columns.contains(name)) {
                 String remedy = header.size() == 1 && header.get(0).matches(".*[;\\t].*")
                         ? "; separate columns by commas, not by semicolons or tabs, and write decimals with points"
                         : "; needed: " + String.join(",", required);
-                throw new InputException("cannot use " + file + ": it has no column " + name + ", only "
-                        + abbreviated(String.join(",", header)) + remedy);
+                throw new InputException(
+                        "it has no column " + name + ", only " + abbreviated(String.join(",", header)) + remedy);
             }
         }
         return columns;
     }
 
-    private static int position(Path file, List<String> header, String name) {
+    private static int position(List<String> header, String name) {
         int position = header.indexOf(name);
         if (position != header.lastIndexOf(name)) {
-            throw new InputException("cannot use " + file + ": it has two columns " + name + "; remove one");
+            throw new InputException("it has two columns " + name + "; remove one");
         }
         return position;
     }
 
     private static List<double[]> readRows(
-            Path file, Iterator<CsvRecord> records, List<String> header, List<String> columns, Limits limits) {
+            Iterator<CsvRecord> records, List<String> header, List<String> columns, Limits limits) {
         List<double[]> rows = new ArrayList<>();
         while (records.hasNext()) {
             CsvRecord record = records.next();
-            String place = "cannot use " + file + ", line " + record.getStartingLineNumber();
+            String place = "line " + record.getStartingLineNumber();
             if (rows.size() == MOST_ROWS) {
-                throw new InputException("cannot use " + file + ": more than " + MOST_ROWS + " rows; split it");
+                throw new InputException("more than " + MOST_ROWS + " rows; split it");
             }
             if (record.getFieldCount() != header.size()) {
                 throw new InputException(
@@ -132,7 +134,7 @@ public record CsvTable(List<String> columns, List<double[]> rows) {
                     .toArray());
         }
         if (rows.isEmpty()) {
-            throw new InputException("cannot use " + file + ": it has a header but no row");
+            throw new InputException("it has a header but no row");
         }
         return rows;
     }

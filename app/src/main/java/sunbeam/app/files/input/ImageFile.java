@@ -41,15 +41,13 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
      * @throws InputException if the file is missing or no picture
      */
     public static BufferedImage ours(Path file, String remedy) {
-        try {
+        return InputException.naming(file, () -> {
             BufferedImage image = ImageIO.read(file.toFile());
             if (image == null) {
-                throw new InputException("cannot read " + file + ": it is no picture; " + remedy);
+                throw new InputException("it is no picture; " + remedy);
             }
             return image;
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
+        });
     }
 
     /**

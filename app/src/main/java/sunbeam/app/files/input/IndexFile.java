@@ -1,7 +1,5 @@
 package sunbeam.app.files.input;
 
-import java.io.IOException;
-import java.nio.charset.MalformedInputException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -31,11 +29,16 @@ public final class IndexFile {
      * @throws InputException if the file is missing, is no such table, or does not cover 380 to 780 nm
      */
     public static RefractiveIndex read(Path file) {
+        InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a table of an index?");
+        return InputException.naming(file, () -> parse(Files.readAllLines(file)));
+    }
+
+    private static RefractiveIndex parse(List<String> lines) {
         NavigableMap<Double, Double> real = new TreeMap<>();
         NavigableMap<Double, Double> imaginary = new TreeMap<>();
         List<String> header = List.of();
         int number = 0;
-        for (String line : lines(file)) {
+        for (String line : lines) {
             number++;
             List<String> fields = List.of(line.strip().split("\\s*,\\s*", -1));
             if (line.isBlank()) {
@@ -46,67 +49,56 @@ public final class IndexFile {
                 continue;
             }
             if (header.size() < 2 || fields.size() != header.size()) {
-                throw unusable(file, number, "no header 'wl,n' or 'wl,n,k' says what it holds");
+                throw unusable(number, "no header 'wl,n' or 'wl,n,k' says what it holds");
             }
-            double wavelength = number(file, number, fields.get(0));
+            double wavelength = number(number, fields.get(0));
             for (int column = 1; column < header.size(); column++) {
-                double value = number(file, number, fields.get(column));
+                double value = number(number, fields.get(column));
                 switch (header.get(column)) {
                     case "n" -> real.put(wavelength * 1e-6, value);
                     case "k" -> imaginary.put(wavelength * 1e-6, value);
-                    default -> throw unusable(file, number, "column '" + header.get(column) + "' is neither n nor k");
+                    default -> throw unusable(number, "column '" + header.get(column) + "' is neither n nor k");
                 }
             }
         }
-        return tabulated(file, real, imaginary);
+        return tabulated(real, imaginary);
     }
 
     private static RefractiveIndex tabulated(
-            Path file, NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
-        requireVisible(file, "n", real);
+            NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
+        requireVisible("n", real);
         if (!imaginary.isEmpty()) {
-            requireVisible(file, "k", imaginary);
+            requireVisible("k", imaginary);
         }
         try {
             return new RefractiveIndex(real, imaginary);
         } catch (IllegalArgumentException wrong) {
-            throw new InputException("cannot use " + file + ": " + wrong.getMessage(), wrong);
+            throw new InputException(wrong.getMessage(), wrong);
         }
     }
 
-    private static void requireVisible(Path file, String column, NavigableMap<Double, Double> values) {
+    private static void requireVisible(String column, NavigableMap<Double, Double> values) {
         if (values.isEmpty()) {
-            throw new InputException("cannot use " + file + ": it has no column " + column
+            throw new InputException("it has no column " + column
                     + "; export it from refractiveindex.info as CSV, with the header wl,n");
         }
         double first = 1e9 * values.firstKey();
         double last = 1e9 * values.lastKey();
         if (first > FIRST_NM + ROUNDING || last < LAST_NM - ROUNDING) {
-            throw new InputException("cannot use " + file + ": its " + column + " reaches from " + Math.round(first)
-                    + " to " + Math.round(last) + " nm, but 380 to 780 nm are needed (wavelengths are in micrometers)");
+            throw new InputException("its " + column + " reaches from " + Math.round(first) + " to " + Math.round(last)
+                    + " nm, but 380 to 780 nm are needed (wavelengths are in micrometers)");
         }
     }
 
-    private static List<String> lines(Path file) {
-        InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a table of an index?");
-        try {
-            return Files.readAllLines(file);
-        } catch (MalformedInputException broken) {
-            throw new InputException("cannot use " + file + ": it is no text", broken);
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
-    }
-
-    private static double number(Path file, int line, String field) {
+    private static double number(int line, String field) {
         double value = Decimals.parse(field).orElse(Double.NaN);
         if (Double.isNaN(value)) {
-            throw unusable(file, line, "'" + field + "' is not a number");
+            throw unusable(line, "'" + field + "' is not a number");
         }
         return value;
     }
 
-    private static InputException unusable(Path file, int line, String problem) {
-        return new InputException("cannot use " + file + ", line " + line + ": " + problem);
+    private static InputException unusable(int line, String problem) {
+        return new InputException("line " + line + ": " + problem);
     }
 }

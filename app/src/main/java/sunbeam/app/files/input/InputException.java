@@ -22,6 +22,27 @@ public final class InputException extends RuntimeException {
         return new InputException("cannot read " + file + ": " + reason(cause), cause);
     }
 
+    /** Reading of a file; its own complaints do not name the file. */
+    @FunctionalInterface
+    public interface Reading<T> {
+        T read() throws IOException;
+    }
+
+    /**
+     * Reads a file; adds its name to complaints.
+     *
+     * @throws InputException if the file cannot be read or used
+     */
+    public static <T> T naming(Path file, Reading<T> reading) {
+        try {
+            return reading.read();
+        } catch (IOException failure) {
+            throw of(file, failure);
+        } catch (InputException wrong) {
+            throw new InputException("cannot use " + file + ": " + wrong.getMessage(), wrong);
+        }
+    }
+
     /**
      * Throws an exception for folders, pipes and devices: reading a device might never end.
      *
@@ -38,12 +59,8 @@ public final class InputException extends RuntimeException {
 
     public static void requireSmall(Path file, long most, String otherwise) {
         requireRegular(file);
-        try {
-            if (Files.size(file) > most) {
-                throw new InputException("cannot use " + file + ": " + otherwise);
-            }
-        } catch (IOException failure) {
-            throw of(file, failure);
+        if (naming(file, () -> Files.size(file)) > most) {
+            throw new InputException("cannot use " + file + ": " + otherwise);
         }
     }
 

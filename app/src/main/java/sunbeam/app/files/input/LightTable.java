@@ -9,8 +9,6 @@ import de.siegmar.fastcsv.reader.CsvParseException;
 import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -72,35 +70,36 @@ public final class LightTable {
     }
 
     private static Illuminant read(Path file) {
-        NavigableMap<Double, Double> powers = powers(file);
+        InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a spectrum?");
+        return InputException.naming(
+                file, () -> illuminant(file.getFileName().toString(), powers(Files.readString(file))));
+    }
+
+    private static Illuminant illuminant(String name, NavigableMap<Double, Double> powers) {
         if (powers.isEmpty() || powers.firstKey() > FIRST_NANOMETERS || powers.lastKey() < LAST_NANOMETERS) {
-            throw unusable(
-                    file,
-                    (powers.isEmpty()
-                                    ? "it has no row of wavelength and power"
-                                    : "its wavelengths reach from " + Decimals.format(powers.firstKey()) + " to "
-                                            + Decimals.format(powers.lastKey()) + " nm")
-                            + ", and 380 to 780 nm are needed, in nanometers, 0 where there is no light");
+            throw new InputException((powers.isEmpty()
+                            ? "it has no row of wavelength and power"
+                            : "its wavelengths reach from " + Decimals.format(powers.firstKey()) + " to "
+                                    + Decimals.format(powers.lastKey()) + " nm")
+                    + ", and 380 to 780 nm are needed, in nanometers, 0 where there is no light");
         }
         double[] power = new double[Illuminant.LAST + 1];
         for (int i = 0; i < power.length; i++) {
-            power[i] = at(file, powers, FIRST_NANOMETERS + i);
+            power[i] = at(powers, FIRST_NANOMETERS + i);
         }
         try {
-            return new Illuminant(file.getFileName().toString(), power);
+            return new Illuminant(name, power);
         } catch (IllegalArgumentException wrong) {
-            throw unusable(file, wrong.getMessage());
+            throw new InputException(wrong.getMessage());
         }
     }
 
-    private static double at(Path file, NavigableMap<Double, Double> powers, double nanometers) {
+    private static double at(NavigableMap<Double, Double> powers, double nanometers) {
         Map.Entry<Double, Double> below = powers.floorEntry(nanometers);
         Map.Entry<Double, Double> above = powers.ceilingEntry(nanometers);
         if (above.getKey() - below.getKey() > LARGEST_GAP_NANOMETERS) {
-            throw unusable(
-                    file,
-                    "between " + Decimals.format(below.getKey()) + " and " + Decimals.format(above.getKey())
-                            + " nm it has no row; give one every 20 nm at least");
+            throw new InputException("between " + Decimals.format(below.getKey()) + " and "
+                    + Decimals.format(above.getKey()) + " nm it has no row; give one every 20 nm at least");
         }
         double from = Math.max(nanometers - 1, powers.firstKey());
         double to = Math.min(nanometers + 1, powers.lastKey());
@@ -142,25 +141,21 @@ public final class LightTable {
         return sum / weight;
     }
 
-    private static NavigableMap<Double, Double> powers(Path file) {
-        InputException.requireSmall(file, LARGEST_BYTES, "it is larger than 1 MiB; is this a spectrum?");
+    private static NavigableMap<Double, Double> powers(String text) throws IOException {
         NavigableMap<Double, Double> powers = new TreeMap<>();
         try (CsvReader<CsvRecord> rows = CsvReader.builder()
                 .commentStrategy(CommentStrategy.SKIP)
-                .fieldSeparator(separator(file))
-                .ofCsvRecord(file)) {
-            rows.forEach(row -> enter(file, row, powers));
-        } catch (CharacterCodingException | UncheckedIOException | CsvParseException broken) {
-            throw unusable(file, "it is no table of text");
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
+                .fieldSeparator(separator(text))
+                .ofCsvRecord(text)) {
+            rows.forEach(row -> enter(row, powers));
+        } catch (CsvParseException broken) {
+            throw new InputException("it is no table of text", broken);
         }
         return powers;
     }
 
-    private static String separator(Path file) throws IOException {
-        String first = Files.readString(file)
-                .lines()
+    private static String separator(String text) {
+        String first = text.lines()
                 .filter(line -> !line.isBlank() && !line.startsWith("#"))
                 .findFirst()
                 .orElse("");
@@ -170,26 +165,22 @@ public final class LightTable {
                 .orElse(",");
     }
 
-    private static void enter(Path file, CsvRecord row, NavigableMap<Double, Double> powers) {
+    private static void enter(CsvRecord row, NavigableMap<Double, Double> powers) {
         String line = ", line " + row.getStartingLineNumber();
         OptionalDouble wavelength = Decimals.parse(row.getField(0).strip());
         if (wavelength.isEmpty()) {
             if (powers.isEmpty() && row.getFieldCount() > 1) {
                 return;
             }
-            throw unusable(file, "'" + row.getField(0) + "'" + line + " is no wavelength");
+            throw new InputException("'" + row.getField(0) + "'" + line + " is no wavelength");
         }
         OptionalDouble power =
                 row.getFieldCount() == 2 ? Decimals.parse(row.getField(1).strip()) : OptionalDouble.empty();
         if (power.isEmpty() || !(power.getAsDouble() >= 0)) {
-            throw unusable(file, "it needs two columns, wavelength and power, which is not negative" + line);
+            throw new InputException("it needs two columns, wavelength and power, which is not negative" + line);
         }
         if (powers.put(wavelength.getAsDouble(), power.getAsDouble()) != null) {
-            throw unusable(file, "it has " + Decimals.format(wavelength.getAsDouble()) + " nm twice" + line);
+            throw new InputException("it has " + Decimals.format(wavelength.getAsDouble()) + " nm twice" + line);
         }
-    }
-
-    private static InputException unusable(Path file, String problem) {
-        return new InputException("cannot use " + file + ": " + problem);
     }
 }

@@ -49,16 +49,16 @@ public final class PngText {
      */
     public static Map<String, String> read(Path file) {
         InputException.requireRegular(file);
-        try (InputStream stream = Files.newInputStream(file)) {
-            return read(file, new DataInputStream(new BufferedInputStream(stream)));
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
+        return InputException.naming(file, () -> {
+            try (InputStream stream = Files.newInputStream(file)) {
+                return read(new DataInputStream(new BufferedInputStream(stream)));
+            }
+        });
     }
 
-    private static Map<String, String> read(Path file, DataInputStream stream) throws IOException {
+    private static Map<String, String> read(DataInputStream stream) throws IOException {
         if (!Arrays.equals(stream.readNBytes(SIGNATURE.length), SIGNATURE)) {
-            throw new InputException("cannot read " + file + ": not a PNG file");
+            throw new InputException("it is no PNG file");
         }
         Map<String, String> text = new LinkedHashMap<>();
         CRC32 checksum = new CRC32();
@@ -72,23 +72,23 @@ public final class PngText {
             }
             boolean isText = type.equals("tEXt") || type.equals("iTXt");
             if (isText && length > LONGEST_TEXT_BYTES) {
-                throw new InputException("cannot read " + file + ": a text of " + length + " bytes");
+                throw new InputException("a text has " + length + " bytes");
             }
             byte[] data = checked.readNBytes(isText ? (int) length : 0);
             // The checksums of pixels are checked too: the texts do not describe a damaged picture.
             checked.skipNBytes(length - data.length);
             if ((int) checksum.getValue() != stream.readInt()) {
-                throw new InputException("cannot read " + file + ": it is damaged (checksum of "
-                        + (isText ? "its text" : Quoted.oneLine(type)) + ")");
+                throw new InputException(
+                        "it is damaged (checksum of " + (isText ? "its text" : Quoted.oneLine(type)) + ")");
             }
             if (isText) {
-                addEntry(file, text, type, data);
+                addEntry(text, type, data);
             }
         }
     }
 
-    private static void addEntry(Path file, Map<String, String> text, String type, byte[] data) {
-        int keywordEnd = indexOfZero(file, data, 0);
+    private static void addEntry(Map<String, String> text, String type, byte[] data) {
+        int keywordEnd = indexOfZero(data, 0);
         String keyword = string(data, 0, keywordEnd, StandardCharsets.ISO_8859_1);
         if (type.equals("tEXt")) {
             text.put(keyword, string(data, keywordEnd + 1, data.length, StandardCharsets.ISO_8859_1));
@@ -97,20 +97,20 @@ public final class PngText {
         // An iTXt chunk holds: keyword, 0, compression flag, compression method, language, 0, translated keyword, 0,
         // text.
         if (keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0) {
-            throw new InputException("cannot read " + file + ": the text '" + keyword + "' is compressed");
+            throw new InputException("the text '" + keyword + "' is compressed");
         }
-        int languageEnd = indexOfZero(file, data, keywordEnd + 3);
-        int translatedEnd = indexOfZero(file, data, languageEnd + 1);
+        int languageEnd = indexOfZero(data, keywordEnd + 3);
+        int translatedEnd = indexOfZero(data, languageEnd + 1);
         text.put(keyword, string(data, translatedEnd + 1, data.length, StandardCharsets.UTF_8));
     }
 
-    private static int indexOfZero(Path file, byte[] data, int from) {
+    private static int indexOfZero(byte[] data, int from) {
         for (int index = from; index < data.length; index++) {
             if (data[index] == 0) {
                 return index;
             }
         }
-        throw new InputException("cannot read " + file + ": its text has no end of a keyword");
+        throw new InputException("its text has no end of a keyword");
     }
 
     private static String string(byte[] data, int from, int to, Charset charset) {

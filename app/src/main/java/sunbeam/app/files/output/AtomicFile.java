@@ -78,25 +78,18 @@ public final class AtomicFile implements AutoCloseable {
      * Checks before a long computation that the target can be written: the folder takes a file, the disk has room for a block, no file is
      * in the way. The check leaves no file behind.
      *
+     * @param target name given by the user, or null if Sunbeam will choose it, which is not checked
      * @throws OutputException if the target cannot be written
      */
     public static void checkWritable(Path target, Overwrite overwrite) {
+        if (target == null) {
+            return;
+        }
         try (AtomicFile probe = create(target, overwrite)) {
             if (!probe.direct && !StandardOutput.isMeant(target)) {
                 TargetFolder.sweep(TargetFolder.of(target));
                 probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
-        }
-    }
-
-    /**
-     * Checks like {@link #checkWritable} that a target can be written, if the user has named one.
-     *
-     * @param named name given by the user, or null if Sunbeam will choose it
-     */
-    public static void checkNamed(Path named, Overwrite overwrite) {
-        if (named != null) {
-            checkWritable(named, overwrite);
         }
     }
 

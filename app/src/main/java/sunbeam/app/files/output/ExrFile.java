@@ -151,7 +151,28 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         for (int i = separated.length - 1; i > 0; i--) {
             separated[i] = (byte) (separated[i] - separated[i - 1] + 128);
         }
-        return Deflated.of(separated, Deflater.DEFAULT_COMPRESSION);
+        return deflated(separated, Deflater.DEFAULT_COMPRESSION);
+    }
+
+    /**
+     * Returns bytes compressed to zlib's format.
+     *
+     * @param effort compression level of {@link Deflater}, 0 to 9 or -1 for its default
+     */
+    public static byte[] deflated(byte[] bytes, int effort) {
+        Deflater deflater = new Deflater(effort);
+        try {
+            deflater.setInput(bytes);
+            deflater.finish();
+            ByteArrayOutputStream packed = new ByteArrayOutputStream();
+            byte[] buffer = new byte[1 << 16];
+            while (!deflater.finished()) {
+                packed.write(buffer, 0, deflater.deflate(buffer));
+            }
+            return packed.toByteArray();
+        } finally {
+            deflater.end();
+        }
     }
 
     private static byte[] ints(int... values) {

@@ -9,6 +9,17 @@ import java.nio.file.Path;
 
 /** Thrown if an output file cannot be written; the message names the file, the reason and the remedy. */
 public class OutputException extends RuntimeException {
+    /** Thrown if an output file exists and may not be replaced. */
+    public static final class Exists extends OutputException {
+        public Exists(String message) {
+            super(message);
+        }
+
+        private Exists(String message, Throwable cause) {
+            super(message, cause);
+        }
+    }
+
     public OutputException(String message) {
         super(message);
     }
@@ -24,7 +35,7 @@ public class OutputException extends RuntimeException {
         }
         String message = "cannot write " + target + ": " + reasonAndRemedy(rootOf(cause));
         return rootOf(cause) instanceof FileAlreadyExistsException
-                ? new OutputExistsException(message, cause)
+                ? new Exists(message, cause)
                 : new OutputException(message, cause);
     }
 

@@ -25,9 +25,6 @@ final class TargetFolder {
 
     static final int MOST_NAMES = 10_000;
 
-    private static final LinkOption[] FOLLOWING = {};
-    private static final LinkOption[] NOT_FOLLOWING = {LinkOption.NOFOLLOW_LINKS};
-
     private TargetFolder() {}
 
     static Path of(Path target) {
@@ -72,7 +69,8 @@ final class TargetFolder {
      */
     static boolean isDevice(Path target) {
         try {
-            LinkOption[] links = isWorldWritable(of(target)) ? NOT_FOLLOWING : FOLLOWING;
+            LinkOption[] links =
+                    isWorldWritable(of(target)) ? new LinkOption[] {LinkOption.NOFOLLOW_LINKS} : new LinkOption[0];
             return Files.readAttributes(target, BasicFileAttributes.class, links)
                     .isOther();
         } catch (NoSuchFileException free) {
@@ -114,7 +112,7 @@ final class TargetFolder {
             throw OutputException.of(name, taken);
         }
         if (number == MOST_NAMES) {
-            throw new OutputExistsException(
+            throw new OutputException.Exists(
                     "cannot write " + name + ": so many exist already; name one with --output, or add --force");
         }
     }

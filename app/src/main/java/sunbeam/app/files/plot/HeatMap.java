@@ -2,7 +2,6 @@ package sunbeam.app.files.plot;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Paint;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -18,7 +17,7 @@ import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
-import org.jfree.chart.renderer.PaintScale;
+import org.jfree.chart.renderer.LookupPaintScale;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.PaintScaleLegend;
 import org.jfree.chart.ui.RectangleEdge;
@@ -36,6 +35,7 @@ public final class HeatMap {
     private static final double SPACE_LEFT = 76;
     private static final double SPACE_BELOW = 64;
     private static final double GAP = 12;
+    private static final int SHADES = 256;
     private static final float CURVE_WIDTH = 2;
     private static final float RIM_WIDTH = 1;
     private static final Color SHADE = new Color(0, 0, 0, 150);
@@ -272,31 +272,18 @@ public final class HeatMap {
             axis.setNumberFormatOverride(PlotStyle.POWERS_BY_EXPONENT);
             axis.setTickUnit(new NumberTickUnit(1));
         }
-        PaintScaleLegend bar = new PaintScaleLegend(new Shades(low, high, colors.map()), axis);
+        LookupPaintScale shades = new LookupPaintScale(low, high, Color.WHITE);
+        for (int i = 0; i < SHADES; i++) {
+            shades.add(low + (high - low) * i / SHADES, new Color(colors.map().at((i + 0.5) / SHADES)));
+        }
+        PaintScaleLegend bar = new PaintScaleLegend(shades, axis);
         bar.setMargin(0, GAP, SPACE_BELOW, 0);
         bar.setPosition(RectangleEdge.RIGHT);
         bar.setAxisLocation(AxisLocation.BOTTOM_OR_RIGHT);
         bar.setStripWidth(18);
-        bar.setSubdivisionCount(256);
+        bar.setSubdivisionCount(SHADES);
         bar.setStripOutlineVisible(true);
         bar.setStripOutlinePaint(PlotStyle.INK);
         return bar;
-    }
-
-    private record Shades(double low, double high, ColorMap map) implements PaintScale {
-        @Override
-        public double getLowerBound() {
-            return low;
-        }
-
-        @Override
-        public double getUpperBound() {
-            return high;
-        }
-
-        @Override
-        public Paint getPaint(double value) {
-            return new Color(map.at((value - low) / (high - low)));
-        }
     }
 }

@@ -145,7 +145,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
     void whatHoldsNoExposureIsRefused() throws IOException {
         Path none = Files.writeString(folder.resolve("none.png"), "no picture");
         assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(err.toString()).contains("none.png: not a PNG file");
+        assertThat(err.toString()).contains("none.png: it is no PNG file");
         ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", none.toFile());
         assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
         assertThat(err.toString()).contains("none.png: it has no text 'Exposure'");

@@ -75,7 +75,7 @@ class LightTableTest {
 
         assertThatThrownBy(() -> LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString())))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("no table of text");
+                .hasMessageContaining("not text in UTF-8");
     }
 
     /** A line a fifth of a nanometer wide, between whole nanometers. */

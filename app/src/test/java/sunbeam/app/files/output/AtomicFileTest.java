@@ -139,7 +139,7 @@ final class AtomicFileTest {
     void aLinkIsReplacedAndNotFollowed() throws IOException {
         Path target = Files.writeString(folder.resolve("target.txt"), "old");
         Path link = Files.createSymbolicLink(folder.resolve("link.txt"), target);
-        assertThatThrownBy(() -> write(link, Overwrite.REFUSE)).isInstanceOf(OutputExistsException.class);
+        assertThatThrownBy(() -> write(link, Overwrite.REFUSE)).isInstanceOf(OutputException.Exists.class);
         write(link, Overwrite.REPLACE);
         assertThat(link).isRegularFile().hasBinaryContent(NEW);
         assertThat(Files.isSymbolicLink(link)).isFalse();
@@ -152,7 +152,7 @@ final class AtomicFileTest {
         Path link = Files.createSymbolicLink(folder.resolve("link.txt"), Path.of("/dev/full"));
         assertThatThrownBy(() -> write(link, Overwrite.REPLACE)).hasMessageContaining("No space left");
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxrwxrwx"));
-        assertThatThrownBy(() -> write(link, Overwrite.REFUSE)).isInstanceOf(OutputExistsException.class);
+        assertThatThrownBy(() -> write(link, Overwrite.REFUSE)).isInstanceOf(OutputException.Exists.class);
         write(link, Overwrite.REPLACE);
         assertThat(link).isRegularFile().hasBinaryContent(NEW);
         assertThat(Files.isSymbolicLink(link)).isFalse();

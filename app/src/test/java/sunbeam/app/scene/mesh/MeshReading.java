@@ -28,7 +28,7 @@ abstract class MeshReading {
     final AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String content) {
         return assertThatThrownBy(() -> read(content))
                 .isInstanceOf(InputException.class)
-                .hasMessageStartingWith(folder.toString())
+                .hasMessageStartingWith("cannot use " + folder)
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
     }
 }

@@ -43,32 +43,29 @@ public record MeshFormat(List<String> endings, Predicate<String> start, Reader r
      */
     public static RawMesh read(Path file) {
         InputException.requireRegular(file);
-        try (InputStream stream = Files.newInputStream(file)) {
+        return InputException.naming(file, () -> {
             requireSize(file);
-            String head = new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
-            MeshFormat format = ALL.stream()
-                    .filter(each -> each.start.test(head))
+            String head = head(file);
+            return ALL.stream()
+                    .filter(format -> format.start.test(head))
                     .findFirst()
-                    .orElseThrow();
-            return format.readNaming(file);
-        } catch (IOException failure) {
-            throw InputException.of(file, failure);
-        }
+                    .orElseThrow()
+                    .reader
+                    .read(file);
+        });
     }
 
-    private RawMesh readNaming(Path file) throws IOException {
-        try {
-            return reader.read(file);
-        } catch (InputException wrong) {
-            throw new InputException(file + ": " + wrong.getMessage(), wrong);
+    private static String head(Path file) throws IOException {
+        try (InputStream stream = Files.newInputStream(file)) {
+            return new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
         }
     }
 
     static void requireSize(Path file) throws IOException {
         long bytes = Files.size(file);
         if (bytes > MOST_BYTES) {
-            throw new InputException(
-                    file + " has " + bytes + " bytes; at most " + MOST_BYTES + " can be used, so simplify the mesh");
+            throw new InputException(file.getFileName() + " has " + bytes + " bytes; at most " + MOST_BYTES
+                    + " can be used, so simplify the mesh");
         }
     }
 
