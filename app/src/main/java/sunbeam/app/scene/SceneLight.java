@@ -49,7 +49,7 @@ public record SceneLight(Vector3fc towards, double intensity, double angularDiam
      * Returns lights that one footprint each shows and that together have this light's variance: this one, or seven, one in the middle of
      * a ring of six.
      */
-    List<SceneLight> narrow() {
+    public List<SceneLight> narrow() {
         if (angularDiameter <= WIDEST) {
             return List.of(this);
         }

@@ -1,5 +1,6 @@
 package sunbeam.app.cli.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
@@ -80,7 +81,7 @@ public final class BrdfMapCommand extends ReportingCommand {
     private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
-    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH, ENERGY));
+    private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH, ENERGY, ANGULAR_DIAMETER));
 
     @Mixin
     private LightOptions light;
@@ -218,7 +219,7 @@ public final class BrdfMapCommand extends ReportingCommand {
                     exposure.isAutomatic(),
                     err);
             Map<String, String> text = sheet.text();
-            text.put("Light", light.describe());
+            text.put("Light", light.describe() + ", " + asked.written(ANGULAR_DIAMETER) + " wide");
             text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
             text.put("Energy", asked.written(ENERGY));
             text.put("Method", choices.get(0).get(METHOD).label());
@@ -266,6 +267,9 @@ public final class BrdfMapCommand extends ReportingCommand {
         Ending.LINEAR.require("--linear", linear);
         if (linear != null && linear.equals(output)) {
             throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
+        }
+        if (certify.count().isPresent() && turn.choices().get(ANGULAR_DIAMETER) > 0) {
+            throw new UsageException("--certify compares with a point of light; leave out --angular-diameter");
         }
         if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
             throw new UsageException((linear != null ? "--linear" : "--certify")

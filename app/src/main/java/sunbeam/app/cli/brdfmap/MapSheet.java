@@ -1,5 +1,6 @@
 package sunbeam.app.cli.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 
 import java.awt.Graphics2D;
@@ -39,7 +40,7 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
      * @param asked choices of the user, before a scan's size limits the coherence length
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
-        Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH)));
+        Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH, ANGULAR_DIAMETER)));
         Optional<String> spectrum = light.chosen().isEmpty() ? Optional.empty() : Optional.of(light.describe());
         return sheet(maps.stream()
                 .map(map -> {

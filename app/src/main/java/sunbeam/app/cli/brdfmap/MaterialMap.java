@@ -1,12 +1,20 @@
 package sunbeam.app.cli.brdfmap;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.precompute.colortable.ColorTable.MIDDLE_WAVELENGTH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
+import org.joml.Vector3f;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.DiscDirections;
@@ -14,6 +22,7 @@ import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.Progress;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
@@ -21,32 +30,47 @@ import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.FresnelFactor;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /**
- * BRDF map of one patch of any material: the sum of one map for each part of its reflection. Shaders compute the standard material; for
- * another, each map is multiplied by a factor that depends only on the pair of directions.
+ * BRDF map of one patch of any material: the sum of one map for each part of its reflection and of a lamp. Shaders compute the standard
+ * material; for another, each map is multiplied by a factor that depends only on the pair of directions. A lamp's directions blur (u, v);
+ * as in scenes, the ensemble under a shorter window has the same blur at 550 nm.
  */
 final class MaterialMap {
+    // Distance between the directions that stand for a lamp, in deviations of an order under the shorter window, as
+    // that
+    // of the taps in footprint.glsl; and the most of them.
+    private static final double SPACING = 1.6;
+    private static final int MOST_DIRECTIONS = 8;
+
     private final DiffractionSetup setup;
+    private final Choices choices;
     private final Method method;
     private final RefractiveIndex index;
     private final Direction light;
     private final double turn;
-    private final boolean squared;
-    private final List<ReflectionPart> parts;
-    // Light of each part, divided where energy is conserved.
-    private final List<CieTable> lights = new ArrayList<>();
-    private final List<MethodPlan> plans = new ArrayList<>();
+    private final List<Part> parts;
+
+    /** Point of light with its share of the lamp's light, and the choices with its window. */
+    private record Point(Direction towards, double share, Choices choices) {}
+
+    /** Map to add: one part of the reflection under one point of light, divided where energy is conserved. */
+    private record Part(Point point, ReflectionPart reflection, CieTable cie, MethodPlan plan) {}
 
     /**
      * A drawn map with its patch, light and settings.
@@ -63,23 +87,65 @@ final class MaterialMap {
             double coherenceLength,
             LinearPicture picture) {}
 
+    /** @throws SettingException if the choices have a lamp and no ensemble average */
     MaterialMap(DiffractionSetup setup, Choices choices, RefractiveIndex index, Direction light) {
         this.setup = setup;
+        this.choices = choices;
         this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
         this.turn = choices.get(ROTATE_PATCH);
-        this.squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
-        this.parts = ReflectionPart.of(index, setup.cie());
-        Direction inPatch = light.turned(-turn);
         Optional<EnergyDivisor> divisor =
                 choices.get(ENERGY, Energy.SCALAR).divisor(setup.patch().heights(), index, choices);
-        for (ReflectionPart part : parts) {
-            CieTable divided =
-                    divisor.map(found -> found.under(inPatch, part.cie())).orElse(part.cie());
-            lights.add(divided);
-            plans.add(method.plan(setup.surface().withLight(divided), VisibleRange.of(inPatch)));
+        this.parts = points().stream()
+                .flatMap(
+                        point -> ReflectionPart.of(index, setup.cie()).stream().map(part -> part(point, part, divisor)))
+                .toList();
+    }
+
+    private Part part(Point point, ReflectionPart reflection, Optional<EnergyDivisor> divisor) {
+        Direction inPatch = point.towards.turned(-turn);
+        CieTable cie =
+                divisor.map(found -> found.under(inPatch, reflection.cie())).orElse(reflection.cie());
+        MethodPlan plan = Methods.of(point.choices).plan(setup.surface().withLight(cie), VisibleRange.of(inPatch));
+        return new Part(point, reflection, cie, plan);
+    }
+
+    private List<Point> points() {
+        double diameter = choices.get(ANGULAR_DIAMETER, 0.0);
+        if (diameter == 0) {
+            return List.of(new Point(light, 1, choices));
         }
+        if (Preset.isThesis(choices) || !method.type().has(AVERAGE) || choices.get(AVERAGE) != Average.ENSEMBLE) {
+            throw SettingException.of(
+                    ANGULAR_DIAMETER, diameter, "needs the ensemble average of methods full and table; leave it out");
+        }
+        Vector3f towards = new Vector3f((float) light.x(), (float) light.y(), (float) light.z());
+        return new SceneLight(towards, 1, diameter)
+                .narrow().stream().flatMap(this::points).toList();
+    }
+
+    /** Spreads a lamp's light along its major axis in (u, v), across the plane of incidence; the window blurs both axes as the minor one. */
+    private Stream<Point> points(SceneLight lamp) {
+        double sine = Math.hypot(lamp.towards().x(), lamp.towards().y());
+        double minor = lamp.deviation() * Math.max(lamp.towards().z(), Math.sqrt(12) / (SPACING * MOST_DIRECTIONS));
+        CoherenceWindow window = GaussianArea.windowOf(choices);
+        double frequency = window.sigmaFrequency();
+        // Power is the square of an amplitude.
+        double wider = Math.hypot(frequency, Math.sqrt(2) * minor / MIDDLE_WAVELENGTH);
+        Choices shorter = choices.with(COHERENCE_LENGTH, window.coherenceLength() * frequency / wider);
+        double length = Math.sqrt(12 * Math.max(0, Math.pow(lamp.deviation(), 2) - minor * minor));
+        int count = Math.max(1, (int) Math.ceil(length / (SPACING * MIDDLE_WAVELENGTH * wider / Math.sqrt(2))));
+        Vector3f across = sine > 0
+                ? new Vector3f(-lamp.towards().y(), lamp.towards().x(), 0).div((float) sine)
+                : new Vector3f(1, 0, 0);
+        double share = lamp.intensity() * Math.pow(frequency / wider, 2) / count;
+        return IntStream.range(0, count)
+                .mapToObj(i -> across.mul((float) (length * ((i + 0.5) / count - 0.5)), new Vector3f())
+                        .add(lamp.towards())
+                        .normalize())
+                .filter(point -> point.z() > 0)
+                .map(point -> new Point(new Direction(point.x(), point.y(), point.z()), share, shorter));
     }
 
     Method method() {
@@ -87,33 +153,32 @@ final class MaterialMap {
     }
 
     MethodPlan plan() {
-        return plans.get(0);
+        return parts.get(0).plan;
     }
 
     /** Returns the reference for a material without dispersion. */
     ExactLight exact() {
-        return setup.withLight(lights.get(0)).exact(method);
+        return setup.withLight(parts.get(0).cie).exact(method);
     }
 
     /** Returns the reflectance relative to the standard material's, for a material without dispersion. */
     double overStandard(DirectionPair pair) {
-        return parts.get(0).overStandard(pair);
+        return parts.get(0).reflection.overStandard(pair);
     }
 
     Result draw(RenderContext context, int size) {
-        DiscDirections directions = new DiscDirections(size, light);
         float[] sum = new float[3 * size * size];
         double sigma = 0;
         List<String> trials = new ArrayList<>();
-        for (int p = 0; p < parts.size(); p++) {
-            ShaderTables made = setup.tables(plans.get(p), MethodUse.COLOR, GpuBaker::of);
-            if (!made.trial().isEmpty()) {
-                trials.add(made.trial());
-            }
+        for (int i = 0; i < parts.size(); i++) {
+            Part part = parts.get(i);
+            String label = "BRDF map" + (parts.size() > 1 ? " " + (i + 1) + " of " + parts.size() : "");
+            ShaderTables made = setup.tables(part.plan, MethodUse.COLOR, GpuBaker::of);
+            trials.add(made.trial());
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);
-                    Progress progress = setup.progress().start("BRDF map", (long) size * size)) {
-                add(renderer.render(light, progress::step), parts.get(p), directions, sum);
+                    Progress progress = setup.progress().start(label, (long) size * size)) {
+                add(renderer.render(part.point.towards, progress::step), part, sum);
                 sigma = tables.windowSigma();
             }
         }
@@ -122,17 +187,21 @@ final class MaterialMap {
                 light,
                 method,
                 plan().summary(),
-                String.join("; ", trials),
-                4 * sigma,
+                trials.stream().filter(trial -> !trial.isEmpty()).collect(Collectors.joining("; ")),
+                parts.get(0).point.choices.equals(choices)
+                        ? 4 * sigma
+                        : GaussianArea.windowOf(choices).coherenceLength(),
                 new LinearPicture(size, size, sum));
     }
 
-    private void add(LinearPicture map, ReflectionPart part, DiscDirections directions, float[] sum) {
+    private void add(LinearPicture map, Part part, float[] sum) {
+        DiscDirections directions = new DiscDirections(map.width(), part.point.towards);
+        boolean squared = FresnelFactor.of(choices) == FresnelFactor.SQUARED;
         for (int pixel = 0; pixel < sum.length / 3; pixel++) {
             // The standard material's map stays as drawn, to the last bit.
             boolean scaled = map.covered(pixel) && !index.isStandard();
-            double once = scaled ? part.overStandard(directions.at(pixel)) : 1;
-            double factor = squared ? once * once : once;
+            double once = scaled ? part.reflection.overStandard(directions.at(pixel)) : 1;
+            double factor = part.point.share * (squared ? once * once : once);
             for (int c = 3 * pixel; c < 3 * pixel + 3; c++) {
                 sum[c] += (float) (factor * map.xyz()[c]);
             }

@@ -1,0 +1,99 @@
+package sunbeam.app.cli.brdfmap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
+import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
+import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
+import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.files.cache.DiffractionSetup;
+import sunbeam.app.gpu.InAContext;
+import sunbeam.app.gpu.NeedsDisplay;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.setting.Choices;
+
+@NeedsDisplay
+class MaterialMapTest extends InAContext {
+    private static final int SIZE = 24;
+    private static final double THETA = 50;
+    private static final double PHI = 20;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aLampsMapIsTheMeanOverItsDirections() {
+        Choices choices = Choices.none()
+                .with(AVERAGE, Average.ENSEMBLE)
+                .with(COHERENCE_LENGTH, 8e-6)
+                .with(ROTATE_PATCH, 0.3);
+        double diameter = Math.toRadians(6);
+        // Five directions along each axis, 1.2 deviations of the light apart: as the window's orders are wider than
+        // that, a sum over them errs by 1e-3; 2 % of the light lie beyond.
+        double[] mean = new double[3 * SIZE * SIZE];
+        double weights = 0;
+        for (int i = 0; i < 25; i++) {
+            double along = 1.2 * (i % 5 - 2);
+            double across = 1.2 * (i / 5 - 2);
+            double weight = Math.exp(-0.5 * (along * along + across * across));
+            weights += weight;
+            float[] xyz = draw(choices, aside(along * diameter / 4, across * diameter / 4));
+            for (int c = 0; c < mean.length; c++) {
+                mean[c] += weight * xyz[c];
+            }
+        }
+        double all = weights;
+        Arrays.setAll(mean, c -> mean[c] / all);
+
+        // The window has the lamp's width at 550 nm; at 450 nm its variance is a third too small.
+        assertThat(error(draw(choices.with(ANGULAR_DIAMETER, diameter), aside(0, 0)), mean))
+                .isLessThan(0.1);
+        assertThat(error(draw(choices, aside(0, 0)), mean))
+                .as("a point of light")
+                .isGreaterThan(0.2);
+    }
+
+    /** Returns the median relative error of bright values. */
+    private static double error(float[] map, double[] mean) {
+        double brightest = Arrays.stream(mean).filter(Double::isFinite).max().orElseThrow();
+        double[] errors = IntStream.range(0, mean.length)
+                .filter(c -> mean[c] > 0.01 * brightest)
+                .mapToDouble(c -> Math.abs(map[c] / mean[c] - 1))
+                .sorted()
+                .toArray();
+        return errors[errors.length / 2];
+    }
+
+    private float[] draw(Choices choices, Direction light) {
+        DiffractionSetup setup = new DiffractionSetup(
+                CommandLine.populateCommand(new PatchOptions(), "blaze").load(Choices.none()),
+                new Environment(Map.of(), folder),
+                line -> {});
+        return new MaterialMap(setup, choices, RefractiveIndex.KERATIN, light)
+                .draw(context, SIZE)
+                .picture()
+                .xyz();
+    }
+
+    /** Returns the direction at these distances, in radians, from the lamp's middle along its meridian and across. */
+    private static Direction aside(double along, double across) {
+        Direction middle = Direction.ofDegrees(THETA, PHI);
+        Direction down = Direction.ofDegrees(THETA + 90, PHI);
+        double x = middle.x() + along * down.x() - across * Math.sin(Math.toRadians(PHI));
+        double y = middle.y() + along * down.y() + across * Math.cos(Math.toRadians(PHI));
+        double z = middle.z() + along * down.z();
+        double length = Math.sqrt(x * x + y * y + z * z);
+        return new Direction(x / length, y / length, z / length);
+    }
+}
