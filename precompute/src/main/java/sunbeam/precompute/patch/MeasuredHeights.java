@@ -19,8 +19,7 @@ import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.format.ScanFormats;
+import sunbeam.precompute.scan.format.ScanFormat;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -44,7 +43,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     static MeasuredHeights read(Path file, Choices choices) {
         requireReadable(file);
         try (ScanBytes bytes = ScanBytes.open(file)) {
-            ScanReader reader = ScanFormats.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
+            ScanFormat reader = ScanFormat.find(bytes, choices.find(PatchSettings.DECIMAL_MARK))
                     .orElseThrow(
                             () -> new ScanException(
                                     bytes.size() == 0
@@ -75,13 +74,13 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         }
     }
 
-    private static MeasuredHeights of(Path file, ScanReader reader, ChannelList channels, Choices choices)
+    private static MeasuredHeights of(Path file, ScanFormat reader, ChannelList channels, Choices choices)
             throws IOException {
         int index = choices.find(CHANNEL)
                 .map(wanted -> chosen(file, channels, wanted))
                 .or(channels::heights)
                 .orElseThrow(() -> noHeights(file, channels));
-        ScanChannel channel = inColumns(file, channels.channels().get(index), ScanFormats.isPicture(reader), choices);
+        ScanChannel channel = inColumns(file, channels.channels().get(index), reader.isPicture(), choices);
         FileScale scale = FileScale.of(file, channel, choices);
         HeightMap map = new HeightMap(
                 channel.columns(),
@@ -92,7 +91,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         Plausibility.requireRelief(map, scale.heightsFrom(), file);
         String label = channels.label(index);
         String which = channels.count() == 1 && channel.name().isEmpty() ? "" : ", channel " + label;
-        String source = file.getFileName() + " (" + reader.format() + which + "), " + map.describe();
+        String source = file.getFileName() + " (" + reader.name() + which + "), " + map.describe();
         boolean several = !choices.has(CHANNEL) && channels.candidates() > 1;
         List<String> notes =
                 several ? List.of("heights from channel " + label + "; the file has " + channels.names()) : List.of();

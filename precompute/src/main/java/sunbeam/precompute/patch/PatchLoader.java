@@ -22,8 +22,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanReader;
-import sunbeam.precompute.scan.format.ScanFormats;
+import sunbeam.precompute.scan.format.ScanFormat;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -54,8 +53,8 @@ public final class PatchLoader {
             return false;
         }
         try (ScanBytes bytes = ScanBytes.open(file)) {
-            Optional<ScanReader> reader = ScanFormats.find(bytes, Optional.empty());
-            return reader.isPresent() && !ScanFormats.isPicture(reader.get());
+            Optional<ScanFormat> reader = ScanFormat.find(bytes, Optional.empty());
+            return reader.filter(format -> !format.isPicture()).isPresent();
         } catch (ScanException | IOException unreadable) {
             return false;
         }

@@ -7,7 +7,7 @@ import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanLimits;
-import sunbeam.precompute.scan.text.DecimalMark;
+import sunbeam.precompute.scan.text.TextReader;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 
@@ -51,9 +51,9 @@ public final class PatchSettings {
             ValueKind.integer("N", 1, ScanLimits.LONGEST_SIDE),
             "Numbers per row of a file that does not state it.");
 
-    public static final Setting<DecimalMark> DECIMAL_MARK = new Setting<>(
+    public static final Setting<TextReader.DecimalMark> DECIMAL_MARK = new Setting<>(
             "decimalMark",
-            ValueKind.word("MARK", DecimalMark.class),
+            ValueKind.word("MARK", TextReader.DecimalMark.class),
             "Decimal mark of a text file: point or comma. Default: comma if blanks, tabs or semicolons separate the"
                     + " numbers and no number has a point.");
 

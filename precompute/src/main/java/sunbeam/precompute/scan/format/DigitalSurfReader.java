@@ -3,7 +3,6 @@ package sunbeam.precompute.scan.format;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.List;
-import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.SampleType;
@@ -32,7 +31,7 @@ final class DigitalSurfReader {
         if (file.startsWith("DSCOMPRESSED")) {
             throw new ScanException("is compressed in a way of its own; save it without compression");
         }
-        ByteCursor header = file.cursor(0, ByteOrder.LITTLE_ENDIAN);
+        ScanBytes.Cursor header = file.cursor(0, ByteOrder.LITTLE_ENDIAN);
         int objects = header.at(14).unsigned16();
         int kind = header.at(18).unsigned16();
         if (objects != 1 || kind != SURFACE) {

@@ -2,6 +2,7 @@ package sunbeam.precompute.scan.format;
 
 import java.io.IOException;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,8 +10,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
+import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
@@ -45,6 +46,21 @@ final class GwyddionReader {
         return new ArrayList<>(channels.values());
     }
 
+    /**
+     * Reads a Gwyddion Simple Field: a header of {@code name = value} lines, one to four NULs up to a multiple of four bytes, then 32-bit
+     * floats, little-endian, from the top row. Units have no prefix; without a unit, a size is meaningless. Source: Gwyddion user guide,
+     * "Simple Field Files".
+     */
+    static List<ScanChannel> simpleField(ScanBytes file) throws IOException {
+        int end = file.headBefore("\0").length();
+        Header values = Header.of(new String(file.head(end), StandardCharsets.UTF_8), '=');
+        long start = 4L * (end / 4 + 1);
+        Samples samples = Samples.of(file, start, values.count("XRes"), values.count("YRes"), SampleType.FLOAT_32);
+        Extent extent = Extent.ofSides(
+                values.number("XReal", 1), values.number("YReal", 1), values.text("XYUnits", ""), samples);
+        return List.of(new ScanChannel(values.text("Title", ""), samples, extent, values.text("ZUnits", "")));
+    }
+
     private static ScanChannel channel(ScanBytes file, String title, GwyddionObject field) {
         int columns = field.get("xres", Integer.class);
         int rows = field.get("yres", Integer.class);
@@ -72,7 +88,7 @@ final class GwyddionReader {
         private static final int LONGEST_NAME = 4096;
         private static final int LONGEST_TEXT = 1 << 20;
 
-        static GwyddionObject read(ScanBytes file, ByteCursor cursor, int depth) throws IOException {
+        static GwyddionObject read(ScanBytes file, ScanBytes.Cursor cursor, int depth) throws IOException {
             if (depth > DEEPEST) {
                 throw new ScanException("nests objects more than " + DEEPEST + " deep; save it anew with Gwyddion");
             }
@@ -99,7 +115,7 @@ final class GwyddionReader {
         }
 
         /** Returns null for types that no height field needs. */
-        private static Object value(ScanBytes file, ByteCursor cursor, char type, int depth) throws IOException {
+        private static Object value(ScanBytes file, ScanBytes.Cursor cursor, char type, int depth) throws IOException {
             return switch (type) {
                 case 'i' -> cursor.int32();
                 case 'd' -> cursor.float64();
@@ -113,7 +129,7 @@ final class GwyddionReader {
             };
         }
 
-        private static void skip(ByteCursor cursor, char type) throws IOException {
+        private static void skip(ScanBytes.Cursor cursor, char type) throws IOException {
             switch (type) {
                 case 'b', 'c' -> cursor.skip(1);
                 case 'q' -> cursor.skip(Long.BYTES);
@@ -137,7 +153,7 @@ final class GwyddionReader {
             }
         }
 
-        private static Numbers numbers(ByteCursor cursor) throws IOException {
+        private static Numbers numbers(ScanBytes.Cursor cursor) throws IOException {
             long count = cursor.unsigned32();
             Numbers numbers = new Numbers(cursor.position(), count);
             cursor.skip(Double.BYTES * count);

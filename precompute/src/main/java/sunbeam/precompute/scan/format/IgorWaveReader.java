@@ -5,7 +5,6 @@ import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
@@ -53,7 +52,7 @@ final class IgorWaveReader {
         if (file.size() < HEADERS) {
             return false;
         }
-        ByteCursor words = file.cursor(0, order(file));
+        ScanBytes.Cursor words = file.cursor(0, order(file));
         int sum = 0;
         while (words.position() < HEADERS) {
             sum += words.int16();
@@ -67,7 +66,7 @@ final class IgorWaveReader {
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         ByteOrder order = order(file);
-        ByteCursor cursor = file.cursor(8, order);
+        ScanBytes.Cursor cursor = file.cursor(8, order);
         // Sizes of the nine parts between the samples and the layers' labels: formula, note, units of the data and of
         // four dimensions, labels of the first two dimensions.
         long beforeLabels = 0;
@@ -106,7 +105,7 @@ final class IgorWaveReader {
             throws IOException {
         List<String> names = new ArrayList<>();
         boolean hasLabels = bytes >= (long) LABEL_LENGTH * (layers + 1) && bytes <= LARGEST_TEXT;
-        ByteCursor cursor = hasLabels ? file.cursor(position + LABEL_LENGTH, order) : null;
+        ScanBytes.Cursor cursor = hasLabels ? file.cursor(position + LABEL_LENGTH, order) : null;
         for (int layer = 0; layer < layers; layer++) {
             names.add(hasLabels ? cursor.text(LABEL_LENGTH) : "");
         }

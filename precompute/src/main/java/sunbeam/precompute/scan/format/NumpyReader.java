@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
@@ -42,7 +41,7 @@ final class NumpyReader {
     private NumpyReader() {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        ByteCursor cursor = file.cursor(6, ByteOrder.LITTLE_ENDIAN);
+        ScanBytes.Cursor cursor = file.cursor(6, ByteOrder.LITTLE_ENDIAN);
         int version = cursor.unsignedByte();
         cursor.skip(1);
         long length = version == 1 ? cursor.unsigned16() : cursor.unsigned32();

@@ -8,7 +8,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
-import sunbeam.precompute.scan.ByteCursor;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.SampleType;
@@ -65,7 +64,7 @@ final class SurfaceDataReader {
 
     private static ScanChannel binary(ScanBytes file) throws IOException {
         // The header begins with version, manufacturer, and dates of creation and change.
-        ByteCursor cursor = file.cursor(8 + 10 + 12 + 12, ByteOrder.LITTLE_ENDIAN);
+        ScanBytes.Cursor cursor = file.cursor(8 + 10 + 12 + 12, ByteOrder.LITTLE_ENDIAN);
         int columns = cursor.unsigned16();
         int rows = cursor.unsigned16();
         double pitchX = cursor.float64();

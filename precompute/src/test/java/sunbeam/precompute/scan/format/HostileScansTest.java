@@ -3,12 +3,15 @@ package sunbeam.precompute.scan.format;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.scan.ScanBytes;
@@ -33,13 +36,24 @@ class HostileScansTest {
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }
 
+    private static byte[] zip(String xml, byte[] samples) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
+            zip.putNextEntry(new ZipEntry("bindata/data.bin"));
+            zip.write(samples);
+            zip.putNextEntry(new ZipEntry("main.xml"));
+            zip.write(xml.getBytes(StandardCharsets.UTF_8));
+        }
+        return bytes.toByteArray();
+    }
+
     private static byte[] ascii(String text) {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 
     @Test
     void aHeaderCannotAskForMoreThanTheFileHas() throws IOException {
-        String huge = new String(TestScans.simpleField("XYUnits = m\nZUnits = m\n"), StandardCharsets.ISO_8859_1);
+        String huge = new String(TestScans.file("gsf"), StandardCharsets.ISO_8859_1);
         assertRefused(
                 huge.replace("XRes = 7", "XRes = 9").getBytes(StandardCharsets.ISO_8859_1),
                 "ends after",
@@ -61,7 +75,7 @@ class HostileScansTest {
 
     @Test
     void thousandsOfChannelsAreRefused() throws IOException {
-        byte[] wave = TestInstruments.igorWave();
+        byte[] wave = TestScans.file("ibw");
         ByteBuffer.wrap(wave).order(ByteOrder.LITTLE_ENDIAN).putInt(64 + 76, 5000);
         int sum = 0;
         for (int i = 4; i < 384; i += 2) {
@@ -73,7 +87,7 @@ class HostileScansTest {
 
     @Test
     void pagesInACircleAreReadOnce() throws IOException {
-        byte[] tiff = TestInstruments.jpk(true);
+        byte[] tiff = TestScans.file("jpk");
         ByteBuffer bytes = ByteBuffer.wrap(tiff).order(ByteOrder.BIG_ENDIAN);
         int tags = bytes.getShort(8);
         bytes.putInt(8 + 2 + 12 * tags, 8);
@@ -84,18 +98,17 @@ class HostileScansTest {
     void anArchiveThatUnpacksToFarMoreIsNotUnpacked() throws IOException {
         // 64 MB of blanks take 64 KB in the archive.
         String xml = "<?xml version=\"1.0\"?><p>" + " ".repeat(1 << 26) + "</p>";
-        assertRefused(TestInstruments.zip(xml, new byte[4]), "longer than 1 MB");
+        assertRefused(zip(xml, new byte[4]), "longer than 1 MB");
     }
 
     @Test
     void archivesCannotNameFilesOutside() throws IOException {
         String xml = "<?xml version=\"1.0\"?><!DOCTYPE p [<!ENTITY e SYSTEM \"file:///etc/hostname\">]><p>&e;</p>";
-        assertRefused(TestInstruments.zip(xml, new byte[4]), "export it again");
+        assertRefused(zip(xml, new byte[4]), "export it again");
         String outside = "<p><Axes><CX><Increment>1e-7</Increment></CX><CY><Increment>1e-7</Increment></CY>"
                 + "<CZ><DataType>D</DataType></CZ></Axes><MatrixDimension><SizeX>2</SizeX><SizeY>2</SizeY></MatrixDimension>"
                 + "<DataLink><PointDataLink>../../etc/passwd</PointDataLink></DataLink></p>";
-        assertRefused(
-                TestInstruments.zip(outside, new byte[32]), "no bytes of ../../etc/passwd, where its matrix takes 32");
+        assertRefused(zip(outside, new byte[32]), "no bytes of ../../etc/passwd, where its matrix takes 32");
     }
 
     @Test

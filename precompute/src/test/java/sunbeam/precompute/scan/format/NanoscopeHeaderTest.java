@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.UnaryOperator;
@@ -63,10 +66,12 @@ class NanoscopeHeaderTest {
     private ScanBytes open(UnaryOperator<String> change) throws IOException {
         String text = change.apply(TEXT);
         assertThat(text.length()).isLessThan(HEADER);
-        TestBytes file =
-                TestBytes.little().text(text.replace("\n", "\r\n") + "\u001a").zerosUpTo(HEADER);
+        ByteBuffer file = ByteBuffer.allocate(HEADER + Short.BYTES * COLUMNS * LINES)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .put((text.replace("\n", "\r\n") + "\u001a").getBytes(StandardCharsets.ISO_8859_1))
+                .position(HEADER);
         for (int i = 0; i < COLUMNS * LINES; i++) {
-            file.int16(i);
+            file.putShort((short) i);
         }
         return ScanBytes.open(Files.write(folder.resolve("scan.spm"), file.array()));
     }

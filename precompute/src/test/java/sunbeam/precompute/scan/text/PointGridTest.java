@@ -23,7 +23,7 @@ class PointGridTest {
     }
 
     /** @param digits what coordinates are rounded to */
-    private static PointGrid grid(List<Integer> cells, double digits) {
+    private static TextReader.PointGrid grid(List<Integer> cells, double digits) {
         double[][] points = new double[3][cells.size()];
         for (int i = 0; i < cells.size(); i++) {
             int cell = cells.get(i);
@@ -31,14 +31,14 @@ class PointGridTest {
             points[1][i] = Math.rint((ROWS - cell / COLUMNS - 0.5) * PITCH / digits) * digits;
             points[2][i] = cell;
         }
-        return PointGrid.of(points[0], points[1], points[2]).orElseThrow();
+        return TextReader.PointGrid.of(points[0], points[1], points[2]).orElseThrow();
     }
 
     @Test
     void pointsMayComeInAnyOrder() {
         // Rounded to 3 nm: two of three columns are off by 1 nm, a fortieth of their distance.
         for (double digits : new double[] {1e-3, 3}) {
-            PointGrid grid = grid(shuffled(), digits);
+            TextReader.PointGrid grid = grid(shuffled(), digits);
             assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
             assertThat(grid.axisY().count()).isEqualTo(ROWS);
             // The first and last of 37 columns are off by the rounding.
@@ -53,7 +53,7 @@ class PointGridTest {
     void cellsWithoutPointsAreMissingSamples() {
         List<Integer> cells = shuffled();
         cells.removeIf(cell -> cell % 5 == 0);
-        PointGrid grid = grid(cells, 1e-3);
+        TextReader.PointGrid grid = grid(cells, 1e-3);
         assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
         assertThat(grid.axisY().count()).isEqualTo(ROWS);
         for (int cell = 0; cell < COLUMNS * ROWS; cell++) {
@@ -67,10 +67,10 @@ class PointGridTest {
         Random random = new Random(9);
         double[] x = random.doubles(400).toArray();
         double[] y = random.doubles(400).toArray();
-        assertThat(PointGrid.of(x, y, x)).isEmpty();
+        assertThat(TextReader.PointGrid.of(x, y, x)).isEmpty();
         // On a line.
-        assertThat(PointGrid.of(new double[400], y, x)).isEmpty();
+        assertThat(TextReader.PointGrid.of(new double[400], y, x)).isEmpty();
         x[7] = Double.NaN;
-        assertThat(PointGrid.of(x, y, y)).isEmpty();
+        assertThat(TextReader.PointGrid.of(x, y, y)).isEmpty();
     }
 }

@@ -33,7 +33,7 @@ class TextReaderTest {
     }
 
     /** Of a matrix of two rows or more. */
-    private double[] read(String text, Optional<DecimalMark> mark) throws IOException {
+    private double[] read(String text, Optional<TextReader.DecimalMark> mark) throws IOException {
         try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), text))) {
             return new TextReader(mark).channels(file).get(0).samples().read();
         }
@@ -77,8 +77,10 @@ class TextReaderTest {
 
     @Test
     void chosenDecimalMarksDecide() throws IOException {
-        assertThat(read("1,5 2,5\n3,5 4,5\n", Optional.of(DecimalMark.POINT))).containsExactly(1, 5, 2, 5, 3, 5, 4, 5);
-        assertThat(read("1,5\n2,5\n", Optional.of(DecimalMark.COMMA))).containsExactly(1.5, 2.5);
+        assertThat(read("1,5 2,5\n3,5 4,5\n", Optional.of(TextReader.DecimalMark.POINT)))
+                .containsExactly(1, 5, 2, 5, 3, 5, 4, 5);
+        assertThat(read("1,5\n2,5\n", Optional.of(TextReader.DecimalMark.COMMA)))
+                .containsExactly(1.5, 2.5);
         assertThatThrownBy(() -> read("1 2\n3 4,x\n"))
                 .isInstanceOf(ScanException.class)
                 .hasMessageContaining("\"x\" in line 2");

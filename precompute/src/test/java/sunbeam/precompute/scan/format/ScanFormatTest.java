@@ -18,10 +18,9 @@ import sunbeam.precompute.scan.ChannelList;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.ScanReader;
 
 /** All formats give the same surface, and damaged files a complaint only. */
-class ScanFormatsTest {
+class ScanFormatTest {
     /** Seven digits of 500 nm, as 32-bit floats have. */
     private static final double ROUNDING = 5e-14;
 
@@ -29,7 +28,7 @@ class ScanFormatsTest {
     Path folder;
 
     static Collection<String> formats() {
-        return TestScans.all().keySet();
+        return TestScans.FORMATS;
     }
 
     private Path file(byte[] content) throws IOException {
@@ -40,26 +39,26 @@ class ScanFormatsTest {
     @ParameterizedTest
     @MethodSource("formats")
     void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
-        try (ScanBytes bytes = ScanBytes.open(file(TestScans.all().get(format)))) {
+        try (ScanBytes bytes = ScanBytes.open(file(TestScans.file(format)))) {
             ChannelList channels = TestScans.channels(bytes);
             ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
 
-            assertThat(channel.columns()).isEqualTo(TestField.COLUMNS);
-            assertThat(channel.rows()).isEqualTo(TestField.ROWS);
-            assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestField.WIDTH, within(1e-6 * 1e-6));
-            assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestField.HEIGHT, within(1e-6 * 1e-6));
+            assertThat(channel.columns()).isEqualTo(TestScans.COLUMNS);
+            assertThat(channel.rows()).isEqualTo(TestScans.ROWS);
+            assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestScans.WIDTH, within(1e-6 * 1e-6));
+            assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestScans.HEIGHT, within(1e-6 * 1e-6));
             double meters = channel.metersPerUnit().orElseThrow();
             assertThat(Arrays.stream(channel.samples().read())
                             .map(s -> s * meters)
                             .toArray())
-                    .containsExactly(TestField.meters(), within(ROUNDING));
+                    .containsExactly(TestScans.meters(), within(ROUNDING));
         }
     }
 
     @ParameterizedTest
     @MethodSource("formats")
     void refusesATruncatedFile(String format) throws IOException {
-        byte[] whole = TestScans.all().get(format);
+        byte[] whole = TestScans.file(format);
         for (int length = 0; length < whole.length - 1; length += 1 + whole.length / 60) {
             int cut = length;
             assertReadOrRefused(Arrays.copyOf(whole, length), () -> format + " cut to " + cut);
@@ -69,7 +68,7 @@ class ScanFormatsTest {
     @ParameterizedTest
     @MethodSource("formats")
     void damagedFilesAreRefusedWithoutACrash(String format) throws IOException {
-        byte[] whole = TestScans.all().get(format);
+        byte[] whole = TestScans.file(format);
         Random random = new Random(12);
         for (int trial = 0; trial < 150; trial++) {
             byte[] damaged = whole.clone();
@@ -86,7 +85,7 @@ class ScanFormatsTest {
     /** Reads every channel; complaints are allowed. */
     private void assertReadOrRefused(byte[] content, Supplier<String> what) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(file(content))) {
-            ScanReader reader = ScanFormats.find(bytes, Optional.empty()).orElse(null);
+            ScanFormat reader = ScanFormat.find(bytes, Optional.empty()).orElse(null);
             if (reader == null) {
                 return;
             }

@@ -1,0 +1,89 @@
+package sunbeam.precompute.scan.format;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import sunbeam.precompute.scan.ChannelList;
+import sunbeam.precompute.scan.ScanBytes;
+import sunbeam.precompute.scan.ScanChannel;
+import sunbeam.precompute.scan.ScanException;
+import sunbeam.precompute.scan.text.TextReader;
+
+/**
+ * File format of scans, found by content. A new reader needs one line in {@link #ALL}.
+ *
+ * @param name for messages, such as "Gwyddion (.gwy)"
+ */
+public record ScanFormat(String name, Check check, Opener opener) {
+    private static final ScanFormat PICTURE =
+            new ScanFormat("image", PictureReader::recognizes, PictureReader::channels);
+
+    /** Readers in the order of their checks; text and pictures come last. */
+    private static final List<ScanFormat> ALL = List.of(
+            ScanFormat.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
+            ScanFormat.of("Gwyddion Simple Field (.gsf)", GwyddionReader::simpleField, "Gwyddion Simple Field 1.0\n"),
+            ScanFormat.of(
+                    "Bruker Nanoscope",
+                    NanoscopeReader::channels,
+                    "\\*File list",
+                    "\\*EC File list",
+                    "\\*Force file list"),
+            ScanFormat.of("Nanosurf (.nid)", NanosurfReader::channels, "[DataSet]"),
+            new ScanFormat("WSxM", WsxmReader::recognizes, WsxmReader::channels),
+            ScanFormat.of("Molecular Imaging (.mi)", AgilentReader::channels, "fileType      Image"),
+            ScanFormat.of("Digital Surf (.sur)", DigitalSurfReader::channels, "DIGITAL SURF", "DSCOMPRESSED"),
+            new ScanFormat("ISO 25178-71 (.sdf)", SurfaceDataReader::recognizes, SurfaceDataReader::channels),
+            ScanFormat.of("NumPy (.npy)", NumpyReader::channels, "\u0093NUMPY"),
+            new ScanFormat("ISO 25178-72 (.x3p)", X3pReader::recognizes, X3pReader::channels),
+            new ScanFormat("JPK", JpkReader::recognizes, JpkReader::channels),
+            new ScanFormat("Park Systems TIFF", ParkReader::recognizes, ParkReader::channels),
+            new ScanFormat("Igor binary wave (.ibw)", IgorWaveReader::recognizes, IgorWaveReader::channels));
+
+    /** Fast test whether a file has a format; it throws no exception for any content. */
+    @FunctionalInterface
+    public interface Check {
+        boolean recognizes(ScanBytes file) throws IOException;
+    }
+
+    /** Reads files of a format that the check has accepted. */
+    @FunctionalInterface
+    public interface Opener {
+        /**
+         * Reads the channels from the header, in the file's order. Their samples can be read while the file is open.
+         *
+         * @throws ScanException if the file cannot be used
+         */
+        List<ScanChannel> channels(ScanBytes file) throws IOException;
+    }
+
+    /** Creates a reader of files that begin with one of these ASCII texts. */
+    private static ScanFormat of(String name, Opener opener, String... magics) {
+        return new ScanFormat(name, file -> file.startsWith(magics), opener);
+    }
+
+    public ChannelList open(ScanBytes file) throws IOException {
+        return new ChannelList(opener.channels(file));
+    }
+
+    /**
+     * Finds the reader of a file by its content; empty if none recognizes it.
+     *
+     * @param mark decimal mark of texts; the user's choice
+     */
+    public static Optional<ScanFormat> find(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
+        for (ScanFormat reader : ALL) {
+            if (reader.check().recognizes(file)) {
+                return Optional.of(reader);
+            }
+        }
+        TextReader text = new TextReader(mark);
+        if (text.recognizes(file)) {
+            return Optional.of(new ScanFormat("text", text::recognizes, text::channels));
+        }
+        return PICTURE.check().recognizes(file) ? Optional.of(PICTURE) : Optional.empty();
+    }
+
+    public boolean isPicture() {
+        return equals(PICTURE);
+    }
+}
