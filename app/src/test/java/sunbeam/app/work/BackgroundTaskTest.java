@@ -4,44 +4,29 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 
 class BackgroundTaskTest {
     @Test
-    void workRunsOnAnotherThread() {
-        CountDownLatch caller = new CountDownLatch(1);
-        BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
-            await(caller);
-            return 7;
-        });
-        caller.countDown();
+    void workRunsWhileTheCallerGoesOn() {
+        CompletableFuture<Integer> fromCaller = new CompletableFuture<>();
+        BackgroundTask<Integer> meanwhile = BackgroundTask.start(fromCaller::join);
+        fromCaller.complete(7);
         assertEquals(7, meanwhile.get());
     }
 
     @Test
-    void getThrowsTheExceptionOfTheWork() {
+    void getThrowsTheExceptionOrErrorOfTheWork() {
         IllegalStateException problem = new IllegalStateException("a patch that cannot be drawn");
-        BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
+        BackgroundTask<Integer> failing = BackgroundTask.start(() -> {
             throw problem;
         });
-        meanwhile.settle();
-        assertSame(problem, assertThrows(IllegalStateException.class, meanwhile::get));
-    }
-
-    @Test
-    void aShortageOfMemoryStaysOne() {
-        BackgroundTask<Integer> meanwhile = BackgroundTask.start(() -> {
+        failing.settle();
+        assertSame(problem, assertThrows(IllegalStateException.class, failing::get));
+        BackgroundTask<Integer> full = BackgroundTask.start(() -> {
             throw new OutOfMemoryError("heights");
         });
-        assertThrows(OutOfMemoryError.class, meanwhile::get);
-    }
-
-    private static void await(CountDownLatch latch) {
-        try {
-            latch.await();
-        } catch (InterruptedException stopped) {
-            Thread.currentThread().interrupt();
-        }
+        assertThrows(OutOfMemoryError.class, full::get);
     }
 }

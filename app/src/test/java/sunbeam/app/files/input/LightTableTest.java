@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,20 +28,22 @@ class LightTableTest {
         return LightTable.of(Choices.none().with(LightSettings.ILLUMINANT, file.toString()));
     }
 
+    /** Rows every 20 nm from a wavelength to 780 nm, each with the same ending. */
+    private static String rows(int from, String ending) {
+        return IntStream.rangeClosed(0, (780 - from) / 20)
+                .mapToObj(i -> from + 20 * i + ending + "\n")
+                .collect(Collectors.joining());
+    }
+
     @ParameterizedTest
     @CsvSource(
             quoteCharacter = '"',
             value = {"\"nm,power\n\", \",\"", "\"# lamp, a\tb\n\", ;", "\"\", \"\t\""},
             ignoreLeadingAndTrailingWhitespace = false)
     void equalPowerOfAnyUnitIsIlluminantE(String header, String separator) throws IOException {
-        StringBuilder text = new StringBuilder(header);
-        for (int wavelength = 300; wavelength < 800; wavelength += 20) {
-            text.append(wavelength)
-                    .append(separator.strip().isEmpty() ? "\t" : separator.strip())
-                    .append("7\n");
-        }
+        String rows = rows(300, (separator.strip().isEmpty() ? "\t" : separator.strip()) + "7");
 
-        double[] white = table(text.toString()).white();
+        double[] white = table(header + rows).white();
 
         // Of the table's own sums: (1, 1, 1) to four digits.
         assertThat(white).containsExactly(new double[] {1, 1, 1}, within(3e-4));
@@ -81,27 +85,19 @@ class LightTableTest {
     /** A line a fifth of a nanometer wide, between whole nanometers. */
     @Test
     void aNarrowLineIsTheLightOfItsWavelength() throws IOException {
-        StringBuilder text = new StringBuilder("546.4,0\n546.5,1000\n546.6,0\n");
-        for (int wavelength = 380; wavelength <= 780; wavelength += 20) {
-            text.append(wavelength).append(",0\n");
-        }
+        String text = "546.4,0\n546.5,1000\n546.6,0\n" + rows(380, ",0");
         double[] line = LightTable.of(Choices.none()
                         .with(LightSettings.ILLUMINANT, "E")
                         .with(LightSettings.WAVELENGTHS, WavelengthBand.parse("546.5nm")))
                 .white();
 
         // Both are split between 546 and 547 nm; rounding of the sums.
-        assertThat(table(text.toString()).white()).containsExactly(line, within(1e-9));
+        assertThat(table(text).white()).containsExactly(line, within(1e-9));
     }
 
     @Test
     void darknessIsNoLight() {
-        StringBuilder text = new StringBuilder();
-        for (int wavelength = 380; wavelength <= 780; wavelength += 20) {
-            text.append(wavelength).append(",0\n");
-        }
-
-        assertThatThrownBy(() -> table(text.toString()))
+        assertThatThrownBy(() -> table(rows(380, ",0")))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no power");
         Choices band = Choices.none()

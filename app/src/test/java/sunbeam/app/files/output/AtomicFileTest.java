@@ -9,7 +9,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
@@ -71,19 +70,6 @@ final class AtomicFileTest {
     }
 
     @Test
-    void anExistingFileStaysUnlessForced() {
-        Path target = folder.resolve("out.txt");
-        write(target, Overwrite.REFUSE);
-        assertThatThrownBy(() -> AtomicFile.checkWritable(target, Overwrite.REFUSE))
-                .isInstanceOf(OutputException.class)
-                .hasMessageContaining("it exists; add --force");
-        AtomicFile.checkWritable(target, Overwrite.REPLACE);
-        assertThat(target).hasBinaryContent(NEW);
-        write(target, Overwrite.REPLACE);
-        assertThat(target).hasBinaryContent(NEW);
-    }
-
-    @Test
     void aFileThatAppearsMeanwhileStays() throws IOException {
         Path target = folder.resolve("out.txt");
         assertThatThrownBy(() ->
@@ -92,38 +78,6 @@ final class AtomicFileTest {
                 .hasMessageContaining("--force");
         assertThat(target).hasContent("other's");
         assertThat(names()).containsExactly("out.txt");
-    }
-
-    @Test
-    void aMissingFolderIsNamed() {
-        Path missing = folder.resolve("missing");
-        assertThatThrownBy(() -> AtomicFile.checkWritable(missing.resolve("out.txt"), Overwrite.REFUSE))
-                .isInstanceOf(OutputException.class)
-                .hasMessageContaining("the folder " + missing + " does not exist");
-    }
-
-    @Test
-    void aFolderThatTakesNoFilesIsFoundOutEarly() throws IOException {
-        Files.setPosixFilePermissions(
-                folder, java.util.Set.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_EXECUTE));
-        // Permissions do not bind root; not even root can create a file in /proc.
-        Path readOnly = Files.isWritable(folder) ? Path.of("/proc") : folder;
-        assumeTrue(Files.isDirectory(readOnly), "needs a folder that takes no files");
-        Path target = readOnly.resolve("sunbeam-out.txt");
-        assertThatThrownBy(() -> AtomicFile.checkWritable(target, Overwrite.REFUSE))
-                .isInstanceOf(OutputException.class)
-                .hasMessageStartingWith("cannot write " + target + ": ")
-                .hasMessageContaining("choose a");
-        Files.setPosixFilePermissions(folder, java.util.EnumSet.allOf(PosixFilePermission.class));
-    }
-
-    @Test
-    void aFullDeviceSaysSo() {
-        Path full = Path.of("/dev/full");
-        assumeTrue(Files.exists(full), "needs /dev/full");
-        assertThatThrownBy(() -> write(full, Overwrite.REFUSE))
-                .isInstanceOf(OutputException.class)
-                .hasMessageContaining("No space left on device; free some space");
     }
 
     @Test

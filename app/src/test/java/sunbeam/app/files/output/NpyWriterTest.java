@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.time.LocalDateTime;
 import java.util.Arrays;
-import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 
 final class NpyWriterTest {
@@ -27,21 +27,8 @@ final class NpyWriterTest {
     }
 
     @Test
-    void equalArraysMakeEqualArchives() throws Exception {
-        byte[] first = archive();
-        // The clock of a zip file ticks every 2 s.
-        Thread.sleep(2100);
-        assertThat(archive()).isEqualTo(first);
-    }
-
-    private static byte[] archive() throws IOException {
-        ByteArrayOutputStream stream = new ByteArrayOutputStream();
-        try (ZipOutputStream zip = new ZipOutputStream(stream)) {
-            zip.putNextEntry(NpyWriter.entry("a.npy"));
-            NpyWriter.write(zip, new float[] {1, 2, 3}, 3);
-            zip.closeEntry();
-        }
-        return stream.toByteArray();
+    void equalArraysMakeEqualArchives() {
+        assertThat(NpyWriter.entry("a.npy").getTimeLocal()).isEqualTo(LocalDateTime.of(1980, 1, 1, 0, 0));
     }
 
     @Test
