@@ -4,13 +4,11 @@ import java.util.Map;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import jrtr.GraphicsException;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.json.JsonException;
-import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
@@ -28,11 +26,9 @@ public record Failure(ExitCode code, String message, Throwable cause) {
     private static final Map<Class<? extends Throwable>, ExitCode> CODES = Map.ofEntries(
             Map.entry(UsageException.class, ExitCode.USAGE),
             Map.entry(SettingException.class, ExitCode.USAGE),
-            Map.entry(JsonException.class, ExitCode.UNUSABLE_INPUT),
-            Map.entry(PatchException.class, ExitCode.UNUSABLE_INPUT),
+            Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(ScanException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
-            Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(OutputException.Exists.class, ExitCode.OUTPUT_EXISTS),

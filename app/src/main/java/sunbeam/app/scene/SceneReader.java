@@ -24,13 +24,12 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTextures;
 import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
-import sunbeam.precompute.json.JsonException;
 import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.method.Methods;
@@ -60,7 +59,7 @@ public final class SceneReader {
      * Reads a file. Files that it names must be in its folder or below.
      *
      * @throws InputException when it is missing
-     * @throws JsonException when it is not a scene; the message names file, line and key
+     * @throws InputException when it is not a scene; the message names file, line and key
      * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; the message names file, line and key
      */
     public static Scene read(Path file) {
@@ -77,7 +76,7 @@ public final class SceneReader {
         try {
             return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
                     && json(file).has("camera");
-        } catch (InputException | JsonException notJson) {
+        } catch (InputException notJson) {
             return false;
         }
     }

@@ -12,12 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.patch.PatchException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -34,14 +33,14 @@ final class FailuresTest {
     static Stream<Arguments> failures() {
         return Stream.of(
                 Arguments.of(new UsageException("what"), 2),
-                Arguments.of(new PatchException("what"), 4),
+                Arguments.of(new InputException("what"), 4),
                 Arguments.of(new TableException("what"), 4),
                 Arguments.of(new InputException("what"), 4),
                 Arguments.of(new GraphicsException("what"), 5),
                 Arguments.of(new GraphicsException("what") {}, 5),
                 Arguments.of(new OutputException("what"), 6),
                 Arguments.of(new ExecutionException(new OutputException("what")), 6),
-                Arguments.of(new CompletionException(new CompletionException(new PatchException("what"))), 4));
+                Arguments.of(new CompletionException(new CompletionException(new InputException("what"))), 4));
     }
 
     @ParameterizedTest

@@ -25,7 +25,7 @@ import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Weights;
-import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
@@ -163,7 +163,7 @@ class FillLightsTest extends InAContext {
                         + fillLights
                         + " }");
         assertThatThrownBy(() -> SceneReader.read(file))
-                .isInstanceOf(JsonException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining(words)
                 .hasMessageContaining("fillLights");
     }

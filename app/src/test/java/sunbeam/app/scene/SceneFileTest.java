@@ -15,13 +15,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.JsonVariants;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.format.MeshUnit;
-import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -55,7 +54,7 @@ class SceneFileTest {
     private void assertRefused(String text, String... words) throws IOException {
         Path file = write(text);
         assertThatThrownBy(() -> SceneReader.read(file))
-                .isInstanceOfAny(JsonException.class, SettingException.class)
+                .isInstanceOfAny(InputException.class, SettingException.class)
                 .hasMessageStartingWith(file.toString())
                 .hasMessageContainingAll(words)
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
@@ -77,7 +76,7 @@ class SceneFileTest {
             Path file = write(json);
             try {
                 SceneReader.read(file);
-            } catch (JsonException | SettingException refused) {
+            } catch (InputException | SettingException refused) {
                 assertThat(refused).hasMessageStartingWith(file + ", line 1: ");
             }
         }

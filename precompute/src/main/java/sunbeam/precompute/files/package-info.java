@@ -1,2 +1,2 @@
-/** Checksums, file names and path restrictions for all file formats. */
+/** Checksums, file names, path restrictions and refusals for all file formats. */
 package sunbeam.precompute.files;

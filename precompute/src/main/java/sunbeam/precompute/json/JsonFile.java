@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /** Reads JSON files of at most 1 MiB that hold one object, and records the line of every value. A key may occur only once in an object. */
@@ -30,7 +31,7 @@ public final class JsonFile {
     /**
      * Reads a file.
      *
-     * @throws JsonException when it is too large or no JSON object
+     * @throws InputException when it is too large or no JSON object
      */
     public static JsonObject read(Path file) throws IOException {
         try (InputStream stream = Files.newInputStream(file)) {
@@ -42,7 +43,7 @@ public final class JsonFile {
     public static JsonObject read(String name, InputStream stream) throws IOException {
         byte[] content = stream.readNBytes(MOST_BYTES + 1);
         if (content.length > MOST_BYTES) {
-            throw new JsonException(name + " is larger than 1 MiB; name another file");
+            throw new InputException(name + " is larger than 1 MiB; name another file");
         }
         try (LineParser parser = new LineParser(name, JSON.createParser(content))) {
             return root(name, parser);
@@ -52,7 +53,7 @@ public final class JsonFile {
     private static JsonObject root(String name, LineParser parser) {
         try {
             if (parser.nextToken() != JsonToken.START_OBJECT) {
-                throw new JsonException(name + ", line 1: it must be one JSON object, { ... }");
+                throw new InputException(name + ", line 1: it must be one JSON object, { ... }");
             }
             JsonNode root = JSON.readTree(parser);
             if (parser.nextToken() != null) {
@@ -63,7 +64,7 @@ public final class JsonFile {
             // Jackson's message is for programmers.
             int line = parser.currentLocation().getLineNr();
             int column = parser.currentLocation().getColumnNr();
-            throw new JsonException(
+            throw new InputException(
                     name + ", line " + line + ": no valid JSON near column " + column
                             + "; check quotes, commas and brackets (at most " + DEEPEST + " within each other)",
                     broken);
@@ -93,8 +94,8 @@ public final class JsonFile {
             return token;
         }
 
-        private JsonException wrong(String problem) {
-            return new JsonException(name + ", line " + currentTokenLocation().getLineNr() + ": " + problem);
+        private InputException wrong(String problem) {
+            return new InputException(name + ", line " + currentTokenLocation().getLineNr() + ": " + problem);
         }
     }
 }

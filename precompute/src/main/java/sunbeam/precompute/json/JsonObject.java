@@ -15,6 +15,7 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
@@ -25,7 +26,7 @@ import sunbeam.precompute.units.Decimals;
 
 /**
  * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Messages are
- * one line with the file, the line in it, the key, the value and a remedy, in a {@link JsonException}, or for settings in a {@link
+ * one line with the file, the line in it, the key, the value and a remedy, in an {@link InputException}, or for settings in a {@link
  * sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
@@ -69,7 +70,7 @@ public final class JsonObject {
     /** Returns the value of a required key; messages suggest the example. */
     public JsonNode required(String key, String example) {
         return find(key)
-                .orElseThrow(() -> new JsonException(Text.format(
+                .orElseThrow(() -> new InputException(Text.format(
                         "%s, line %d: the key %s is missing; add for example %s: %s",
                         file, lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
     }
@@ -223,16 +224,16 @@ public final class JsonObject {
         }
     }
 
-    public JsonException complaint(String key, String problem) {
-        return new JsonException(name(key) + ": " + problem);
+    public InputException complaint(String key, String problem) {
+        return new InputException(name(key) + ": " + problem);
     }
 
-    /** Returns the result of an action, whose IllegalArgumentException becomes a {@link JsonException}. */
+    /** Returns the result of an action, whose IllegalArgumentException becomes an {@link InputException}. */
     public <T> T checked(String key, Supplier<T> action) {
         try {
             return action.get();
         } catch (IllegalArgumentException wrong) {
-            throw new JsonException(name(key) + ": " + wrong.getMessage(), wrong);
+            throw new InputException(name(key) + ": " + wrong.getMessage(), wrong);
         }
     }
 

@@ -3,9 +3,9 @@ package sunbeam.precompute.method;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
 import java.util.Optional;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.Preset;
 import sunbeam.precompute.setting.Choices;
@@ -51,7 +51,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
         }
         String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
         if (side < SHORTEST) {
-            throw new PatchException(Text.format(
+            throw new InputException(Text.format(
                     "%s: its %s of %s is less than the shortest coherence length, %s; use a larger scan, a single row or column, or state that it repeats (%s)",
                     patch.name(),
                     limiting,

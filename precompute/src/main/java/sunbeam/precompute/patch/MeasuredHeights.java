@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.scan.ChannelList;
 import sunbeam.precompute.scan.LengthUnit;
@@ -37,7 +38,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     /**
      * Reads the heights of a file with its scale, completed by the user's choices. A scale is never guessed.
      *
-     * @throws PatchException if the file cannot be used
+     * @throws InputException if the file cannot be used
      * @throws SettingException if a choice contradicts the file, is absurd or is missing
      */
     static MeasuredHeights read(Path file, Choices choices) {
@@ -52,25 +53,25 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                                                     + " Gwyddion, which reads 170 others, and export it as .gwy, .gsf or text"));
             return of(file, reader, reader.open(bytes), choices);
         } catch (ScanException unusable) {
-            throw new PatchException(file + " " + unusable.getMessage(), unusable);
+            throw new InputException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
-            throw new PatchException(file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+            throw new InputException(file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
         }
     }
 
     /** Reading a device or a pipe might never end. */
     static void requireReadable(Path file) {
         if (!Files.exists(file)) {
-            throw new PatchException(file + ": no such file; check the name and the folder");
+            throw new InputException(file + ": no such file; check the name and the folder");
         }
         if (Files.isDirectory(file)) {
-            throw new PatchException(file + " is a folder; name the image, scan or descriptor (.json) in it");
+            throw new InputException(file + " is a folder; name the image, scan or descriptor (.json) in it");
         }
         if (!Files.isRegularFile(file)) {
-            throw new PatchException(file + " is no regular file; copy the image, scan or descriptor to one");
+            throw new InputException(file + " is no regular file; copy the image, scan or descriptor to one");
         }
         if (!Files.isReadable(file)) {
-            throw new PatchException(file + " cannot be read; check its permissions");
+            throw new InputException(file + " cannot be read; check its permissions");
         }
     }
 
@@ -117,7 +118,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
 
     private static RuntimeException noHeights(Path file, ChannelList channels) {
         return channels.channels().stream().noneMatch(ScanChannel::maybeHeights)
-                ? new PatchException(file + " holds no heights: none of its channels has a unit of length ("
+                ? new InputException(file + " holds no heights: none of its channels has a unit of length ("
                         + String.join("; ", channels.lines().subList(0, Math.min(3, channels.count())))
                         + "); export the height")
                 : new SettingException(

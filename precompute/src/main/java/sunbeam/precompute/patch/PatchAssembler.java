@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.fault.ScanFaults.ScanFault;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
@@ -48,7 +49,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     }
 
     /**
-     * @throws PatchException if all samples are missing
+     * @throws InputException if all samples are missing
      * @throws SettingException if a choice does not fit the heights
      */
     Patch patch(MeasuredHeights read) {
@@ -111,7 +112,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         try {
             return preparation.apply(measured);
         } catch (IllegalArgumentException nothing) {
-            throw new PatchException(
+            throw new InputException(
                     file + ": " + nothing.getMessage() + " (NaN, infinite or transparent); export the scan again",
                     nothing);
         }

@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
 import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
@@ -39,8 +40,8 @@ public final class PatchLoader {
      * Loads and prepares a patch.
      *
      * @param cache cache of the heights of built-in patches
-     * @throws PatchException if there is no such patch, or its file cannot be used
-     * @throws sunbeam.precompute.json.JsonException if its descriptor is malformed
+     * @throws InputException if there is no such patch, or its file cannot be used
+     * @throws sunbeam.precompute.files.InputException if its descriptor is malformed
      * @throws SettingException if a choice contradicts the patch or is absurd
      */
     public static Patch load(PatchRequest request, HeightCache cache) {
@@ -183,8 +184,8 @@ public final class PatchLoader {
      */
     record PatchDescriptor(Path file, Path heights, Choices choices) {
         /**
-         * @throws PatchException if the descriptor cannot be read or its heights are missing
-         * @throws sunbeam.precompute.json.JsonException if the descriptor is malformed
+         * @throws InputException if the descriptor cannot be read or its heights are missing
+         * @throws sunbeam.precompute.files.InputException if the descriptor is malformed
          * @throws sunbeam.precompute.setting.SettingException if one of its values cannot be used
          */
         static PatchDescriptor read(Path file) {
@@ -202,7 +203,7 @@ public final class PatchLoader {
             try {
                 return JsonFile.read(file);
             } catch (IOException failure) {
-                throw new PatchException(
+                throw new InputException(
                         file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
             }
         }
@@ -210,19 +211,19 @@ public final class PatchLoader {
         /** The file must lie in the descriptor's folder or below after all links are followed. */
         private static Path inside(Path descriptor, String name, String heights) {
             if (heights.isBlank()) {
-                throw new PatchException(name + " is empty; name a file in the descriptor's own folder");
+                throw new InputException(name + " is empty; name a file in the descriptor's own folder");
             }
             try {
                 OwnFolder folder = new OwnFolder(descriptor, "descriptor");
                 Path file = folder.file(heights);
                 if (!Files.exists(file)) {
-                    throw new PatchException(
+                    throw new InputException(
                             name + " is " + Quoted.of(heights) + ", but there is no file " + file + "; check the name");
                 }
                 folder.requireNoWayOut(file);
                 return file;
             } catch (IllegalArgumentException wrong) {
-                throw new PatchException(name + " " + Quoted.of(heights) + " " + wrong.getMessage(), wrong);
+                throw new InputException(name + " " + Quoted.of(heights) + " " + wrong.getMessage(), wrong);
             }
         }
     }

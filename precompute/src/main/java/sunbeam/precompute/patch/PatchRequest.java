@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -44,13 +45,13 @@ public record PatchRequest(Choices choices, boolean raw) {
         return choices.without(PatchSettings.PATCH).chosen().isEmpty();
     }
 
-    /** Runs an action whose exceptions then name the option or file of a setting, or are a {@link PatchException} about the patch. */
+    /** Runs an action whose exceptions then name the option or file of a setting, or are an {@link InputException} about the patch. */
     <T> T located(Supplier<T> action) {
         try {
             return choices.located(action);
         } catch (SettingException wrong) {
             if (wrong.about().equals(PatchSettings.PATCH) || !choices.has(wrong.about())) {
-                throw new PatchException(wrong.getMessage(), wrong);
+                throw new InputException(wrong.getMessage(), wrong);
             }
             throw wrong;
         }

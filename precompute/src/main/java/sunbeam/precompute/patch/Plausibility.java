@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -63,7 +64,7 @@ public final class Plausibility {
         String sides = Lengths.format(width) + " x " + Lengths.format(height) + "; a patch's longer side is "
                 + Lengths.format(SHORTEST_LONG_SIDE) + " to " + Lengths.format(LONGEST_SIDE);
         if (own) {
-            throw new PatchException(file + " claims to be " + sides + "; its scale is wrong, export it again");
+            throw new InputException(file + " claims to be " + sides + "; its scale is wrong, export it again");
         }
         throw new SettingException(
                 PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
@@ -78,7 +79,7 @@ public final class Plausibility {
         double relief = map.relief();
         double longSide = Math.max(map.width(), map.height());
         if (relief == 0 && (long) map.columns() * map.rows() > MOST_FLAT_SAMPLES) {
-            throw new PatchException(file + ": all of its " + map.columns() + " x " + map.rows()
+            throw new InputException(file + ": all of its " + map.columns() + " x " + map.rows()
                     + " samples are equal: it is empty; export the scan again"
                     + " (of a flat mirror 2048 x 2048 samples are enough)");
         }
@@ -91,7 +92,7 @@ public final class Plausibility {
         if (from.isPresent()) {
             throw new SettingException(from.get(), "makes " + absurd + "; check both units");
         }
-        throw new PatchException(file + " has " + absurd + "; its scale is wrong, export it again");
+        throw new InputException(file + " has " + absurd + "; its scale is wrong, export it again");
     }
 
     static List<String> oddities(HeightMap map) {

@@ -13,6 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.Setting;
@@ -64,7 +65,7 @@ class JsonObjectTest {
     void mistakesNameFileLineAndKey(String json, String key, String words) throws IOException {
         JsonObject plan = plan(json);
         assertThatThrownBy(() -> plan.choices(ALL))
-                .isInstanceOfAny(SettingException.class, JsonException.class)
+                .isInstanceOfAny(SettingException.class, InputException.class)
                 .hasMessageStartingWith("scene.json, line 3: \"" + key + "\": ")
                 .hasMessageContaining(words);
     }

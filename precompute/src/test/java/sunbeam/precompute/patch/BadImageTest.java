@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
@@ -56,7 +57,7 @@ class BadImageTest {
             Files.write(file, Arrays.copyOf(content, content.length * tenths / 10));
             assertThatThrownBy(() -> TestImages.samples(file, 255))
                     .as(tenths + " tenths")
-                    .isInstanceOf(PatchException.class)
+                    .isInstanceOf(InputException.class)
                     .hasMessageContaining("cut." + format);
         }
     }
@@ -137,7 +138,7 @@ class BadImageTest {
 
     private static void assertRefused(Path file, String... complaints) {
         assertThatThrownBy(() -> TestImages.samples(file, 255))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining(file.toString())
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }

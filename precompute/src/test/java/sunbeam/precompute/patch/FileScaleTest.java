@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -98,12 +99,12 @@ class FileScaleTest {
     void faultsOfAFileNameNoOption() throws IOException {
         Path tiny = file((HEADER + NUMBERS).replace("4.0 um", "4.0 fm").replace("3.0 um", "3.0 fm"));
         assertThatThrownBy(() -> load(tiny))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("scan.txt claims to be 0.004 pm")
                 .hasMessageNotContaining("--width");
         Path volts = file((HEADER + NUMBERS).replace("units: nm", "units: V"));
         assertThatThrownBy(() -> load(volts))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("holds no heights: none of its channels has a unit of length")
                 .hasMessageNotContaining("--channel");
     }
@@ -113,13 +114,13 @@ class FileScaleTest {
         Path file = file(NUMBERS);
 
         assertThatThrownBy(() -> load(file))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("--width 20um and --height-unit nm");
         assertThatThrownBy(() -> load(file, WIDTH, "4um"))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("in which unit its heights are; add for example --height-unit nm");
         assertThatThrownBy(() -> load(file, HEIGHT_UNIT, "nm"))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("how large the scan is; add for example --width 20um");
     }
 
@@ -128,7 +129,7 @@ class FileScaleTest {
         Path file = file(NUMBERS.replace('\n', ' '));
 
         assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("--columns is missing")
                 .hasMessageContaining("12 numbers in one row");
         HeightMap map =

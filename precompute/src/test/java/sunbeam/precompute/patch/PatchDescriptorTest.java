@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.json.JsonException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.patch.PatchLoader.PatchDescriptor;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.setting.SettingException;
@@ -39,7 +39,7 @@ class PatchDescriptorTest {
     private void assertRefused(String json, String... complaints) throws IOException {
         Path file = descriptor(json);
         assertThatThrownBy(() -> PatchRequests.load(file))
-                .isInstanceOfAny(PatchException.class, JsonException.class, SettingException.class)
+                .isInstanceOfAny(InputException.class, SettingException.class)
                 .hasMessageContaining(file.toString())
                 .satisfies(e -> assertThat(e.getMessage())
                         .contains(complaints)
@@ -103,7 +103,7 @@ class PatchDescriptorTest {
             })
     void refusesTextsThatAreNoSingleJsonObject(String json) throws IOException {
         assertThatThrownBy(() -> PatchDescriptor.read(descriptor(json)))
-                .isInstanceOf(JsonException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("scan.json")
                 .message()
                 .as("words of the parser")
@@ -116,7 +116,7 @@ class PatchDescriptorTest {
     void refusesDeepNestingAndInvalidUtf8() throws IOException {
         assertRefused("{\"note\": " + "[".repeat(100_000), "brackets (at most 20 within each other)");
         Path file = Files.write(inside.resolve("scan.json"), new byte[] {'{', '"', (byte) 0xff, (byte) 0xfe, '"'});
-        assertThatThrownBy(() -> PatchDescriptor.read(file)).isInstanceOf(JsonException.class);
+        assertThatThrownBy(() -> PatchDescriptor.read(file)).isInstanceOf(InputException.class);
     }
 
     @Test

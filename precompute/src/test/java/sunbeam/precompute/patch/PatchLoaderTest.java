@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
 
@@ -36,7 +37,7 @@ class PatchLoaderTest {
 
     private void assertRefused(PatchRequest request, String... complaints) {
         assertThatThrownBy(() -> PatchRequests.load(request))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
     }
 

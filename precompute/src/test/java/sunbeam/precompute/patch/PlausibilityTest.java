@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 
 class PlausibilityTest {
@@ -42,7 +43,7 @@ class PlausibilityTest {
     void refusesALargeFileWithoutAnyHeight() {
         HeightMap empty = map(2049, 2049, 50e-9, 50e-9);
         assertThatThrownBy(() -> Plausibility.requireRelief(empty, Optional.empty(), Path.of("sparse.tif")))
-                .isInstanceOf(PatchException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("sparse.tif: all of its 2049 x 2049 samples are equal: it is empty")
                 .hasMessageContaining("export the scan again");
         empty.heights()[7] = 1e-9;

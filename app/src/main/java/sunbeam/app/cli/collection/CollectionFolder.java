@@ -22,7 +22,6 @@ import java.util.stream.Collectors;
 import java.util.stream.StreamSupport;
 import javax.imageio.ImageIO;
 import sunbeam.app.cli.options.TaskPart;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputException;
@@ -33,6 +32,7 @@ import sunbeam.app.files.plot.ThumbnailSheet;
 import sunbeam.app.files.plot.ThumbnailSheet.Thumbnail;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.units.Decimals;
 
 /**

@@ -13,7 +13,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 
 /** Lists the surfaces that the arguments of a command name. A folder stands for its files, in the order of their names. */

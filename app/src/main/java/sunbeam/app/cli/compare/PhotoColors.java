@@ -10,8 +10,8 @@ import java.awt.image.WritableRaster;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import sunbeam.app.files.input.InputException;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.files.InputException;
 
 /**
  * Converts a photograph's samples to linear light by an ICC profile, or else by the curve of sRGB, also for gray samples.

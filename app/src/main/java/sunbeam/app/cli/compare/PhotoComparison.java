@@ -7,13 +7,13 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.render.LitPixels;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 

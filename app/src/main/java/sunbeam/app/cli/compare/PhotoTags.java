@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 import javax.imageio.stream.FileImageInputStream;
 import javax.imageio.stream.ImageInputStream;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 /**
  * Orientation of a photograph, and color profile of a PNG: Java's decoders ignore both.

@@ -32,7 +32,7 @@ record Photograph(Raster raster, boolean hasAlpha, PhotoColors colors, int orien
     /**
      * Reads a PNG, JPEG or TIFF of 8 or 16 bits; without a profile its colors are sRGB.
      *
-     * @throws sunbeam.app.files.input.InputException if the file cannot be read or its colors are unknown
+     * @throws sunbeam.precompute.files.InputException if the file cannot be read or its colors are unknown
      */
     static Photograph read(Path file) {
         BufferedImage decoded = FILES.read(file, Runtime.getRuntime().maxMemory());

@@ -34,6 +34,7 @@ import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -44,7 +45,6 @@ import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Preset;
@@ -192,7 +192,7 @@ public final class EvaluateCommand extends ReportingCommand {
     private FirstOrder order(Patch patch, GratingPeriod period) {
         if (!period.isSeen() && given().isEmpty()) {
             boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
-            throw new PatchException(patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
+            throw new InputException(patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
                     + (lost ? "--azimuth and --period" : "--period"));
         }
         return given().orElseGet(

@@ -14,11 +14,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.files.input.ImageFile;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.files.InputException;
 
 /** Quantity that a {@link Check} measures in a picture, or in the file of numbers beside it. */
 enum Measure {

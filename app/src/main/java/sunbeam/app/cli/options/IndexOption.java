@@ -3,8 +3,8 @@ package sunbeam.app.cli.options;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.IndexFile;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.RefractiveIndex;
 
 /** Option {@code --index}, the material of the surface; a picocli mixin. */

@@ -33,10 +33,10 @@ import sunbeam.precompute.analysis.OrderLight;
 import sunbeam.precompute.analysis.OrderSpectrum;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.patch.PatchException;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -128,7 +128,7 @@ public final class OrdersCommand extends ReportingCommand {
         files.checkWritable();
         GratingPeriod period = GratingPeriod.of(patch);
         if (!period.isSeen()) {
-            throw new PatchException(patch.name() + ": no orders without a period: "
+            throw new InputException(patch.name() + ": no orders without a period: "
                     + Verdict.of(patch, period).sentence());
         }
         OrderTable table = table(patch, period, choices, material, cie);
@@ -150,7 +150,7 @@ public final class OrdersCommand extends ReportingCommand {
         double relief = patch.heights().relief();
         // The terms of the expansion grow with the relief.
         if (relief > DEEPEST || orders * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS) {
-            throw new PatchException(Text.format(
+            throw new InputException(Text.format(
                     "%s: %s with a relief of %s have too many orders; --crop a smaller part, whose relief is at most 20 um",
                     patch.name(), patch.heights().describe(), Lengths.rounded(relief, 3)));
         }

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.units.Decimals;
 
 /**

@@ -17,6 +17,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.stream.FileImageInputStream;
 import javax.imageio.stream.ImageInputStream;
+import sunbeam.precompute.files.InputException;
 
 /**
  * Reader of PNG, JPEG, BMP, GIF and TIFF files, which it recognizes by their first bytes. It checks an image's size before it allocates

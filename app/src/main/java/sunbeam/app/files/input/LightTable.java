@@ -20,6 +20,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.Illuminant;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**

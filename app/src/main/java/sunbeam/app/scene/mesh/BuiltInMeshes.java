@@ -3,7 +3,7 @@ package sunbeam.app.scene.mesh;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.joml.Vector3d;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /** Built-in meshes, generated deterministically. */

@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshFormat;
 import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.app.scene.mesh.format.RawMesh;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

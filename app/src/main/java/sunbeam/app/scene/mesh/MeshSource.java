@@ -3,8 +3,8 @@ package sunbeam.app.scene.mesh;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**

@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Text;
 
 /**

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.function.IntBinaryOperator;
 import java.util.stream.IntStream;
 import sunbeam.app.files.input.ImageFile;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 /**
  * A picture for a mesh, sRGB. Its left edge is texture coordinate u = 0, its bottom v = 0; it repeats beyond its edges.

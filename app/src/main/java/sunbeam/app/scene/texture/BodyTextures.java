@@ -34,7 +34,7 @@ public final class BodyTextures {
      * </ul>
      *
      * @param nameOrFile a name, or an image file in sRGB ({@link sunbeam.app.files.input.ImageFile})
-     * @throws sunbeam.app.files.input.InputException if there is no such texture, or the file cannot be used
+     * @throws sunbeam.precompute.files.InputException if there is no such texture, or the file cannot be used
      */
     public static BodyTexture load(String nameOrFile, BlobCache cache) {
         return switch (nameOrFile) {

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 class PhotographTest {
     private static final int GRAY = 0;

@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.files.InputException;
 
 final class CsvTableTest {
     @TempDir

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;

@@ -13,8 +13,8 @@ import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.PngText;
+import sunbeam.precompute.files.InputException;
 
 final class PngWriterTest {
     private static final int[] PIXELS = {0xff000000, 0xffff8001, 0xff0080ff, 0xffffffff, 0xff123456, 0xfffedcba};

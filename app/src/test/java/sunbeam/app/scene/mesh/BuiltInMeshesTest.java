@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 class BuiltInMeshesTest {
     @Test

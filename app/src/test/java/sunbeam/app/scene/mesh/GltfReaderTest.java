@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.files.input.JsonVariants;
+import sunbeam.precompute.files.InputException;
 
 /** Properties of glTF alone: extensions, quantized numbers, JSON documents without a mesh. */
 class GltfReaderTest extends MeshReading {

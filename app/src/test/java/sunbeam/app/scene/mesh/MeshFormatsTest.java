@@ -16,8 +16,8 @@ import java.util.Random;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.output.ObjWriter;
+import sunbeam.precompute.files.InputException;
 
 /** PLY and glTF beside OBJ. */
 class MeshFormatsTest extends MeshReading {

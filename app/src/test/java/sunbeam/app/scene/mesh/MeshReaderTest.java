@@ -14,8 +14,8 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.precompute.files.InputException;
 
 class MeshReaderTest extends MeshReading {
     private static final String SQUARE = """

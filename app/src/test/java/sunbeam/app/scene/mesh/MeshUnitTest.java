@@ -15,8 +15,8 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.files.input.InputException;
 import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Text;
 
 /** Units of a mesh's numbers, and meshes at coordinates of maps (UTM), thousands of kilometers from the origin. */

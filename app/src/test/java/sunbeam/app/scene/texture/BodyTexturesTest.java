@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 class BodyTexturesTest {
     private static final long HEAP = 512L << 20;

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 /**
  * The parts of a glTF file: the chunks of a binary file (.glb), or the JSON text of a text file (.gltf).

@@ -16,7 +16,7 @@ import de.javagl.jgltf.impl.v2.GlTF;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Map;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.SampleType;
 
 /** Reads accessors of glTF 2.0 (its section 3.6.2): dense and sparse ones, of all types of numbers. */

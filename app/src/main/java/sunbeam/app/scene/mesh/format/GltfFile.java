@@ -13,7 +13,7 @@ import java.util.Objects;
 import java.util.Set;
 import org.joml.Matrix4d;
 import org.joml.Quaterniond;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 /**
  * Reader of a glTF 2.0 file's geometry: all meshes of its scene where the scene's nodes place them, with normals, tangents and the texture

@@ -19,7 +19,7 @@ import org.joml.Matrix3x2d;
 import org.joml.Matrix4d;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 /**
  * Collects primitives of glTF: triangles, strips and fans, with or without indices. Texture coordinates are those of the

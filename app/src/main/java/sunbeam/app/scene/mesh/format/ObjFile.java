@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.StringTokenizer;
 import java.util.regex.Pattern;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**

@@ -4,7 +4,7 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.joml.Vector3d;
-import sunbeam.app.files.input.InputException;
+import sunbeam.precompute.files.InputException;
 
 /** Collects a file's geometry; refuses numbers and amounts beyond the limits of meshes. */
 final class RawMeshBuilder {

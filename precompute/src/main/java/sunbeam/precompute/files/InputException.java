@@ -1,4 +1,4 @@
-package sunbeam.app.files.input;
+package sunbeam.precompute.files;
 
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import sunbeam.precompute.text.Quoted;
 
-/** Reports an input file that is missing or cannot be used; the message, always one line, names file, place, value and remedy. */
+/** Reports an input that is missing or cannot be used; the message, always one line, names file, place, value and remedy. */
 public final class InputException extends RuntimeException {
     public InputException(String message) {
         super(Quoted.oneLine(message));
