@@ -3,6 +3,7 @@ package sunbeam.app.render;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import jrtr.gl.RenderContext;
+import sunbeam.app.scene.Scene;
 
 /** Draws pictures while something in the viewer moves, from resident tiles and with few taps per pixel. */
 final class MovingPictures implements AutoCloseable {
@@ -20,13 +21,14 @@ final class MovingPictures implements AutoCloseable {
      * @param divisor factor by which columns and rows are reduced
      * @return sRGB picture
      */
-    BufferedImage draw(UploadedScene scene, int fullWidth, int fullHeight, double divisor, double exposure) {
+    BufferedImage draw(
+            UploadedScene uploaded, Scene scene, int fullWidth, int fullHeight, double divisor, double exposure) {
         int width = (int) Math.ceil(fullWidth / divisor);
         int height = (int) Math.ceil(fullHeight / divisor);
         if (buffers == null) {
             buffers = new GeometryBuffers(context, GeometryLayout.MOVING);
         }
-        SkinGeometry geometry = scene.geometry(scene.data().scene(), width, height, true);
+        SkinGeometry geometry = uploaded.geometry(scene, width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         // Pixels are written directly, which ends Swing's acceleration of the image; an image that is painted once
         // gains nothing from it.
@@ -35,15 +37,8 @@ final class MovingPictures implements AutoCloseable {
             long start = System.nanoTime();
             GeometryBuffer buffer = buffers.of(geometry, piece.block());
             meshNanoseconds += System.nanoTime() - start;
-            int[] part = scene.skin()
-                    .drawMoving(
-                            context,
-                            scene.data().scene(),
-                            scene.ground(scene.data().scene()),
-                            geometry,
-                            buffer,
-                            piece.block(),
-                            exposure);
+            int[] part = uploaded.skin()
+                    .drawMoving(context, scene, uploaded.ground(scene), geometry, buffer, piece.block(), exposure);
             int columns = piece.inBlock().width();
             for (int row = 0; row < piece.inBlock().height(); row++) {
                 System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);

@@ -29,10 +29,10 @@ final class MovingSkin implements AutoCloseable {
     private final int lights;
     private final int mostTaps;
     private final ShaderProgram program;
-    private final VirtualTexture levels;
+    private final Optional<VirtualTexture> levels;
     private final CachedTarget targets;
 
-    MovingSkin(RenderContext context, UploadedTables method, VirtualTexture levels, int lights) {
+    MovingSkin(RenderContext context, UploadedTables method, Optional<VirtualTexture> levels, int lights) {
         this.context = context;
         this.lights = lights;
         this.mostTaps = context.info().software() ? SOFTWARE_TAPS : HARDWARE_TAPS;
@@ -65,17 +65,19 @@ final class MovingSkin implements AutoCloseable {
             Tile block,
             Map<String, Texture> method,
             double exposure) {
-        FootprintUniforms.apply(program, levels.table(), scene, mostTaps, 1, false);
+        Map<String, Texture> textures = new HashMap<>(method);
+        levels.ifPresent(tiles -> {
+            FootprintUniforms.apply(program, tiles.table(), scene, mostTaps, 1, false);
+            textures.putAll(tiles.textures());
+        });
         geometry.applyRaysTo(program, block);
         program.set("targetToWorld", geometry.blockToWorld(block));
         geometry.shadows().applyTo(program, scene.hasShadows());
         program.set("exposure", (float) exposure);
         program.set("toneStart", (float) scene.display(exposure).tone().start());
-        Map<String, Texture> textures = new HashMap<>(method);
         textures.putAll(buffer.textures());
         textures.put("depths", buffer.attributes().depth());
         textures.putAll(geometry.shadows().textures());
-        textures.putAll(levels.textures());
         Tile whole = Tile.whole(block.width(), block.height());
         program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
         FloatTarget target = targets.of(block.width(), block.height());

@@ -86,8 +86,8 @@ public final class SceneLoader {
         return parts(scene, BackgroundTask.start(() -> shape(scene)));
     }
 
-    /** Loads a scene's parts with a {@link #shape} that is still loading. */
-    List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
+    /** Loads a scene's parts with a {@link #shape} that may still be loading. */
+    public List<SceneData> parts(Scene scene, BackgroundTask<SceneShape> shape) {
         try {
             List<Optional<ReflectanceComponent>> parts = reflectanceComponents(scene);
             return withTables(scene, shape::get, patches(scene), parts, share -> {});
@@ -97,14 +97,9 @@ public final class SceneLoader {
     }
 
     /** Loads a scene's data without its diffraction. Starts to compute the visible sky in the background if the scene needs it. */
-    SceneShape shape(Scene scene) {
-        BackgroundTask<List<Body>> bodies = BackgroundTask.start(() -> bodies(scene));
-        try {
-            MeshSource.Loaded read = mesh(scene);
-            return new SceneShape(read.mesh(), sky(scene, read.mesh()), bodies.get());
-        } finally {
-            bodies.settle();
-        }
+    public SceneShape shape(Scene scene) {
+        Mesh mesh = mesh(scene).mesh();
+        return new SceneShape(mesh, sky(scene, mesh), bodies(scene));
     }
 
     /**

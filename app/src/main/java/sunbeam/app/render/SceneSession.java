@@ -47,8 +47,8 @@ public final class SceneSession implements AutoCloseable {
         this(context, () -> new UploadedScene(context, data));
     }
 
-    /** Uploads a scene's shape. Before drawing, {@link #update(SceneData)} must be called. */
-    SceneSession(RenderContext context, Scene scene, SceneShape shape) {
+    /** Uploads a scene without its diffraction: until {@link #update(SceneData)} only {@link #body} can draw it. */
+    public SceneSession(RenderContext context, Scene scene, SceneShape shape) {
         this(context, () -> new UploadedScene(context, scene, shape));
     }
 
@@ -252,8 +252,13 @@ public final class SceneSession implements AutoCloseable {
         return meshNanoseconds + moving.meshNanoseconds();
     }
 
+    /** Draws a scene without its diffraction; before the first {@link #update(SceneData)}. */
+    public BufferedImage body(Scene scene, int width, int height, double exposure) {
+        return moving.draw(uploaded, scene, width, height, 1, exposure);
+    }
+
     public BufferedImage moving(int fullWidth, int fullHeight, double divisor, double exposure) {
-        return moving.draw(uploaded, fullWidth, fullHeight, divisor, exposure);
+        return moving.draw(uploaded, scene(), fullWidth, fullHeight, divisor, exposure);
     }
 
     /** Returns the direction of the patch's x axis, 3 values per pixel in world space, top row first; zeros where there is no skin. */

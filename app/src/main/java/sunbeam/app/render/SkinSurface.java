@@ -21,6 +21,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.shader.ShaderTables;
 
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
@@ -35,36 +36,36 @@ final class SkinSurface implements AutoCloseable {
     private final UploadedTables method;
     // Radiance of a mirror under the coherence window, relative to sunlight; 1 for methods not normalized to a mirror.
     private final double diffractionScale;
-    private final ShaderProgram program;
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
+    // Compiled when first used, since the first picture is a moving one.
+    private ShaderProgram program;
     private MovingSkin moving;
 
     private SkinSurface(
             UploadedTables method,
             double diffractionScale,
-            ShaderProgram program,
             Optional<VirtualTexture> texture,
             Optional<ReflectanceComponent> component) {
         this.method = method;
         this.diffractionScale = diffractionScale;
-        this.program = program;
         this.texture = texture;
         this.component = component;
     }
 
     static SkinSurface create(RenderContext context, SceneData data) {
         UploadedTables method = UploadedTables.upload(context, data.tables());
-        String colorLevels = data.bakers().isPresent() ? "1" : "0";
-        ShaderProgram program =
-                Resource.orClose(() -> method.program("skin.frag", Map.of("COLOR_LEVELS", colorLevels)), method::close);
         Optional<VirtualTexture> texture = Resource.orClose(
-                () -> data.bakers().map(sources -> new VirtualTexture(context, sources)),
-                program::close,
-                method::close);
+                () -> data.bakers().map(sources -> new VirtualTexture(context, sources)), method::close);
         boolean isNormalizedToMirror = data.scene().method().method().isNormalizedToMirror();
         double diffractionScale = isNormalizedToMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
-        return new SkinSurface(method, diffractionScale, program, texture, data.reflectanceComponent());
+        return new SkinSurface(method, diffractionScale, texture, data.reflectanceComponent());
+    }
+
+    /** Creates a surface without diffraction, for moving pictures. */
+    static SkinSurface ofBody(RenderContext context) {
+        ShaderTables none = new ShaderTables.Builder("none").build(0, 0);
+        return new SkinSurface(UploadedTables.upload(context, none), 0, Optional.empty(), Optional.empty());
     }
 
     /** Returns the method's tables, which callers may use in this context until the surface is closed. */
@@ -108,6 +109,9 @@ final class SkinSurface implements AutoCloseable {
             ShadingPass pass) {
         DrawRequest request = pass.request();
         Scene scene = request.scene();
+        if (program == null) {
+            program = method.program("skin.frag", Map.of("COLOR_LEVELS", texture.isPresent() ? "1" : "0"));
+        }
         setLight(program, scene);
         program.set("lightVariance", (float) Math.pow(scene.deviation(scene.light()), 2));
         Map<String, Texture> textures = new HashMap<>(method.textures());
@@ -139,7 +143,7 @@ final class SkinSurface implements AutoCloseable {
         int lights = SceneGraphs.lights(scene).size();
         if (moving == null || moving.lights() != lights) {
             closeMoving();
-            moving = new MovingSkin(context, method, texture.orElseThrow(), lights);
+            moving = new MovingSkin(context, method, texture, lights);
         }
         setLight(moving.program(), scene);
         moving.program().set("lightVariances", SceneGraphs.variances(scene));
@@ -184,7 +188,9 @@ final class SkinSurface implements AutoCloseable {
     public void close() {
         closeMoving();
         texture.ifPresent(VirtualTexture::close);
-        program.close();
+        if (program != null) {
+            program.close();
+        }
         method.close();
     }
 }

@@ -22,12 +22,13 @@ final class UploadedScene implements AutoCloseable {
         orClose(() -> update(data));
     }
 
-    /** Before drawing, {@link #update} must be called. */
+    /** Uploads a scene without its diffraction, for moving pictures of the body. */
     UploadedScene(RenderContext context, Scene scene, SceneShape shape) {
         this(context);
         orClose(() -> {
             mesh = UploadedMesh.upload(context, scene, shape.mesh(), shape.sky());
             body = SkinTextures.upload(context, shape.bodies().get(0));
+            skin = SkinSurface.ofBody(context);
         });
     }
 
@@ -70,12 +71,12 @@ final class UploadedScene implements AutoCloseable {
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
         Optional<Vector3fc> light =
                 scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
-        light.ifPresent(towards -> shadows.draw(mesh(), data.mesh().closed(), scene.orientation(), towards, moves));
+        light.ifPresent(towards -> shadows.draw(mesh(), mesh.mesh().closed(), scene.orientation(), towards, moves));
         // Moving pictures read shadows in the shading pass, so that a moving light leaves the geometry valid.
         Optional<Vector3fc> geometryLight = moves ? Optional.empty() : light;
         return new SkinGeometry(
                 mesh(),
-                data.mesh().closed(),
+                mesh.mesh().closed(),
                 body,
                 scene.view(),
                 scene.orientation(),

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
 import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
@@ -73,9 +74,10 @@ public final class ViewerStart {
                 },
                 // Drops remarks about patches: the panel shows them beside the patch's name.
                 line -> {});
-        // Loads the scene on another thread while Swing starts, since Swing's start uses one processor only.
-        BackgroundTask<LoadedScene> first =
-                BackgroundTask.start(() -> LoadedScene.load(loader, scene, null, share -> {}));
+        // Loads the scene in the background while Swing starts, since Swing's start uses one processor only; first the
+        // shape, which is shown before the rest is loaded.
+        BackgroundTask<SceneShape> shape = BackgroundTask.start(() -> loader.shape(scene));
+        BackgroundTask<LoadedScene> first = shape.then(() -> LoadedScene.load(loader, scene, shape));
         try {
             SwingUtilities.invokeAndWait(() -> {
                 FlatDarkLaf.setup();
@@ -89,7 +91,7 @@ public final class ViewerStart {
                         RecentFiles.of(environment)));
                 KeyControls.install(viewer.get());
                 MouseControls.install(viewer.get());
-                viewer.get().start(pictureSize);
+                viewer.get().start(pictureSize, shape::get);
             });
         } catch (InvocationTargetException failure) {
             if (failure.getCause() instanceof AWTError || failure.getCause() instanceof LinkageError) {

@@ -23,6 +23,11 @@ public final class BackgroundTask<T> {
         return new BackgroundTask<>(CompletableFuture.supplyAsync(work, POOL));
     }
 
+    /** Starts another computation when this one has ended, with or without failure. No thread of the pool waits meanwhile. */
+    public <R> BackgroundTask<R> then(Supplier<R> work) {
+        return new BackgroundTask<>(future.handleAsync((result, failure) -> work.get(), POOL));
+    }
+
     /** Waits for the result; throws the exception of the computation if it failed. */
     public T get() {
         try {

@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static sunbeam.app.viewer.Pictures.different;
 
+import java.awt.Dimension;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.concurrent.CompletableFuture;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
@@ -14,11 +17,17 @@ import jrtr.GraphicsException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.viewer.loop.GraphicsStage;
+import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.panel.MethodChoice;
+import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.RecentFiles;
 import sunbeam.app.viewer.window.StartJournal;
 import sunbeam.app.viewer.window.Viewer;
+import sunbeam.app.work.BackgroundTask;
 
 /** The viewer's panel and failures, in a real window. */
 @Tag("window")
@@ -34,7 +43,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     },
                     new StartJournal(),
                     RecentFiles.of(environment()));
-            made.start(null);
+            made.start(null, () -> null);
             return made;
         });
         assertThatThrownBy(blind::awaitPicture).hasMessageContaining("no OpenGL 3.3 here");
@@ -49,6 +58,39 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             return null;
         });
         blind.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    @Test
+    void theBodyIsOnScreenBeforeThePatchIsLoaded() throws Exception {
+        SceneLoader loader = new SceneLoader(environment(), line -> {});
+        BackgroundTask<SceneShape> shape = BackgroundTask.start(() -> loader.shape(scene()));
+        CompletableFuture<Void> patchMayLoad = new CompletableFuture<>();
+        Viewer early = onEvents(() -> {
+            Viewer made = new Viewer(
+                    scene(),
+                    (next, previous, progress) -> {
+                        patchMayLoad.join();
+                        return LoadedScene.load(loader, next, shape);
+                    },
+                    GraphicsStage::new,
+                    new StartJournal(),
+                    RecentFiles.of(environment()));
+            made.start(new Dimension(80, 60), shape::get);
+            return made;
+        });
+        PictureView view = early.window().picture();
+        await(() -> onEvents(() -> view.picture().isPresent()));
+        int[] body = onEvents(() -> view.picture().orElseThrow().getRGB(0, 0, 80, 60, null, 0, 80));
+        // The white cylinder before the background, both of one color each but for the shading.
+        assertThat(Arrays.stream(body).distinct().count()).isGreaterThan(8);
+        assertThat(early.model().loaded()).isEmpty();
+        patchMayLoad.complete(null);
+        await(() -> onEvents(view::isFinal));
+        onEvents(() -> {
+            early.quit();
+            return null;
+        });
+        early.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
     @Test

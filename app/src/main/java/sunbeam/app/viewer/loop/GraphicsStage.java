@@ -23,6 +23,7 @@ import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -68,6 +69,11 @@ public final class GraphicsStage implements Stage {
     @Override
     public ContextInfo info() {
         return context.info();
+    }
+
+    @Override
+    public BufferedImage body(Scene scene, SceneShape shape, int width, int height) {
+        return own.open(scene, shape).body(scene, width, height, exposureOfWhite(scene));
     }
 
     @Override
@@ -211,8 +217,12 @@ public final class GraphicsStage implements Stage {
      * body that faces the light is displayed as white, as built-in scenes always do.
      */
     private double exposureSoFar() {
-        double intensity = scene().light().intensity();
-        return exposures.known(state.firstPart()).orElse(intensity > 0 ? 1 / intensity : 1);
+        return exposures.known(state.firstPart()).orElseGet(() -> exposureOfWhite(scene()));
+    }
+
+    private static double exposureOfWhite(Scene scene) {
+        double intensity = scene.light().intensity();
+        return scene.get(SceneSettings.EXPOSURE).orElse(intensity > 0 ? 1 / intensity : 1);
     }
 
     @Override

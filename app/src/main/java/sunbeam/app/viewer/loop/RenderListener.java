@@ -14,6 +14,9 @@ public interface RenderListener {
     /** Reports, in one line, why a state could not be drawn; the picture on screen stays, and drawing continues. */
     void refused(String message);
 
+    /** Shows the first scene's body, before its patches and method are loaded. */
+    void body(BufferedImage image);
+
     void preview(ViewState state, Stage.Preview preview);
 
     void complete(ViewState state, Stage.Final picture, long nanoseconds);

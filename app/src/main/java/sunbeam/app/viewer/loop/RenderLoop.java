@@ -1,5 +1,6 @@
 package sunbeam.app.viewer.loop;
 
+import java.awt.image.BufferedImage;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +10,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import jrtr.ContextInfo;
 import sunbeam.app.failure.Failure;
+import sunbeam.app.render.SceneShape;
+import sunbeam.app.scene.Scene;
 
 /**
  * Render thread: shows the newest state at once, then, when nothing moves, refines the picture to that of {@code render}
@@ -68,6 +71,21 @@ public final class RenderLoop implements AutoCloseable {
 
     public void show(ViewState next) {
         inbox.show(next);
+    }
+
+    /**
+     * Shows the body of the first scene, unless a state comes before it.
+     *
+     * @param shape waits for the shape
+     */
+    public void showBody(Scene scene, Supplier<SceneShape> shape, int width, int height) {
+        submit(stage -> {
+            SceneShape loaded = shape.get();
+            if (!inbox.isInterrupted()) {
+                BufferedImage image = stage.body(scene, loaded, width, height);
+                news.accept(to -> to.body(image));
+            }
+        });
     }
 
     /** Queues a small task for the render thread, which runs it after the current part of a picture. */

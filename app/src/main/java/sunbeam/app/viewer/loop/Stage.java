@@ -7,6 +7,8 @@ import java.util.function.BooleanSupplier;
 import jrtr.ContextInfo;
 import jrtr.Tile;
 import sunbeam.app.render.Pick;
+import sunbeam.app.render.SceneShape;
+import sunbeam.app.scene.Scene;
 
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
@@ -35,6 +37,9 @@ public interface Stage extends AutoCloseable {
     }
 
     ContextInfo info();
+
+    /** Draws the first scene's body, before its patches and method are loaded; then nothing else has been drawn. */
+    BufferedImage body(Scene scene, SceneShape shape, int width, int height);
 
     /**
      * Switches to a state; if that fails, the old state stays.

@@ -8,7 +8,9 @@ import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
+import sunbeam.app.scene.Scene;
 
 /** Sessions that hold a scene, as drawn by one method, on the graphics card, and its measured cost. Used by the render thread only. */
 final class StageSessions implements AutoCloseable {
@@ -17,9 +19,17 @@ final class StageSessions implements AutoCloseable {
     private FrameScale scale;
     private SceneData scaled;
     private List<SceneSession> parts = List.of();
+    // Session without diffraction until the first update; null afterwards.
+    private SceneSession body;
 
     StageSessions(RenderContext context) {
         this.context = context;
+    }
+
+    /** Uploads the first scene without its diffraction. */
+    SceneSession open(Scene scene, SceneShape shape) {
+        body = new SceneSession(context, scene, shape);
+        return body;
     }
 
     /** Switches to another scene; if that fails, the old one stays. */
@@ -47,7 +57,12 @@ final class StageSessions implements AutoCloseable {
     private void replace(List<SceneData> wanted) {
         List<SceneSession> made = new ArrayList<>();
         try {
-            wanted.forEach(data -> made.add(new SceneSession(context, data)));
+            if (body != null) {
+                made.add(body);
+                body = null;
+                made.get(0).update(wanted.get(0));
+            }
+            wanted.stream().skip(made.size()).forEach(data -> made.add(new SceneSession(context, data)));
         } catch (RuntimeException | OutOfMemoryError failure) {
             made.forEach(SceneSession::close);
             throw failure;
@@ -97,5 +112,9 @@ final class StageSessions implements AutoCloseable {
     public void close() {
         parts.forEach(SceneSession::close);
         parts = List.of();
+        if (body != null) {
+            body.close();
+            body = null;
+        }
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.DoubleConsumer;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;
@@ -15,25 +16,34 @@ import sunbeam.precompute.method.TableMethod;
  */
 public record LoadedScene(List<SceneData> parts) {
 
+    /** Loads the parts of a scene with the given shape. May take seconds. */
+    public static LoadedScene load(SceneLoader loader, Scene scene, BackgroundTask<SceneShape> shape) {
+        return prepared(loader.parts(scene, shape));
+    }
+
     /**
      * Loads a scene, reusing equal parts of the previous one. May take seconds.
      *
-     * @param previous previously loaded scene; null for the first
+     * @param previous null for none
      * @param progress receives the completed share, 0 to 1
      */
     public static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous, DoubleConsumer progress) {
-        List<SceneData> parts = previous == null ? loader.parts(scene) : loader.parts(scene, previous.parts, progress);
-        LoadedScene loaded = new LoadedScene(parts);
-        if (previous == null || !previous.firstPart().suits(scene)) {
-            // Prepare the tables now: this uses one processor while OpenGL opens on the other.
-            loaded.firstPart()
-                    .bakers()
-                    .ifPresent(levels -> BackgroundTask.start(() -> {
-                        levels.prepare();
-                        return levels;
-                    }));
+        if (previous == null) {
+            return load(loader, scene, BackgroundTask.start(() -> loader.shape(scene)));
         }
-        return loaded;
+        List<SceneData> parts = loader.parts(scene, previous.parts, progress);
+        return previous.firstPart().suits(scene) ? new LoadedScene(parts) : prepared(parts);
+    }
+
+    /** Prepares the tables in the background, while the render thread uploads the parts. */
+    private static LoadedScene prepared(List<SceneData> parts) {
+        parts.get(0)
+                .bakers()
+                .ifPresent(levels -> BackgroundTask.start(() -> {
+                    levels.prepare();
+                    return levels;
+                }));
+        return new LoadedScene(parts);
     }
 
     /** Returns the first part; all parts share its scene data. */

@@ -171,7 +171,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             return;
         }
         boolean old = shown == null || !shown.firstPart().suits(model.scene());
-        window.picture().dim(old);
+        window.picture().dim(old && shown != null);
         if (old) {
             window.status().loading(wantedPart(), loadedShare);
         } else {
@@ -250,6 +250,14 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         noPicture(message);
         if (window.picture().picture().isEmpty()) {
             window.picture().showMessage(message);
+        }
+    }
+
+    @Override
+    public void body(BufferedImage image) {
+        if (!firstPicture.isDone()) {
+            window.picture().showPicture(image, image.getWidth(), image.getHeight(), false);
+            journal.reached(StartJournal.Stage.BODY);
         }
     }
 

@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
+import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.loop.RenderListener;
@@ -104,8 +105,12 @@ public final class Viewer {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 
-    /** Shows the window, with a picture of the given size if there is one. */
-    public void start(Dimension pictureSize) {
+    /**
+     * Shows the window, with a picture of the given size if there is one, and then the scene.
+     *
+     * @param shape waits for the first scene's shape
+     */
+    public void start(Dimension pictureSize, Supplier<SceneShape> shape) {
         if (pictureSize != null) {
             window.fitPicture(pictureSize);
         }
@@ -113,6 +118,11 @@ public final class Viewer {
         journal.reached(StartJournal.Stage.WINDOW);
         window.picture().requestFocusInWindow();
         window.controls().follow();
+        loop.showBody(
+                model.scene(),
+                shape,
+                window.picture().pictureWidth(),
+                window.picture().pictureHeight());
         model.start();
     }
 

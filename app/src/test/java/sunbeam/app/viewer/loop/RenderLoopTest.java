@@ -21,6 +21,8 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneShape;
+import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
@@ -93,6 +95,9 @@ final class RenderLoopTest {
         }
 
         void run() {
+            if (random.nextBoolean()) {
+                loop.showBody(scenes.get(0).firstPart().scene(), () -> null, 8, 8);
+            }
             for (int step = 3 + random.nextInt(40); step > 0; step--) {
                 act();
             }
@@ -173,6 +178,13 @@ final class RenderLoopTest {
             if (random.nextInt(60) == 0) {
                 throw new IllegalStateException("broken");
             }
+        }
+
+        @Override
+        public BufferedImage body(Scene scene, SceneShape shape, int width, int height) {
+            mayFail();
+            assertThat(current).as("state drawn before the body").isNull();
+            return new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         }
 
         @Override
@@ -313,6 +325,11 @@ final class RenderLoopTest {
         @Override
         public void refused(String message) {
             isRefused = true;
+        }
+
+        @Override
+        public void body(BufferedImage image) {
+            assertThat(shown).as("picture before the body").isNull();
         }
 
         @Override
