@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
-import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import sunbeam.app.terminal.Messages;
 
 /**
@@ -28,18 +29,13 @@ public final class TevClient implements AutoCloseable {
     private static final int LARGEST_OVERHEAD_BYTES = 256;
 
     /** Longest wait for a connection, and for each packet: a viewer on the same machine receives a picture in less than a second. */
-    static final long PATIENCE_MILLISECONDS = 5000;
+    static final int PATIENCE_MILLISECONDS = 5000;
 
-    /** Non-blocking; {@link #await} waits. */
-    private final SocketChannel socket;
-
-    private final Selector selector;
+    private final Socket socket = new Socket();
     private final PrintWriter err;
     private boolean lost;
 
-    private TevClient(SocketChannel socket, Selector selector, PrintWriter err) {
-        this.socket = socket;
-        this.selector = selector;
+    private TevClient(PrintWriter err) {
         this.err = err;
     }
 
@@ -49,15 +45,12 @@ public final class TevClient implements AutoCloseable {
      * @throws OutputException if no program listens on the port, or does not answer
      */
     public static TevClient connect(int port, PrintWriter err) {
-        TevClient client = null;
+        TevClient client = new TevClient(err);
         try {
-            client = new TevClient(SocketChannel.open(), Selector.open(), err);
-            client.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+            client.socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), PATIENCE_MILLISECONDS);
             return client;
         } catch (IOException refused) {
-            if (client != null) {
-                client.close();
-            }
+            client.close();
             String reason = refused instanceof SocketTimeoutException
                     ? "what listens there does not answer"
                     : "nothing listens there";
@@ -66,30 +59,6 @@ public final class TevClient implements AutoCloseable {
                             + "); start tev first, or leave --tev out",
                     refused);
         }
-    }
-
-    private void open(InetSocketAddress address) throws IOException {
-        socket.configureBlocking(false);
-        socket.register(selector, SelectionKey.OP_CONNECT);
-        long start = System.nanoTime();
-        boolean connected = socket.connect(address);
-        while (!connected) {
-            await(SelectionKey.OP_CONNECT, start);
-            connected = socket.finishConnect();
-        }
-    }
-
-    /**
-     * Waits until the socket is ready for an operation; throws an exception if that takes longer than {@link #PATIENCE_MILLISECONDS} from
-     * the start.
-     */
-    private void await(int operation, long start) throws IOException {
-        long left = PATIENCE_MILLISECONDS - TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
-        socket.keyFor(selector).interestOps(operation);
-        if (left <= 0 || selector.select(left) == 0) {
-            throw new SocketTimeoutException("no answer for " + PATIENCE_MILLISECONDS / 1000 + " s");
-        }
-        selector.selectedKeys().clear();
     }
 
     /** Creates a black picture, which replaces one of the same name. */
@@ -149,27 +118,38 @@ public final class TevClient implements AutoCloseable {
         if (lost) {
             return;
         }
-        packet.putInt(0, packet.position()).flip();
-        long start = System.nanoTime();
+        packet.putInt(0, packet.position());
+        FutureTask<Void> sent = new FutureTask<>(() -> {
+            socket.getOutputStream().write(packet.array(), 0, packet.position());
+            return null;
+        });
+        Thread thread = new Thread(sent, "tev");
+        thread.setDaemon(true);
+        thread.start();
         try {
-            while (packet.hasRemaining()) {
-                if (socket.write(packet) == 0) {
-                    await(SelectionKey.OP_WRITE, start);
-                }
-            }
-        } catch (IOException gone) {
-            lost = true;
-            err.println(Messages.warning("tev takes no more pictures (" + gone.getMessage() + "); drawing goes on"));
+            sent.get(PATIENCE_MILLISECONDS, TimeUnit.MILLISECONDS);
+        } catch (TimeoutException stalled) {
+            end("no answer for " + PATIENCE_MILLISECONDS / 1000 + " s");
+        } catch (ExecutionException gone) {
+            end(gone.getCause().getMessage());
+        } catch (InterruptedException ending) {
+            Thread.currentThread().interrupt();
         }
+    }
+
+    /** Closes the connection, which ends a write that still waits. */
+    private void end(String reason) {
+        close();
+        err.println(Messages.warning("tev takes no more pictures (" + reason + "); drawing goes on"));
     }
 
     @Override
     public void close() {
+        lost = true;
         try {
-            selector.close();
             socket.close();
         } catch (IOException gone) {
-            lost = true;
+            // Nothing is left to send.
         }
     }
 }

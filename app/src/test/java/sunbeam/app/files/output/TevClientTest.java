@@ -94,7 +94,7 @@ class TevClientTest {
             }
             assertThat(stalled.isConnected()).isTrue();
             // Twice the patience, for a busy machine.
-            assertThat(Duration.ofNanos(System.nanoTime() - start).toMillis())
+            assertThat((int) Duration.ofNanos(System.nanoTime() - start).toMillis())
                     .isBetween(TevClient.PATIENCE_MILLISECONDS, 2 * TevClient.PATIENCE_MILLISECONDS);
             assertThat(said.toString()).hasLineCount(1).contains("tev takes no more pictures (no answer for 5 s)");
         }

@@ -5,20 +5,8 @@ import static de.javagl.jgltf.model.GltfConstants.GL_ELEMENT_ARRAY_BUFFER;
 import static de.javagl.jgltf.model.GltfConstants.GL_FLOAT;
 import static de.javagl.jgltf.model.GltfConstants.GL_UNSIGNED_INT;
 
-import de.javagl.jgltf.impl.v2.Accessor;
-import de.javagl.jgltf.impl.v2.Asset;
-import de.javagl.jgltf.impl.v2.Buffer;
-import de.javagl.jgltf.impl.v2.BufferView;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import de.javagl.jgltf.impl.v2.GlTF;
-import de.javagl.jgltf.impl.v2.Image;
-import de.javagl.jgltf.impl.v2.Material;
-import de.javagl.jgltf.impl.v2.MaterialNormalTextureInfo;
-import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
-import de.javagl.jgltf.impl.v2.MeshPrimitive;
-import de.javagl.jgltf.impl.v2.Node;
-import de.javagl.jgltf.impl.v2.Scene;
-import de.javagl.jgltf.impl.v2.Texture;
-import de.javagl.jgltf.impl.v2.TextureInfo;
 import de.javagl.jgltf.model.io.v2.GltfAssetV2;
 import de.javagl.jgltf.model.io.v2.GltfAssetWriterV2;
 import java.awt.image.BufferedImage;
@@ -27,8 +15,12 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Version;
@@ -39,9 +31,11 @@ import sunbeam.app.terminal.Version;
  */
 public final class GltfWriter {
     // Roughness of skin below its nanostructure: neither a mirror nor chalk.
-    private static final float ROUGHNESS = 0.5f;
+    private static final double ROUGHNESS = 0.5;
 
-    private final GlTF gltf = new GlTF();
+    private final List<Map<String, ?>> accessors = new ArrayList<>();
+    private final List<Map<String, ?>> views = new ArrayList<>();
+    private final List<Map<String, ?>> images = new ArrayList<>();
     private final ByteArrayOutputStream binary = new ByteArrayOutputStream();
 
     private GltfWriter() {}
@@ -49,36 +43,38 @@ public final class GltfWriter {
     /** Writes the file; the stream stays open. */
     public static void write(OutputStream stream, Mesh mesh, Optional<SkinMaps> maps) throws IOException {
         GltfWriter writer = new GltfWriter();
-        writer.add(mesh, maps);
+        GlTF gltf = new ObjectMapper().convertValue(writer.document(mesh, maps), GlTF.class);
         ByteBuffer content = ByteBuffer.wrap(writer.binary.toByteArray());
-        new GltfAssetWriterV2().writeBinary(new GltfAssetV2(writer.gltf, content), stream);
+        new GltfAssetWriterV2().writeBinary(new GltfAssetV2(gltf, content), stream);
     }
 
-    private void add(Mesh mesh, Optional<SkinMaps> maps) throws IOException {
-        Asset asset = new Asset();
-        asset.setVersion("2.0");
-        asset.setGenerator("Sunbeam " + Version.number());
-        gltf.setAsset(asset);
-        MeshPrimitive primitive = new MeshPrimitive();
-        primitive.addAttributes("POSITION", positions(toYUp(mesh.positions(), 3)));
-        primitive.addAttributes("NORMAL", floats(toYUp(mesh.normals(), 3), 3));
-        primitive.addAttributes("TANGENT", floats(toYUp(mesh.tangents(), 4), 4));
-        primitive.addAttributes("TEXCOORD_0", floats(flipV(mesh.textureCoordinates()), 2));
-        primitive.setIndices(indices(mesh.indices()));
-        primitive.setMaterial(material(mesh, maps));
-        de.javagl.jgltf.impl.v2.Mesh all = new de.javagl.jgltf.impl.v2.Mesh();
-        all.addPrimitives(primitive);
-        gltf.addMeshes(all);
-        Node node = new Node();
-        node.setMesh(0);
-        gltf.addNodes(node);
-        Scene scene = new Scene();
-        scene.addNodes(0);
-        gltf.addScenes(scene);
-        gltf.setScene(0);
-        Buffer buffer = new Buffer();
-        buffer.setByteLength(binary.size());
-        gltf.addBuffers(buffer);
+    private Map<String, ?> document(Mesh mesh, Optional<SkinMaps> maps) throws IOException {
+        Map<String, ?> attributes = Map.of(
+                "POSITION", positions(toYUp(mesh.positions(), 3)),
+                "NORMAL", floats(toYUp(mesh.normals(), 3), 3, Map.of()),
+                "TANGENT", floats(toYUp(mesh.tangents(), 4), 4, Map.of()),
+                "TEXCOORD_0", floats(flipV(mesh.textureCoordinates()), 2, Map.of()));
+        Map<String, ?> primitive =
+                Map.of("attributes", new TreeMap<>(attributes), "indices", indices(mesh.indices()), "material", 0);
+        Map<String, Object> document = new TreeMap<>();
+        document.put("asset", Map.of("version", "2.0", "generator", "Sunbeam " + Version.number()));
+        document.put("scene", 0);
+        document.put("scenes", List.of(Map.of("nodes", List.of(0))));
+        document.put("nodes", List.of(Map.of("mesh", 0)));
+        document.put("meshes", List.of(Map.of("primitives", List.of(primitive))));
+        document.put("materials", List.of(material(mesh, maps)));
+        document.put("accessors", accessors);
+        document.put("bufferViews", views);
+        document.put("buffers", List.of(Map.of("byteLength", binary.size())));
+        if (!images.isEmpty()) {
+            document.put("images", images);
+            document.put(
+                    "textures",
+                    IntStream.range(0, images.size())
+                            .mapToObj(image -> Map.of("source", image))
+                            .toList());
+        }
+        return document;
     }
 
     private static float[] toYUp(float[] vectors, int components) {
@@ -100,84 +96,63 @@ public final class GltfWriter {
 
     /** Adds positions with their bounds, which glTF requires. */
     private int positions(float[] positions) {
-        int accessor = floats(positions, 3);
-        Number[] least = {positions[0], positions[1], positions[2]};
-        Number[] most = least.clone();
+        float[] least = {positions[0], positions[1], positions[2]};
+        float[] most = least.clone();
         for (int i = 0; i < positions.length; i++) {
-            least[i % 3] = (double) Math.min(least[i % 3].floatValue(), positions[i]);
-            most[i % 3] = (double) Math.max(most[i % 3].floatValue(), positions[i]);
+            least[i % 3] = Math.min(least[i % 3], positions[i]);
+            most[i % 3] = Math.max(most[i % 3], positions[i]);
         }
-        gltf.getAccessors().get(accessor).setMin(least);
-        gltf.getAccessors().get(accessor).setMax(most);
-        return accessor;
+        return floats(positions, 3, Map.of("min", least, "max", most));
     }
 
-    private int floats(float[] values, int components) {
+    private int floats(float[] values, int components, Map<String, ?> bounds) {
         ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.asFloatBuffer().put(values);
-        return accessor(view(bytes.array(), GL_ARRAY_BUFFER), GL_FLOAT, "VEC" + components, values.length / components);
+        int view = view(bytes.array(), Map.of("target", GL_ARRAY_BUFFER));
+        return accessor(view, GL_FLOAT, "VEC" + components, values.length / components, bounds);
     }
 
     private int indices(int[] indices) {
         ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * indices.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.asIntBuffer().put(indices);
-        return accessor(view(bytes.array(), GL_ELEMENT_ARRAY_BUFFER), GL_UNSIGNED_INT, "SCALAR", indices.length);
+        int view = view(bytes.array(), Map.of("target", GL_ELEMENT_ARRAY_BUFFER));
+        return accessor(view, GL_UNSIGNED_INT, "SCALAR", indices.length, Map.of());
     }
 
-    private int accessor(int view, int componentType, String type, int count) {
-        Accessor accessor = new Accessor();
-        accessor.setBufferView(view);
-        accessor.setComponentType(componentType);
-        accessor.setType(type);
-        accessor.setCount(count);
-        gltf.addAccessors(accessor);
-        return gltf.getAccessors().size() - 1;
+    private int accessor(int view, int componentType, String type, int count, Map<String, ?> bounds) {
+        Map<String, Object> accessor = new TreeMap<>(bounds);
+        accessor.putAll(Map.of("bufferView", view, "componentType", componentType, "type", type, "count", count));
+        accessors.add(accessor);
+        return accessors.size() - 1;
     }
 
-    private int view(byte[] content, Integer target) {
-        BufferView view = new BufferView();
-        view.setBuffer(0);
-        view.setByteOffset(binary.size());
-        view.setByteLength(content.length);
-        view.setTarget(target);
-        gltf.addBufferViews(view);
+    private int view(byte[] content, Map<String, ?> target) {
+        Map<String, Object> view = new TreeMap<>(target);
+        view.putAll(Map.of("buffer", 0, "byteOffset", binary.size(), "byteLength", content.length));
+        views.add(view);
         binary.writeBytes(content);
         // The next view begins at a multiple of four bytes, as glTF requires.
         binary.writeBytes(new byte[(4 - content.length % 4) % 4]);
-        return gltf.getBufferViews().size() - 1;
+        return views.size() - 1;
     }
 
-    private int material(Mesh mesh, Optional<SkinMaps> maps) throws IOException {
-        MaterialPbrMetallicRoughness skin = new MaterialPbrMetallicRoughness();
-        skin.setMetallicFactor(0f);
-        skin.setRoughnessFactor(ROUGHNESS);
-        Material material = new Material();
-        material.setPbrMetallicRoughness(skin);
-        material.setDoubleSided(!mesh.closed());
+    private Map<String, ?> material(Mesh mesh, Optional<SkinMaps> maps) throws IOException {
+        Map<String, Object> skin = new TreeMap<>(Map.of("metallicFactor", 0, "roughnessFactor", ROUGHNESS));
+        Map<String, Object> material = new TreeMap<>(Map.of("pbrMetallicRoughness", skin));
+        material.put("doubleSided", !mesh.closed());
         if (maps.isPresent()) {
-            TextureInfo albedo = new TextureInfo();
-            albedo.setIndex(texture(maps.get().albedo()));
-            skin.setBaseColorTexture(albedo);
+            skin.put("baseColorTexture", texture(maps.get().albedo()));
             if (maps.get().normals().isPresent()) {
-                MaterialNormalTextureInfo normals = new MaterialNormalTextureInfo();
-                normals.setIndex(texture(maps.get().normals().get()));
-                material.setNormalTexture(normals);
+                material.put("normalTexture", texture(maps.get().normals().get()));
             }
         }
-        gltf.addMaterials(material);
-        return 0;
+        return material;
     }
 
-    private int texture(BufferedImage picture) throws IOException {
+    private Map<String, ?> texture(BufferedImage picture) throws IOException {
         ByteArrayOutputStream png = new ByteArrayOutputStream();
         PngWriter.write(png, picture, Map.of());
-        Image image = new Image();
-        image.setMimeType("image/png");
-        image.setBufferView(view(png.toByteArray(), null));
-        gltf.addImages(image);
-        Texture texture = new Texture();
-        texture.setSource(gltf.getImages().size() - 1);
-        gltf.addTextures(texture);
-        return gltf.getTextures().size() - 1;
+        images.add(Map.of("mimeType", "image/png", "bufferView", view(png.toByteArray(), Map.of())));
+        return Map.of("index", images.size() - 1);
     }
 }
