@@ -2,11 +2,9 @@ package jrtr;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.NeedsDisplay;
 import jrtr.gl.RenderContext;
@@ -64,24 +62,10 @@ class EndWhileDrawingTest {
 
     @Test
     void theOperationUnderWayIsFinishedAndNoOtherBegins() throws Exception {
-        Path output = folder.resolve("output");
-        Path errors = folder.resolve("errors");
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Djava.awt.headless=true",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Program.class.getName())
-                .redirectOutput(output.toFile())
-                .redirectError(errors.toFile())
-                .start();
+        OwnJvm ended = OwnJvm.run(Program.class, folder, Map.of(), "-Djava.awt.headless=true");
 
-        // Two seconds of work; a deadlock of the hook and the thread that it waits for would last ten and more.
-        boolean ended = process.waitFor(60, TimeUnit.SECONDS);
-        process.destroyForcibly();
-        assertThat(ended).isTrue();
-        assertThat(process.exitValue()).isEqualTo(7);
-        assertThat(Files.readString(errors)).isEmpty();
-        assertThat(Files.readString(output).lines()).containsExactly("ending", "read");
+        assertThat(ended.exitCode()).isEqualTo(7);
+        assertThat(ended.errors()).isEmpty();
+        assertThat(ended.output().lines()).containsExactly("ending", "read");
     }
 }

@@ -49,7 +49,7 @@ final class LayersTest {
     @ArchTest
     static final ArchRule onlyTheEngineTouchesOpenGl = noClasses()
             .that()
-            .resideOutsideOfPackage("jrtr..")
+            .resideOutsideOfPackage("jrtr.gl..")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("com.jogamp..", "jogamp..");

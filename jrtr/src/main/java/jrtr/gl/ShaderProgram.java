@@ -3,6 +3,7 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.util.glsl.ShaderUtil;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 import jrtr.glsl.CompilerLog;
@@ -23,7 +24,6 @@ import org.joml.Vector3fc;
 public final class ShaderProgram extends Resource {
     private final int name;
     private final GlUniforms uniforms;
-    private final float[] matrix = new float[16];
 
     private ShaderProgram(GlDevice device, String label, int name, String sources) {
         super(device, label);
@@ -97,21 +97,33 @@ public final class ShaderProgram extends Resource {
         uniforms.bind(gl, device(), textures, target);
     }
 
-    private void set(String uniform, String value, Setter setter, int... types) {
+    /** Sets a uniform of one of the given types, which GLSL calls {@code value}. */
+    private void set(String uniform, String value, BiConsumer<GL3, GlUniforms.Uniform> setter, int... types) {
         GL3 gl = gl();
         gl.glUseProgram(name);
         GlUniforms.Uniform found = uniforms.findOfType(uniform, value, types);
         if (found != null) {
-            setter.set(gl, found);
+            setter.accept(gl, found);
         }
     }
 
-    private interface Setter {
-        void set(GL3 gl, GlUniforms.Uniform uniform);
+    private void set(String uniform, String value, float[] values, int... types) {
+        BiConsumer<GL3, GlUniforms.Uniform> setter = (gl, found) -> {
+            int location = found.location();
+            switch (found.type()) {
+                case GL3.GL_FLOAT_MAT3 -> gl.glUniformMatrix3fv(location, 1, false, values, 0);
+                case GL3.GL_FLOAT_MAT4 -> gl.glUniformMatrix4fv(location, 1, false, values, 0);
+                case GL3.GL_FLOAT -> gl.glUniform1fv(location, elements(found, values.length), values, 0);
+                case GL3.GL_FLOAT_VEC2 -> gl.glUniform2fv(location, elements(found, values.length), values, 0);
+                case GL3.GL_FLOAT_VEC3 -> gl.glUniform3fv(location, elements(found, values.length), values, 0);
+                default -> gl.glUniform4fv(location, elements(found, values.length), values, 0);
+            }
+        };
+        set(uniform, value, setter, types);
     }
 
     public void set(String uniform, float value) {
-        set(uniform, "float", (gl, found) -> gl.glUniform1f(found.location(), value), GL3.GL_FLOAT);
+        set(uniform, "float", new float[] {value}, GL3.GL_FLOAT);
     }
 
     public void set(String uniform, int value) {
@@ -119,31 +131,19 @@ public final class ShaderProgram extends Resource {
     }
 
     public void set(String uniform, Vector2fc value) {
-        set(uniform, "vec2", (gl, found) -> gl.glUniform2f(found.location(), value.x(), value.y()), GL3.GL_FLOAT_VEC2);
+        set(uniform, "vec2", new float[] {value.x(), value.y()}, GL3.GL_FLOAT_VEC2);
     }
 
     public void set(String uniform, Vector3fc value) {
-        set(
-                uniform,
-                "vec3",
-                (gl, found) -> gl.glUniform3f(found.location(), value.x(), value.y(), value.z()),
-                GL3.GL_FLOAT_VEC3);
+        set(uniform, "vec3", new float[] {value.x(), value.y(), value.z()}, GL3.GL_FLOAT_VEC3);
     }
 
     public void set(String uniform, Matrix3fc value) {
-        set(
-                uniform,
-                "mat3",
-                (gl, found) -> gl.glUniformMatrix3fv(found.location(), 1, false, value.get(matrix), 0),
-                GL3.GL_FLOAT_MAT3);
+        set(uniform, "mat3", value.get(new float[9]), GL3.GL_FLOAT_MAT3);
     }
 
     public void set(String uniform, Matrix4fc value) {
-        set(
-                uniform,
-                "mat4",
-                (gl, found) -> gl.glUniformMatrix4fv(found.location(), 1, false, value.get(matrix), 0),
-                GL3.GL_FLOAT_MAT4);
+        set(uniform, "mat4", value.get(new float[16]), GL3.GL_FLOAT_MAT4);
     }
 
     /**
@@ -153,26 +153,12 @@ public final class ShaderProgram extends Resource {
      * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
      */
     public void set(String uniform, float[] values) {
-        Setter setter = (gl, found) -> {
-            int count = elements(found, values.length);
-            switch (found.components()) {
-                case 1 -> gl.glUniform1fv(found.location(), count, values, 0);
-                case 2 -> gl.glUniform2fv(found.location(), count, values, 0);
-                case 3 -> gl.glUniform3fv(found.location(), count, values, 0);
-                default -> gl.glUniform4fv(found.location(), count, values, 0);
-            }
-        };
-        set(uniform, "float[]", setter, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
+        set(uniform, "float[]", values, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
     }
 
-    /**
-     * Sets the first elements of an {@code int[]}, {@code ivec2[]}, {@code ivec3[]} or {@code ivec4[]}, or one vector.
-     *
-     * @param values components one after the other; elements past the array's end are ignored
-     * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
-     */
+    /** Sets the first elements of an {@code int[]}, {@code ivec2[]}, {@code ivec3[]} or {@code ivec4[]}, or one vector, as with floats. */
     public void set(String uniform, int[] values) {
-        Setter setter = (gl, found) -> {
+        BiConsumer<GL3, GlUniforms.Uniform> setter = (gl, found) -> {
             int count = elements(found, values.length);
             switch (found.components()) {
                 case 1 -> gl.glUniform1iv(found.location(), count, values, 0);

@@ -18,6 +18,7 @@ import jrtr.ShaderSource;
 final class IncludeExpansion {
     static final String PROLOGUE_FILE = "<defines>";
 
+    private static final Pattern COMMENT = Pattern.compile("(?s)/\\*.*?\\*/|//[^\n]*");
     private static final Pattern DIRECTIVE = Pattern.compile("\\s*#\\s*([a-z]+)\\b(.*)");
     private static final Pattern QUOTED_NAME = Pattern.compile("\\s*\"([^\"]+)\"\\s*");
     private static final Pattern DEFINE_IN_NAME = Pattern.compile("\\{([A-Za-z0-9_]*)}");
@@ -50,13 +51,20 @@ final class IncludeExpansion {
 
     private void appendFile(String file, String content) {
         openFiles.push(file);
-        CommentStripper comments = new CommentStripper();
         List<String> lines = content.lines().toList();
+        // GLSL has no string literals, so comment marks always start a comment. Line breaks in comments stay.
+        List<String> code = COMMENT.matcher(String.join("\n", lines))
+                .replaceAll(comment -> comment.group().startsWith("/*")
+                        ? " " + "\n".repeat((int) comment.group().lines().count() - 1)
+                        : "")
+                .lines()
+                .toList();
         for (int index = 0; index < lines.size(); index++) {
-            appendLine(new ShaderSource.Line(file, index + 1, lines.get(index)), comments.strip(lines.get(index)));
-        }
-        if (comments.isInsideBlock()) {
-            throw new GraphicsException(file + ":" + lines.size() + ": a comment /* is never closed");
+            String stripped = index < code.size() ? code.get(index).stripTrailing() : "";
+            if (stripped.contains("/*")) {
+                throw new GraphicsException(file + ":" + lines.size() + ": a comment /* is never closed");
+            }
+            appendLine(new ShaderSource.Line(file, index + 1, lines.get(index)), stripped);
         }
         openFiles.pop();
     }
@@ -176,42 +184,5 @@ final class IncludeExpansion {
 
     private static GraphicsException fault(ShaderSource.Line line, String message) {
         return new GraphicsException(line.describe(message));
-    }
-
-    /**
-     * Removes comments, line by line, and remembers whether a block comment is open. GLSL has no string literals, so comment marks always
-     * start a comment.
-     */
-    private static final class CommentStripper {
-        private boolean insideBlock;
-
-        String strip(String line) {
-            StringBuilder code = new StringBuilder(line.length());
-            int position = 0;
-            while (position < line.length()) {
-                if (insideBlock) {
-                    int end = line.indexOf("*/", position);
-                    if (end < 0) {
-                        break;
-                    }
-                    insideBlock = false;
-                    code.append(' ');
-                    position = end + 2;
-                } else if (line.startsWith("//", position)) {
-                    break;
-                } else if (line.startsWith("/*", position)) {
-                    insideBlock = true;
-                    position += 2;
-                } else {
-                    code.append(line.charAt(position));
-                    position++;
-                }
-            }
-            return code.toString().stripTrailing();
-        }
-
-        boolean isInsideBlock() {
-            return insideBlock;
-        }
     }
 }

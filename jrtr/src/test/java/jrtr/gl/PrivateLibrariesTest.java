@@ -4,14 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
+import java.util.Map;
 import java.util.stream.Stream;
 import jrtr.GraphicsException;
+import jrtr.OwnJvm;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,28 +57,6 @@ class PrivateLibrariesTest {
         }
     }
 
-    private List<String> run(Path temporaryFolder) throws IOException, InterruptedException {
-        Path output = root.resolve("output");
-        ProcessBuilder builder = new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Djava.awt.headless=true",
-                "-XX:-UsePerfData",
-                "-Djava.io.tmpdir=" + temporaryFolder,
-                "-cp",
-                System.getProperty("java.class.path"),
-                Program.class.getName());
-        // JOGL would try these next.
-        builder.environment().put("TMPDIR", temporaryFolder.toString());
-        builder.environment().put("HOME", root.toString());
-        Process process = builder.redirectErrorStream(true)
-                .redirectOutput(output.toFile())
-                .start();
-        boolean ended = process.waitFor(30, TimeUnit.SECONDS);
-        process.destroyForcibly();
-        assertThat(ended).as("the virtual machine ends by itself").isTrue();
-        return Files.readAllLines(output, StandardCharsets.UTF_8);
-    }
-
     /** Creates JOGL's default folders in advance; as another user's, if this user is root. */
     @Test
     void nothingIsLoadedFromAFolderThatAnotherUserMade() throws IOException, InterruptedException {
@@ -93,7 +71,15 @@ class PrivateLibrariesTest {
             }
         }
 
-        List<String> lines = run(temporary);
+        OwnJvm outcome = OwnJvm.run(
+                Program.class,
+                root,
+                // JOGL would try these next.
+                Map.of("TMPDIR", temporary.toString(), "HOME", root.toString()),
+                "-Djava.awt.headless=true",
+                "-XX:-UsePerfData",
+                "-Djava.io.tmpdir=" + temporary);
+        List<String> lines = outcome.output().lines().toList();
 
         assertThat(lines).first().asString().startsWith("rendered by ");
         assertThat(lines.subList(1, lines.size()))
