@@ -12,7 +12,6 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.setting.Origin;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.shader.TableException;
 
 /**
  * Failure as the user sees it on the command line and in the viewer: exit code and message of an exception.
@@ -28,7 +27,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
             Map.entry(SettingException.class, ExitCode.USAGE),
             Map.entry(InputException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(ScanException.class, ExitCode.UNUSABLE_INPUT),
-            Map.entry(TableException.class, ExitCode.UNUSABLE_INPUT),
             Map.entry(GraphicsException.class, ExitCode.NO_GRAPHICS),
             Map.entry(OutputException.class, ExitCode.CANNOT_WRITE),
             Map.entry(OutputException.Exists.class, ExitCode.OUTPUT_EXISTS),

@@ -21,7 +21,6 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
-import sunbeam.precompute.shader.TableException;
 
 final class FailuresTest {
     private final StringWriter err = new StringWriter();
@@ -34,7 +33,7 @@ final class FailuresTest {
         return Stream.of(
                 Arguments.of(new UsageException("what"), 2),
                 Arguments.of(new InputException("what"), 4),
-                Arguments.of(new TableException("what"), 4),
+                Arguments.of(new InputException("what"), 4),
                 Arguments.of(new InputException("what"), 4),
                 Arguments.of(new GraphicsException("what"), 5),
                 Arguments.of(new GraphicsException("what") {}, 5),

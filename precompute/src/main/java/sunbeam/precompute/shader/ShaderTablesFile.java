@@ -20,6 +20,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.zip.CRC32C;
 import java.util.zip.CheckedOutputStream;
+import sunbeam.precompute.files.InputException;
 
 /**
  * {@link ShaderTables} as a file with the arrays in memory layout.
@@ -119,7 +120,7 @@ public final class ShaderTablesFile {
      * Reads tables and checks the whole file. Layers stay in the file, mapped to memory: it may be replaced or deleted meanwhile, but not
      * overwritten.
      *
-     * @throws TableException if the file is truncated, altered, of another version or of another key
+     * @throws InputException if the file is truncated, altered, of another version or of another key
      */
     public static ShaderTables read(Path file, String key) {
         return opened(file, channel -> read(channel, key));
@@ -128,7 +129,7 @@ public final class ShaderTablesFile {
     /**
      * Reads the description of a file's tables, without checking the tables themselves.
      *
-     * @throws TableException if the file has no readable header
+     * @throws InputException if the file has no readable header
      */
     public static TableLabel label(Path file) {
         return opened(file, channel -> header(channel, headerBytes(channel)).label());
@@ -141,29 +142,29 @@ public final class ShaderTablesFile {
     private static <T> T opened(Path file, Reading<T> reading) {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
             return reading.of(channel);
-        } catch (TableException e) {
-            throw new TableException(file + ": " + e.getMessage());
+        } catch (InputException e) {
+            throw new InputException(file + ": " + e.getMessage());
         } catch (IOException e) {
-            throw new TableException(file + ": cannot be read: " + e.getMessage());
+            throw new InputException(file + ": cannot be read: " + e.getMessage());
         }
     }
 
     private static int headerBytes(FileChannel channel) throws IOException {
         long size = channel.size();
         if (size < PREFIX + Long.BYTES) {
-            throw new TableException("truncated: " + size + " bytes are no tables");
+            throw new InputException("truncated: " + size + " bytes are no tables");
         }
         ByteBuffer prefix = map(channel, 0, PREFIX);
         if (prefix.getLong() != MAGIC) {
-            throw new TableException("not tables of Sunbeam's");
+            throw new InputException("not tables of Sunbeam's");
         }
         int version = prefix.getInt();
         if (version != VERSION) {
-            throw new TableException("tables of version " + version + ", this Sunbeam reads version " + VERSION);
+            throw new InputException("tables of version " + version + ", this Sunbeam reads version " + VERSION);
         }
         int headerBytes = prefix.getInt();
         if (headerBytes <= 0 || headerBytes > LONGEST_HEADER || headerBytes > size - PREFIX - Long.BYTES) {
-            throw new TableException("its header cannot be read");
+            throw new InputException("its header cannot be read");
         }
         return headerBytes;
     }
@@ -174,7 +175,7 @@ public final class ShaderTablesFile {
         Header header = header(channel, headerBytes);
         requireSize(size, header, headerBytes);
         if (!header.key().equals(key)) {
-            throw new TableException("tables of another surface or plan");
+            throw new InputException("tables of another surface or plan");
         }
         List<MappedByteBuffer> pieces = new ArrayList<>();
         List<TableArray> arrays = mapped(channel, PREFIX + headerBytes, header.layouts(), pieces);
@@ -182,7 +183,7 @@ public final class ShaderTablesFile {
         checksum.update(map(channel, 0, PREFIX + headerBytes));
         pieces.forEach(piece -> checksum.update(piece.duplicate()));
         if (map(channel, size - Long.BYTES, Long.BYTES).getLong() != checksum.getValue()) {
-            throw new TableException("its checksum does not fit: the file was altered or damaged");
+            throw new InputException("its checksum does not fit: the file was altered or damaged");
         }
         return header.tables().with(arrays);
     }
@@ -193,7 +194,7 @@ public final class ShaderTablesFile {
         try {
             return JSON.readValue(bytes, Header.class);
         } catch (JacksonException e) {
-            throw new TableException("its header cannot be read");
+            throw new InputException("its header cannot be read");
         }
     }
 
@@ -207,10 +208,10 @@ public final class ShaderTablesFile {
         try {
             expected = Math.addExact(PREFIX + headerBytes + Long.BYTES, header.arrayBytes());
         } catch (ArithmeticException e) {
-            throw new TableException("its header cannot be read");
+            throw new InputException("its header cannot be read");
         }
         if (size != expected) {
-            throw new TableException(
+            throw new InputException(
                     size < expected
                             ? "truncated: " + size + " bytes left of " + expected
                             : "too long: " + size + " bytes instead of " + expected);

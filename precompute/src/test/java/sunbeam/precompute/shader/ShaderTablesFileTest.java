@@ -12,6 +12,7 @@ import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.precompute.files.InputException;
 
 /** Tables are read back bit by bit, and other files are refused. */
 class ShaderTablesFileTest {
@@ -87,7 +88,7 @@ class ShaderTablesFileTest {
         Files.write(file, Arrays.copyOf(good, good.length / 2));
         assertThat(ShaderTablesFile.label(file)).isEqualTo(LABEL);
         Files.write(file, Arrays.copyOf(good, 40));
-        assertThatThrownBy(() -> ShaderTablesFile.label(file)).isInstanceOf(TableException.class);
+        assertThatThrownBy(() -> ShaderTablesFile.label(file)).isInstanceOf(InputException.class);
     }
 
     @Test
@@ -101,7 +102,7 @@ class ShaderTablesFileTest {
     @Test
     void anotherPlansAreRefused() {
         assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY + "!"))
-                .isInstanceOf(TableException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessage(file + ": tables of another surface or plan");
     }
 
@@ -113,7 +114,7 @@ class ShaderTablesFileTest {
             Files.write(file, flipped);
             assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
                     .as("byte %d", at)
-                    .isInstanceOf(TableException.class);
+                    .isInstanceOf(InputException.class);
         }
     }
 
@@ -123,7 +124,7 @@ class ShaderTablesFileTest {
             Files.write(file, Arrays.copyOf(good, length));
             assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
                     .as("%d bytes", length)
-                    .isInstanceOf(TableException.class);
+                    .isInstanceOf(InputException.class);
         }
     }
 
@@ -156,7 +157,7 @@ class ShaderTablesFileTest {
                     Files.write(file, claims.array());
                     ShaderTablesFile.read(file, KEY);
                 })
-                .isInstanceOf(TableException.class)
+                .isInstanceOf(InputException.class)
                 .hasMessageContaining("truncated: ");
     }
 }

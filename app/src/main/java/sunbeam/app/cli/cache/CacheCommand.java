@@ -14,7 +14,7 @@ import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.precompute.shader.TableException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.shader.TableLabel;
 import sunbeam.precompute.text.Text;
 
@@ -81,7 +81,7 @@ public final class CacheCommand extends ReportingCommand {
     private static TableLabel label(CacheFolder.Entry entry) {
         try {
             return entry.label();
-        } catch (TableException unusable) {
+        } catch (InputException unusable) {
             // The list's heading already names the folder.
             String why = unusable.getMessage().replace(entry.file() + ": ", "");
             return new TableLabel("?", "not usable, will be made again or removed: " + why);

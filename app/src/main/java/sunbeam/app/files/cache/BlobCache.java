@@ -13,9 +13,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.zip.CRC32C;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.shader.TableException;
 import sunbeam.precompute.shader.TableLabel;
 
 /**
@@ -130,16 +130,16 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         try {
             long size = Files.size(file);
             if (size < head.length + Long.BYTES || size > (long) head.length + most + Long.BYTES) {
-                throw new TableException(file + ": is something else");
+                throw new InputException(file + ": is something else");
             }
             ByteBuffer all = ByteBuffer.wrap(Files.readAllBytes(file));
             int end = all.capacity() - Long.BYTES;
             if (all.getLong(end) != checksum(all) || all.slice(0, head.length).compareTo(ByteBuffer.wrap(head)) != 0) {
-                throw new TableException(file + ": is damaged");
+                throw new InputException(file + ": is damaged");
             }
             return Arrays.copyOfRange(all.array(), head.length, end);
         } catch (IOException failure) {
-            throw new TableException(file + ": cannot be read: " + failure.getMessage());
+            throw new InputException(file + ": cannot be read: " + failure.getMessage());
         }
     }
 }

@@ -26,8 +26,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.shader.ShaderTablesFile;
-import sunbeam.precompute.shader.TableException;
 import sunbeam.precompute.shader.TableLabel;
 
 /**
@@ -78,7 +78,7 @@ public record CacheFolder(Path path, String allowed) {
         /**
          * Reads the label of the table and its surface, without checking the rest of the file.
          *
-         * @throws TableException if the file is damaged, of another version, or gone
+         * @throws InputException if the file is damaged, of another version, or gone
          */
         public TableLabel label() {
             return switch (ending(file)) {
@@ -193,7 +193,7 @@ public record CacheFolder(Path path, String allowed) {
     /**
      * Reads a file; empty if it is missing, no regular file, or unusable.
      *
-     * @param reader function that reads the file, and throws a {@link TableException} if it is unusable
+     * @param reader function that reads the file, and throws an {@link InputException} if it is unusable
      * @param warning receives one line about an unusable file
      */
     <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
@@ -204,7 +204,7 @@ public record CacheFolder(Path path, String allowed) {
             T content = reader.apply(file);
             used(file);
             return Optional.of(content);
-        } catch (TableException failure) {
+        } catch (InputException failure) {
             if (Files.exists(file)) {
                 warning.accept("cached table is made again: " + failure.getMessage());
             }

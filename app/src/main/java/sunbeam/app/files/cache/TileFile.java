@@ -28,8 +28,8 @@ import java.util.zip.CRC32;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.Sha256;
-import sunbeam.precompute.shader.TableException;
 import sunbeam.precompute.shader.TableLabel;
 
 /**
@@ -152,11 +152,11 @@ public final class TileFile implements CachedTiles {
             if (in.readUTF().equals(format)) {
                 return new TableLabel(in.readUTF(), in.readUTF());
             }
-            throw new TableException(file + ": not of this version");
+            throw new InputException(file + ": not of this version");
         } catch (EOFException failure) {
-            throw new TableException(file + ": cut off");
+            throw new InputException(file + ": cut off");
         } catch (IOException failure) {
-            throw new TableException(file + ": cannot be read: " + failure.getMessage());
+            throw new InputException(file + ": cannot be read: " + failure.getMessage());
         }
     }
 
