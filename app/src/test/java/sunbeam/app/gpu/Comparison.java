@@ -22,6 +22,7 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -62,7 +63,8 @@ final class Comparison {
     private List<float[]> evaluate(List<Query> queries, boolean spectral) {
         List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
         HeightLevels heights = HeightLevels.of(map);
-        SpectrumPlan plan = new Planner(map, heights, cie).plan(full.table(), full.area(), VisibleRange.of(pairs));
+        SpectrumPlan plan =
+                new Planner(heights, cie, Roughness.Cache.NONE).plan(full.table(), full.area(), VisibleRange.of(pairs));
         FourierTable table = plan.fourierTable(heights, done -> {});
         MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;
         try (UploadedTables method =

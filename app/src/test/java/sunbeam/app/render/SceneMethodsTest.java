@@ -30,7 +30,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 

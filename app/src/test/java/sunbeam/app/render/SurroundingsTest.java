@@ -25,7 +25,7 @@ import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 
 /** Ground, sky and shadows about a white sphere of 10 cm that lies on the ground, in light from the left at 45 degrees. */

@@ -22,7 +22,7 @@ import sunbeam.app.viewer.picture.Divider;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 
 /** Another method beside the scene's own, in a real window. */

@@ -108,7 +108,7 @@ public final class LevelBaking {
         void forEach(SampleVisitor visitor) {
             int sample = first;
             for (int i = 0; i < SIDE * SIDE; i++) {
-                int texel = MortonOrder.y(i) * SIDE + MortonOrder.x(i);
+                int texel = mortonX(i >>> 1) * SIDE + mortonX(i);
                 for (int tile = 0; tile < tiles.length; tile++) {
                     if (texels[tile].get(texel)) {
                         visitor.visit(sample++, tiles[tile], texel);
@@ -269,5 +269,17 @@ public final class LevelBaking {
             }
         }
         return transposed;
+    }
+
+    /**
+     * Returns x of a square's cell by its number in Morton order (G. M. Morton, 1966): numbers interleave the bits of x and y, so that near
+     * numbers are near cells; y is x of half the number.
+     */
+    public static int mortonX(int number) {
+        int x = number & 0x55555555;
+        x = (x | (x >>> 1)) & 0x33333333;
+        x = (x | (x >>> 2)) & 0x0f0f0f0f;
+        x = (x | (x >>> 4)) & 0x00ff00ff;
+        return (x | (x >>> 8)) & 0xffff;
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.precompute.colortable;
 
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Iterator;
 import java.util.List;
@@ -9,9 +10,11 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
@@ -32,6 +35,20 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     // Largest ratio of errors after and before two refinements at which refinement goes on; above, errors have another
     // cause. One refinement is no evidence, since the 95th percentile of few directions jumps.
     private static final double IMPROVEMENT = 0.8;
+    // Bright directions to compare; they determine the 95th percentile to a tenth.
+    static final int ENOUGH = 2000;
+
+    // Allowed median and 95th percentile of the table's errors, in tolerances. Source and table may err by half the
+    // tolerance each in the median. If errors have a long tail, one of twenty certificates of a hundred pixels measures
+    // twice the percentile, so that the table may have 1.25 of the 3 tolerances promised.
+    private static final double MEDIAN_SHARE = 0.5;
+    private static final double PERCENTILE_SHARE = 1.25;
+    // The same for the 98th percentile: then one of twelve samples of fifty directions has three errors above the
+    // limit.
+    private static final double PERCENTILE_98_SHARE = 3;
+    // Allowed at any tolerance, since float32 causes them.
+    private static final double ROUNDING = 2e-5;
+    private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
     private static final String CLOSE = ", close to the limit";
 
     /**
@@ -69,8 +86,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         try (ColorBaker baker = bakers.apply(grid.design());
                 BakeToken token = tokens.apply(samples.size())) {
             ValidatedTable table = of(grid, levels.numbers(), pages, baker, token, samples);
-            return Optional.of(table)
-                    .filter(validated -> TableErrors.excess(validated.errors, levels.tolerance()) <= 1);
+            return Optional.of(table).filter(validated -> validated.excess(levels.tolerance()) <= 1);
         }
     }
 
@@ -83,7 +99,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, pages::coefficient);
         ErrorStatistics errors =
-                TableErrors.of(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), baker.direct(), token, samples);
+                errors(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), baker.direct(), token, samples);
         return new ValidatedTable(grid, numbers, pages, errors);
     }
 
@@ -129,7 +145,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         while (true) {
             TileGrid grid = points.grid(next);
             ValidatedTable table = bake(grid, points.tiles(grid), bakers, tokens, samples);
-            double excess = TableErrors.excess(table.errors, tolerance);
+            double excess = table.excess(tolerance);
             String words = table.words(tolerance);
             if (excess <= 1) {
                 return table;
@@ -159,6 +175,41 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             beforeThat = before;
             before = excess;
         }
+    }
+
+    /** Returns the relative errors at the first samples, until {@link #ENOUGH} of them are bright. */
+    private static ErrorStatistics errors(
+            Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
+        List<Comparison> bright = new ArrayList<>();
+        for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
+            List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
+            float[] uvw = new float[3 * batch.size()];
+            for (int i = 0; i < batch.size(); i++) {
+                DirectionPair pair = batch.get(i);
+                uvw[3 * i] = (float) pair.u();
+                uvw[3 * i + 1] = (float) pair.v();
+                uvw[3 * i + 2] = (float) pair.w();
+            }
+            float[] xyz = exact.bake(uvw, token);
+            for (int i = 0; i < batch.size(); i++) {
+                Comparison one = new Comparison(table.apply(batch.get(i)), Comparison.xyz(xyz, i), 1);
+                if (one.bright()) {
+                    bright.add(one);
+                }
+            }
+        }
+        return Comparison.relative(bright);
+    }
+
+    /** Returns the largest ratio of an error to the allowed one: at most 1 if the tolerance is kept; 0 if there are no errors. */
+    double excess(double tolerance) {
+        if (errors.count() == 0) {
+            return 0;
+        }
+        double tail = Math.max(
+                errors.percentile95() / Math.max(ROUNDING_PERCENTILE, PERCENTILE_SHARE * tolerance),
+                errors.percentile98() / Math.max(ROUNDING_PERCENTILE, PERCENTILE_98_SHARE * tolerance));
+        return Math.max(errors.median() / Math.max(ROUNDING, MEDIAN_SHARE * tolerance), tail);
     }
 
     /** Returns the validation's result in words. */

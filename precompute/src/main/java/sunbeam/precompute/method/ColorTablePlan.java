@@ -44,7 +44,7 @@ public record ColorTablePlan(
         ColorTable.Level finest = table.levels().get(0);
         // The page table must fit; the scene checks the tiles of its pictures.
         ArrayLayout list = TileGrid.of(finest).tileList(table.levels().size());
-        method.requireRoom(surface, finest.design(), MemoryNeed.of(list.bytes(), List.of(list)));
+        method.requireRoom(surface, finest.design(), new MemoryNeed(list.bytes(), List.of(list)));
         MethodPlan source = planned(surface, finest, tolerance, roughness);
         return new ColorTablePlan(surface, table, relief, tolerance, roughness, source);
     }

@@ -14,11 +14,11 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.GemForm;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodSettings.GemForm;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
@@ -90,7 +90,7 @@ public record GemMethod(
                 Optional.empty(),
                 false,
                 Optional.empty(),
-                MemoryNeed.of(0, List.of()),
+                new MemoryNeed(0, List.of()),
                 // The formula has no power at a single wavelength.
                 EnumSet.of(MethodUse.COLOR),
                 () -> String.join("|", "gem", Double.toString(period), toString()),

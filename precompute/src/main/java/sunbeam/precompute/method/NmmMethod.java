@@ -1,14 +1,13 @@
 package sunbeam.precompute.method;
 
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -100,7 +99,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 Optional.empty(),
                 false,
                 Optional.empty(),
-                MemoryNeed.of(plan, surface.map().rows()).and(List.of(ownLayout(weighted))),
+                MemoryNeed.of(plan, surface.map().rows()).and(ownLayout(weighted)),
                 EnumSet.allOf(MethodUse.class),
                 () -> String.join(
                         "|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),

@@ -15,7 +15,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.radial.RadialBaker;
@@ -57,7 +56,7 @@ final class PointTable {
     }
 
     private boolean isOneLight() {
-        return points.reach() instanceof Reach.OneLight;
+        return points.light().isPresent();
     }
 
     private String step() {

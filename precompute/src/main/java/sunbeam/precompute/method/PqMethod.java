@@ -19,12 +19,12 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.FresnelFactor;
+import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Preset;
-import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -104,7 +104,7 @@ public record PqMethod(
 
     @Override
     public ReferenceMethod referenceMethod(HeightMap map) {
-        return new ReferenceMethod(new ReplicatedArea(replicas(map)));
+        return new ReferenceMethod(new CoherenceArea.Replicated(replicas(map)));
     }
 
     @Override
@@ -228,7 +228,7 @@ public record PqMethod(
                     terms);
             // One complex transform in double precision, before and after its second axis, and one layer of texels.
             long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
-            return MemoryNeed.of(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
+            return new MemoryNeed(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }
 
         private ShaderTables tables() {

@@ -11,7 +11,6 @@ import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -42,7 +41,7 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
                     WINDOW_ORIGIN, "belongs to the Gaussian window, which ", REPLICAS, " replace; leave out one");
         }
         int count = choices.get(REPLICAS, 1);
-        return new ReferenceMethod(new ReplicatedArea(new Replicas(count, count)));
+        return new ReferenceMethod(new CoherenceArea.Replicated(new Replicas(count, count)));
     }
 
     @Override

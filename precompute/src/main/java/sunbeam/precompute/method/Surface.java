@@ -5,7 +5,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Planner;
-import sunbeam.precompute.plan.StatisticsCache;
+import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.setting.SettingException;
 
 /**
@@ -16,9 +16,9 @@ import sunbeam.precompute.setting.SettingException;
  * @param digest SHA-256 of grid and heights, in hexadecimal, for cache keys
  * @param cie observer and illuminant
  */
-public record Surface(HeightLevels levels, String name, String digest, CieTable cie, StatisticsCache statistics) {
+public record Surface(HeightLevels levels, String name, String digest, CieTable cie, Roughness.Cache statistics) {
     public Surface(HeightMap map, String name, String digest, CieTable cie) {
-        this(HeightLevels.of(map), name, digest, cie, StatisticsCache.NONE);
+        this(HeightLevels.of(map), name, digest, cie, Roughness.Cache.NONE);
     }
 
     /** Returns the surface of a loaded patch, under D65. */
@@ -44,7 +44,7 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
         return new Surface(levels, name, digest, light, statistics);
     }
 
-    public Surface withStatistics(StatisticsCache newStatistics) {
+    public Surface withStatistics(Roughness.Cache newStatistics) {
         return new Surface(levels, name, digest, cie, newStatistics);
     }
 
@@ -59,7 +59,7 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
     }
 
     public Planner planner() {
-        return new Planner(map(), levels, cie).withStatistics(statistics);
+        return new Planner(levels, cie, statistics);
     }
 
     /** Identifies surface and light in cache keys. */

@@ -12,7 +12,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
-import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -49,9 +48,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
 
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
-        return range.reach() instanceof Reach.Everything
-                ? ColorTablePlan.of(surface, this).plan()
-                : new PointTable(surface, this, new TablePoints(range.reach())).plan();
+        return range.hasPoints()
+                ? new PointTable(surface, this, new TablePoints(range)).plan()
+                : ColorTablePlan.of(surface, this).plan();
     }
 
     double sourceTolerance() {

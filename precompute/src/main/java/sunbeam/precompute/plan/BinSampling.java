@@ -1,15 +1,22 @@
 package sunbeam.precompute.plan;
 
+import java.util.ArrayList;
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.shader.SpectrumArrays;
+import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.text.Text;
 
 /**
  * Sum over a neighborhood of bins at fixed wavelengths for all directions (shaders/method/full_bins.glsl): equal steps, as in the thesis,
@@ -19,6 +26,11 @@ import sunbeam.precompute.spectrum.FourierTable;
  */
 public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths, boolean planned) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
+
+    // Largest number of bins of a neighborhood whose shader has terms in the outer loop and bins in the inner one.
+    private static final int FEW_BINS = 81;
+    private static final String TERMS = "tableTerms";
+    private static final String COEFFICIENTS = "expansionCoefficients";
 
     /**
      * Returns a sum over all bins that count, at wavelengths with exact weights for any light.
@@ -56,14 +68,14 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
 
     @Override
     public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
-        List<ArrayLayout> layouts = BinArrays.layouts(plan);
+        List<ArrayLayout> layouts = binLayouts(plan);
         layouts.add(ColorArrays.wavelengthsLayout(wavelengths));
         return layouts;
     }
 
     @Override
     public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
-        return BinArrays.tables("full_bins", plan, table, neighborhood)
+        return binTables("full_bins", plan, table, neighborhood)
                 .array(ColorArrays.wavelengths(wavelengths))
                 .integers("wavelengthCount", wavelengths.count())
                 .build(plan.window().sigmaMeters(), plan.specularReach());
@@ -75,5 +87,78 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         return "BinSampling[" + neighborhood + ", " + wavelengths.count() + " wavelengths from "
                 + wavelengths.wavelengths()[0] + ", " + wavelengths.wavelengths()[Math.min(1, wavelengths.count() - 1)]
                 + "]";
+    }
+
+    /** Returns the shapes of the arrays of {@link #binTables}. */
+    static List<ArrayLayout> binLayouts(SpectrumPlan plan) {
+        List<ArrayLayout> layouts = new ArrayList<>();
+        Expansion expansion = plan.expansion();
+        layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
+        if (expansion.kind() != Expansion.Kind.TAYLOR) {
+            int samples = CoefficientTable.sampleCount(expansion, 1);
+            layouts.add(SpectrumArrays.singleLayout(COEFFICIENTS, samples, expansion.terms()));
+        }
+        return layouts;
+    }
+
+    /** One layer per term, with real and imaginary parts as channels. */
+    private static ArrayLayout terms(Band bandX, Band bandY, int terms) {
+        return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), terms, 2);
+    }
+
+    /** Returns arrays and constants of shaders/method/neighborhood.glsl, which reads the DFT bins of all terms. */
+    static ShaderTables.Builder binTables(
+            String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
+        ShaderTables.Builder tables = new ShaderTables.Builder(shader);
+        plan.average().defineIn(tables);
+        addTerms(tables, plan, table);
+        addExpansion(tables, table);
+        boolean floor = neighborhood.anchor() == Neighborhood.Anchor.FLOOR;
+        tables.define("ANCHOR_FLOOR", 0)
+                .define("ANCHOR_NEAREST", 1)
+                .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
+                .define("RADIUS", Text.format("ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
+                .define("FEW_BINS", areFew(plan, neighborhood) ? 1 : 0)
+                .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
+        double sigma = plan.window().sigmaFrequency();
+        double width = table.map().width();
+        double height = table.map().height();
+        return tables.reals("tablePeriod", width, height)
+                .reals("tablePeriodRest", width - (float) width, height - (float) height)
+                .reals("windowSigmaBins", sigma * width, sigma * height);
+    }
+
+    /** The outer loop then runs over the terms; its steps count towards the limit, since compilers need not unroll it. */
+    private static boolean areFew(SpectrumPlan plan, Neighborhood neighborhood) {
+        long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
+        return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
+    }
+
+    private static void addTerms(ShaderTables.Builder tables, SpectrumPlan plan, FourierTable table) {
+        tables.array(TableArray.computed(
+                        terms(table.bandX(), table.bandY(), table.terms()),
+                        n -> interleaved(table.amplitudes(n, n + 1, plan.origin()))))
+                .integers("tableFirst", table.bandX().first(), table.bandY().first());
+    }
+
+    private static void addExpansion(ShaderTables.Builder tables, FourierTable table) {
+        Expansion expansion = table.expansion();
+        boolean sampled = expansion.kind() != Expansion.Kind.TAYLOR;
+        SpectrumArrays.define(tables, sampled, table.terms());
+        tables.reals("heightHalfRange", expansion.scale().halfRange());
+        if (sampled) {
+            CoefficientTable coefficients = CoefficientTable.sampled(expansion);
+            tables.array(SpectrumArrays.singleCoefficients(COEFFICIENTS, coefficients))
+                    .reals("expansionPhaseMap", SpectrumArrays.phaseMap(coefficients));
+        }
+    }
+
+    private static float[] interleaved(double[][] parts) {
+        float[] result = new float[2 * parts[0].length];
+        for (int i = 0; i < parts[0].length; i++) {
+            result[2 * i] = (float) parts[0][i];
+            result[2 * i + 1] = (float) parts[1][i];
+        }
+        return result;
     }
 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.OrderSampling.BandRule;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
@@ -80,7 +81,7 @@ public record GridSampling(
 
     @Override
     public Neighborhood around(CoherenceWindow window, HeightMap map) {
-        double reach = SamplingPlanner.GAUSS_REACH * window.sigmaFrequency();
+        double reach = InterpolationDesign.GAUSS_REACH * window.sigmaFrequency();
         return new Neighborhood(
                 (int) Math.ceil(reach * map.width()),
                 (int) Math.ceil(reach * map.height()),

@@ -1,7 +1,11 @@
 package sunbeam.precompute.plan;
 
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToLongFunction;
+import java.util.stream.Stream;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -11,10 +15,9 @@ import sunbeam.precompute.text.Text;
  * Upper estimate of the memory that a plan needs.
  *
  * @param heapBytes peak size of tables and work arrays in Java's heap
- * @param textureBytes size of all arrays on the graphics card
- * @param longestSide longest side of a texture, texels
+ * @param textures all arrays on the graphics card
  */
-public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureBytes, long longestSide, long layers) {
+public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
     /** Limit of one texture in Mesa's software renderer: less than 1536 MiB, since it reserves coarser mip levels. */
@@ -30,61 +33,63 @@ public record MemoryNeed(long heapBytes, long textureBytes, long largestTextureB
     private static final long TERM_BYTES = 2 * Float.BYTES;
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
 
-    /** Returns the memory that a plan needs, for the use of its shader that needs more. */
-    public static MemoryNeed of(SpectrumPlan plan, int rows) {
+    public MemoryNeed {
+        textures = List.copyOf(textures);
+    }
+
+    /** Returns the memory that a plan needs for a use of its shader. */
+    static MemoryNeed of(SpectrumPlan plan, MethodUse use, int rows) {
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();
         long table = TERM_BYTES * plan.expansion().terms() * bandX.count() * bandY.count();
         // A pair of real terms is transformed in one symmetric band, up to twice as wide along each axis.
         long lines = (long) rows + bandY.symmetric().count();
         long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
-        MemoryNeed color = of(0, plan.sampling().layouts(plan, MethodUse.COLOR));
-        MemoryNeed spectral = of(0, plan.sampling().layouts(plan, MethodUse.SPECTRAL));
         return new MemoryNeed(
                 table + Math.max(transform, plan.sampling().workBytes(plan)),
-                Math.max(color.textureBytes, spectral.textureBytes),
-                Math.max(color.largestTextureBytes, spectral.largestTextureBytes),
-                Math.max(color.longestSide, spectral.longestSide),
-                Math.max(color.layers, spectral.layers));
+                plan.sampling().layouts(plan, use));
     }
 
-    /**
-     * Returns the memory that arrays need.
-     *
-     * @param heapBytes peak in Java's heap while the arrays are computed
-     */
-    public static MemoryNeed of(long heapBytes, List<ArrayLayout> layouts) {
-        return new MemoryNeed(heapBytes, 0, 0, 0, 0).and(layouts);
+    /** Returns the memory that a plan needs, for the use of its shader that needs more. */
+    public static MemoryNeed of(SpectrumPlan plan, int rows) {
+        return Arrays.stream(MethodUse.values())
+                .map(use -> of(plan, use, rows))
+                .max(Comparator.comparingLong(MemoryNeed::textureBytes))
+                .orElseThrow();
     }
 
-    public MemoryNeed and(List<ArrayLayout> layouts) {
-        MemoryNeed all = this;
-        for (ArrayLayout layout : layouts) {
-            all = new MemoryNeed(
-                    all.heapBytes,
-                    all.textureBytes + layout.bytes(),
-                    Math.max(all.largestTextureBytes, layout.bytes()),
-                    Math.max(all.longestSide, layout.longestSide()),
-                    Math.max(all.layers, layout.layers()));
-        }
-        return all;
+    public MemoryNeed and(ArrayLayout texture) {
+        return new MemoryNeed(
+                heapBytes, Stream.concat(textures.stream(), Stream.of(texture)).toList());
+    }
+
+    public long textureBytes() {
+        return textures.stream().mapToLong(ArrayLayout::bytes).sum();
+    }
+
+    private long largest(ToLongFunction<ArrayLayout> size) {
+        return textures.stream().mapToLong(size).max().orElse(0);
     }
 
     /** Returns which limit is exceeded, as the end of a sentence that begins with "this plan"; empty if the plan fits. */
     Optional<String> excess(long heapLimit) {
+        long longestSide = largest(ArrayLayout::longestSide);
         if (longestSide > LONGEST_SIDE) {
             return excess(
                     "textures of %d texels along a side, more than the %d of common drivers",
                     longestSide, LONGEST_SIDE);
         }
+        long layers = largest(ArrayLayout::layers);
         if (layers > MOST_LAYERS) {
             return excess("a texture of %d layers, more than the %d of common drivers", layers, MOST_LAYERS);
         }
+        long largestTextureBytes = largest(ArrayLayout::bytes);
         if (largestTextureBytes > LARGEST_TEXTURE_BYTES) {
             return excess(
                     "a texture of %s, more than the %s that common drivers give to one",
                     inWords(largestTextureBytes), inWords(LARGEST_TEXTURE_BYTES));
         }
+        long textureBytes = textureBytes();
         if (textureBytes > MOST_TEXTURE_BYTES) {
             return excess(
                     "%s of textures, more than the %s that Sunbeam takes",

@@ -4,8 +4,10 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
@@ -118,4 +120,41 @@ public final class MethodSettings {
                     + " exp(-(1.5 u / w)^2).");
 
     private MethodSettings() {}
+
+    /** Source of the default settings. */
+    public enum Preset {
+        /** Defaults are planned for the tolerance. */
+        NONE,
+        /** Defaults are the thesis's values (docs/theory.md), which settings override one by one. */
+        THESIS;
+
+        public static boolean isThesis(Choices choices) {
+            return choices.get(PRESET, NONE) == THESIS;
+        }
+    }
+
+    /** Exponent of Fresnel's reflectance in the radiance (shaders/include/fresnel.glsl). */
+    public enum FresnelFactor {
+        /** A mirror's radiance is proportional to its reflectance. */
+        ONCE,
+        SQUARED;
+
+        /** Returns the chosen factor, by default the preset's. */
+        public static FresnelFactor of(Choices choices) {
+            return choices.get(FRESNEL, Preset.isThesis(choices) ? SQUARED : ONCE);
+        }
+
+        /** Returns the tables for a shader with this factor. */
+        public ShaderTables applyTo(ShaderTables tables) {
+            return this == ONCE ? tables : tables.with(all -> all.define("FRESNEL_SQUARED", 1));
+        }
+    }
+
+    /** Form of the grating formula of method gem (shaders/method/gem.glsl). */
+    public enum GemForm {
+        /** J. Stam's, GPU Gems, chapter 8: colors in all directions, as linear sRGB. */
+        STAM,
+        /** Form of the thesis's program for maps: colors as XYZ, a tenth as bright, along the grating alone, fading away from the mirror. */
+        THESIS
+    }
 }

@@ -7,20 +7,16 @@ import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 import java.util.Optional;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
-import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
-import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /** Limits beyond which a plan is refused, and reasons why a plan cannot promise its tolerance. */
@@ -36,12 +32,6 @@ final class PlanChecks {
     // Coarsest pitch that can show diffraction, meters: the first order of a period of two samples is then 3 degrees
     // from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
-
-    // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured.
-    private static final double TYPICAL_ROUNDING = 0.1;
-
-    // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured.
-    private static final double PHASE_ROUNDING = 3e-7;
 
     // Largest phase of an expansion, radians; the time to find its basis, half a minute here, grows with its third
     // power.
@@ -124,7 +114,9 @@ final class PlanChecks {
 
     /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um"; empty if the plan fits. */
     static Optional<String> excess(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
-        Optional<String> memory = MemoryNeed.of(plan, rows).excess(heapLimit);
+        Optional<String> memory = Arrays.stream(MethodUse.values())
+                .flatMap(use -> MemoryNeed.of(plan, use, rows).excess(heapLimit).stream())
+                .findFirst();
         long steps = plan.sampling().loopSteps(plan);
         if (memory.isEmpty() && steps > mostSteps) {
             return Optional.of(Text.format(
@@ -133,63 +125,5 @@ final class PlanChecks {
         }
         return memory.map(excess -> Text.format(
                 "and %s in %d terms %s", plan.bins(), plan.expansion().terms(), excess));
-    }
-
-    /** Returns a sentence per reason that breaks the tolerance; none for the thesis's choices. */
-    static List<Sentence> warnings(SpectrumPlan plan) {
-        List<Sentence> lines = shortfalls(plan);
-        Expansion expansion = plan.expansion();
-        plan.tolerance().ifPresent(tolerance -> {
-            if (expansion.error() > tolerance) {
-                lines.add(Sentence.of(
-                        Text.format(
-                                "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
-                                expansion.terms(), ValueKind.name(expansion.kind()), expansion.error(), tolerance),
-                        TERMS,
-                        ", or leave it out"));
-            }
-            if (plan.sampling() instanceof BinSampling bins && !bins.planned()) {
-                lines.add(Sentence.of("equal steps of the wavelength keep no tolerance; leave out ", WAVELENGTH_STEP));
-            }
-        });
-        return lines;
-    }
-
-    static List<Sentence> shortfalls(SpectrumPlan plan) {
-        List<Sentence> lines = new ArrayList<>();
-        plan.tolerance().ifPresent(tolerance -> {
-            double percentile = Math.max(
-                    ErrorBudget.FLOAT32_PERCENTILE,
-                    PHASE_ROUNDING * plan.expansion().maximumPhase());
-            if (tolerance < ErrorBudget.FINEST_CERTAIN || percentile > 3 * tolerance) {
-                lines.add(Sentence.of(Text.format(
-                        "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th"
-                                + " percentile of power, more than three times the tolerance; method reference is more"
-                                + " exact",
-                        Decimals.format(tolerance),
-                        Decimals.format(Double.parseDouble(Decimals.rounded(percentile, 2))))));
-            }
-            double reachable = reachable(plan);
-            if (reachable > tolerance) {
-                lines.add(Sentence.of(Text.format(
-                        "colors on flanks of orders far from the specular direction reach only %.0e, not the tolerance"
-                                + " %s: the spectrum of a coherence length of %s is narrower than float32"
-                                + " resolves; give a shorter one, or single wavelengths ('reflectance'), which have"
-                                + " double precision",
-                        reachable,
-                        Decimals.format(tolerance),
-                        Lengths.format(plan.window().coherenceLength()))));
-            }
-        });
-        return lines;
-    }
-
-    /**
-     * Returns the error of colors on flanks of orders. Under a wide window orders are narrow, and float32 resolves a frequency to half a
-     * unit in the last place. Three deviations from an order's middle the power changes by six times the relative shift.
-     */
-    private static double reachable(SpectrumPlan plan) {
-        double farthest = plan.range().longestUv() / CieTable.MINIMUM_WAVELENGTH;
-        return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / plan.window().sigmaFrequency();
     }
 }

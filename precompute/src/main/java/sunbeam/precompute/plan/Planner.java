@@ -8,8 +8,12 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.expansion.LowRankExpansion;
 import sunbeam.precompute.expansion.TaylorExpansion;
+import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.plan.OrderSampling.BandRule;
+import sunbeam.precompute.reference.WindowLight;
+import sunbeam.precompute.spectrum.InterpolationDesign;
 
 /**
  * Makes a {@link SpectrumPlan} from a patch, the user's choices, and the directions that a scene can reach.
@@ -17,27 +21,20 @@ import sunbeam.precompute.patch.HeightLevels;
  * @param heapLimit largest size of Java's heap, bytes
  * @param mostSteps limit of a shader's loop steps per pixel
  */
-public record Planner(
-        HeightMap map, HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, StatisticsCache statistics) {
+public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, Roughness.Cache statistics) {
     private static final int THESIS_TERMS = 37;
 
-    public Planner(HeightMap map, HeightLevels heights, CieTable cie) {
-        this(map, heights, cie, Runtime.getRuntime().maxMemory());
+    public Planner(HeightLevels heights, CieTable cie, Roughness.Cache statistics) {
+        this(heights, cie, Runtime.getRuntime().maxMemory(), PlanChecks.MOST_LOOP_STEPS, statistics);
     }
 
-    Planner(HeightMap map, HeightLevels heights, CieTable cie, long heapLimit) {
-        this(map, heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, StatisticsCache.NONE);
-    }
-
-    public Planner withStatistics(StatisticsCache newStatistics) {
-        return new Planner(map, heights, cie, heapLimit, mostSteps, newStatistics);
+    Planner(HeightLevels heights, CieTable cie, long heapLimit) {
+        this(heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, Roughness.Cache.NONE);
     }
 
     /** Color tables of the ensemble average are summed on the CPU, without a shader's limit on loops. */
     public Planner ofTables(Average average) {
-        return average == Average.ENSEMBLE
-                ? new Planner(map, heights, cie, heapLimit, Long.MAX_VALUE, statistics)
-                : this;
+        return average == Average.ENSEMBLE ? new Planner(heights, cie, heapLimit, Long.MAX_VALUE, statistics) : this;
     }
 
     /**
@@ -55,11 +52,15 @@ public record Planner(
      * @param roughness roughness of the patch, measured under this window or a longer one
      */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {
+        HeightMap map = heights.map();
         PlanChecks.requireSamples(area.window(), map);
         ErrorBudget budget = new ErrorBudget(choices.tolerance(), roughness.withWindow(area.window(), range));
         Expansion expansion = expansion(choices, range, budget);
+        List<Supplier<Sampling>> samplings = choices.fixesBins()
+                ? List.of(() -> BinSampling.of(choices, area.window(), map, cie))
+                : new Samplings(heights, cie, area, range, budget).choices();
         SpectrumPlan plan = null;
-        for (Supplier<Sampling> choice : samplings(choices, area, range, budget)) {
+        for (Supplier<Sampling> choice : samplings) {
             Sampling sampling = choice.get();
             Neighborhood around = sampling.around(area.window(), map);
             plan = new SpectrumPlan(
@@ -84,16 +85,9 @@ public record Planner(
      * Roughness#NONE}.
      */
     public Roughness roughness(TableChoices choices, GaussianArea area, VisibleRange range) {
-        return !choices.fixesBins() && SamplingPlanner.interpolates(map, area.window())
-                ? Roughness.measure(map, area.window(), area.origin(), range, statistics)
+        return !choices.fixesBins() && Samplings.interpolates(heights.map(), area.window())
+                ? Roughness.measure(heights.map(), area.window(), area.origin(), range, statistics)
                 : Roughness.NONE;
-    }
-
-    private List<Supplier<Sampling>> samplings(
-            TableChoices choices, GaussianArea area, VisibleRange range, ErrorBudget budget) {
-        return choices.fixesBins()
-                ? List.of(() -> BinSampling.of(choices, area.window(), map, cie))
-                : new SamplingPlanner(map, heights, cie, area, range, budget).choices();
     }
 
     /** Returns which limit a need of memory exceeds, as the end of a sentence that begins with "this plan"; empty if it fits. */
@@ -126,5 +120,131 @@ public record Planner(
             case TAYLOR -> PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), budget.tolerance());
             case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
         };
+    }
+
+    /** Sampling of the windowed spectrum: single orders if the window resolves them, sums over bins or a grid otherwise. */
+    private record Samplings(
+            HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
+        // Fewest wavelengths of a direction: 40 steps of 1 / lambda, 5 nm in the blue, 8 nm in the green, resolve the
+        // color
+        // matching functions and D65. At the standard tolerance as measured.
+        private static final int FEWEST_NODES = 40;
+        private static final int NODES_AT_STANDARD = 60;
+        private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
+        // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to
+        // 1.1 %
+        // per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change: at
+        // most
+        // three tolerances.
+        private static final double CORNER_LENGTH = 4e-6;
+        // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has
+        // taps. Rays that cross the columns more steeply than at 45 degrees skip some.
+        private static final double LARGEST_CENTER = 0.2;
+        // Wavelengths per period of the interference between top and bottom of the relief.
+        private static final double NODES_PER_FRINGE = 6;
+        // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare:
+        // interpolation
+        // errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside.
+        private static final double RESOLVED_SIGMA_BINS = 0.4;
+
+        private HeightMap map() {
+            return heights.map();
+        }
+
+        private CoherenceWindow window() {
+            return area.window();
+        }
+
+        /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory. */
+        List<Supplier<Sampling>> choices() {
+            if (!cie.isSmooth()) {
+                // Half of the reference's step, whose error of a millionth of an order's maximum is too much on its
+                // flanks.
+                double step = 0.5 * WindowLight.step(window(), heights, range.longestUv(), range.maximumW());
+                return List.of(() -> BinSampling.exact(bins(), cie, step));
+            }
+            // The next order is at least half a bin away. It must vanish there, so that the valley between orders is
+            // dark.
+            double sigmaBins = window().sigmaFrequency() * Math.max(map().width(), map().height());
+            double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
+            if (neighbor < 1e-3 * budget.tolerance()) {
+                return List.of(this::orders);
+            }
+            Supplier<Sampling> fast = () -> grid(budget.interpolation(area.average()));
+            Supplier<Sampling> compact = () -> grid(budget.compactInterpolation(area.average()));
+            Supplier<Sampling> apart =
+                    () -> grid(budget.compactInterpolation(area.average())).inTwoTextures();
+            Supplier<Sampling> bins = () -> new OrderSampling(bins(), Optional.empty(), band(fewestNodes()));
+            // If orders are resolved along an axis, a grid fine enough for them is larger than the bins.
+            return interpolates(map(), window())
+                    ? List.of(fast, compact, apart, bins)
+                    : List.of(bins, fast, compact, apart);
+        }
+
+        private Neighborhood bins() {
+            return new Neighborhood(radius(map().width()), radius(map().height()), Neighborhood.Anchor.NEAREST);
+        }
+
+        private int radius(double period) {
+            return budget.neighborhoodRadius(window().sigmaFrequency() * period);
+        }
+
+        private BandRule band(int fewestNodes) {
+            double deviation = window().sigmaFrequency() / Math.sqrt(2);
+            return BandRule.of(fewestNodes, deviation, budget.cutSpacing(), budget.panelDeviations());
+        }
+
+        static boolean interpolates(HeightMap map, CoherenceWindow window) {
+            return window.sigmaFrequency() * Math.min(map.width(), map.height()) >= RESOLVED_SIGMA_BINS;
+        }
+
+        private Sampling orders() {
+            // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); 0.01 for the color matching
+            // functions' slope.
+            double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
+            double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
+            return OrderSampling.resolved(
+                    new OrderSampling.OrderNodes(
+                            reach,
+                            spacing,
+                            budget.panelDeviations(),
+                            WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
+                            CORNER_LENGTH * budget.tolerance()),
+                    band(4 * fewestNodes()));
+        }
+
+        private GridSampling grid(InterpolationDesign design) {
+            // Columns are crossed at up to sqrt(2) of their distance. An order's power along the ray has deviation
+            // sigma /
+            // sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+            double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
+            double deviation = window().sigmaFrequency() / Math.sqrt(2);
+            double uncut = window().sigmaFrequency() / perStep;
+            boolean rough = budget.roughness().isRough();
+            double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
+            BandRule band = rough ? band(fewestNodes()).withEqualSteps(uncut) : band(fewestNodes());
+            double longest = Math.sqrt(2) * step;
+            GridSampling coarse =
+                    new GridSampling(design, step, longest, fewestNodes(), band, single(band), false, budget);
+            return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
+        }
+
+        /** All bins that count; empty if they exceed the limit of a shader's loops. */
+        private Optional<OrderSampling> single(BandRule band) {
+            return Optional.of(bins())
+                    .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)
+                    .map(bins -> new OrderSampling(bins, Optional.empty(), band));
+        }
+
+        private double relativeFineness() {
+            return Math.cbrt(ErrorBudget.STANDARD / budget.tolerance());
+        }
+
+        private int fewestNodes() {
+            double relief = heights.maximum() - heights.minimum();
+            double fringes = relief * range.maximumW() * CieTable.BAND_WIDTH;
+            double resolving = NODES_AT_STANDARD * relativeFineness();
+            return (int) Math.ceil(Math.max(FEWEST_NODES, Math.max(resolving, NODES_PER_FRINGE * fringes)));
+        }
     }
 }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -24,6 +25,19 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
  * @param diffracted share of the light that does not go in mirror direction, 0..1; little if grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
+    /** Cache of statistics of height maps that take long to compute. */
+    @FunctionalInterface
+    public interface Cache {
+        Cache NONE = (map, name, computation) -> computation.get();
+
+        /**
+         * Returns cached or newly computed statistics.
+         *
+         * @param name text that determines the statistics, together with the heights and the program's version
+         */
+        double[] get(HeightMap map, String name, Supplier<double[]> computation);
+    }
+
     /** Lines, a mirror, or a grain of dust leave nearly all directions dark. */
     private static final double FEWEST_BRIGHT = 0.85;
     /** Below it orders are isolated: up to a tenth of a grating's directions are bright, most of a surface with any randomness. */
@@ -45,11 +59,7 @@ public record Roughness(double bright, double mean, double dark, double deviatio
 
     /** @param statistics cache of the statistics */
     static Roughness measure(
-            HeightMap map,
-            CoherenceWindow window,
-            WindowOrigin origin,
-            VisibleRange range,
-            StatisticsCache statistics) {
+            HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, Cache statistics) {
         double deviations = deviations(window, range);
         // Windows to which this roughness is applied later are shorter, and have fewer deviations.
         if (deviations < FEWEST_DEVIATIONS) {

@@ -1,5 +1,8 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -16,6 +19,7 @@ import sunbeam.precompute.setting.Sentence;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
@@ -36,6 +40,12 @@ public record SpectrumPlan(
         WindowOrigin origin,
         Average average,
         Sampling sampling) {
+    // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured.
+    private static final double TYPICAL_ROUNDING = 0.1;
+
+    // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured.
+    private static final double PHASE_ROUNDING = 3e-7;
+
     /** Margin of bins for shorter windows, in their sigma_f. */
     private static final double SHORT_WINDOW_REACH = 4;
 
@@ -113,14 +123,58 @@ public record SpectrumPlan(
         return bandX.count() + " x " + bandY.count() + " DFT bins";
     }
 
-    /** Returns a line per reason that breaks the tolerance: the user's choices, and {@link #shortfalls}. */
+    /** Returns a sentence per reason that breaks the tolerance: the user's choices, and {@link #shortfalls}; none for the thesis's choices. */
     public List<Sentence> warnings() {
-        return PlanChecks.warnings(this);
+        List<Sentence> lines = shortfalls();
+        tolerance.ifPresent(promised -> {
+            if (expansion.error() > promised) {
+                lines.add(Sentence.of(
+                        Text.format(
+                                "%d %s terms leave an error of %.1g, more than the tolerance %s; give more ",
+                                expansion.terms(), ValueKind.name(expansion.kind()), expansion.error(), promised),
+                        TERMS,
+                        ", or leave it out"));
+            }
+            if (sampling instanceof BinSampling bins && !bins.planned()) {
+                lines.add(Sentence.of("equal steps of the wavelength keep no tolerance; leave out ", WAVELENGTH_STEP));
+            }
+        });
+        return lines;
     }
 
-    /** Returns a line per reason why the tolerance cannot be promised with any settings, and the accuracy that is reached. */
+    /** Returns a sentence per reason why no settings keep the tolerance, with the accuracy that is reached. */
     public List<Sentence> shortfalls() {
-        return PlanChecks.shortfalls(this);
+        List<Sentence> lines = new ArrayList<>();
+        tolerance.ifPresent(promised -> {
+            double percentile = Math.max(ErrorBudget.FLOAT32_PERCENTILE, PHASE_ROUNDING * expansion.maximumPhase());
+            if (promised < ErrorBudget.FINEST_CERTAIN || percentile > 3 * promised) {
+                lines.add(Sentence.of(Text.format(
+                        "float32 keeps the tolerance %s in the median, but leaves errors of up to %s at the 95th"
+                                + " percentile of power, more than three times the tolerance; method reference is more"
+                                + " exact",
+                        Decimals.format(promised),
+                        Decimals.format(Double.parseDouble(Decimals.rounded(percentile, 2))))));
+            }
+            double reachable = reachable();
+            if (reachable > promised) {
+                lines.add(Sentence.of(Text.format(
+                        "colors on flanks of orders far from the specular direction reach only %.0e, not the tolerance"
+                                + " %s: the spectrum of a coherence length of %s is narrower than float32"
+                                + " resolves; give a shorter one, or single wavelengths ('reflectance'), which have"
+                                + " double precision",
+                        reachable, Decimals.format(promised), Lengths.format(window.coherenceLength()))));
+            }
+        });
+        return lines;
+    }
+
+    /**
+     * Returns the error of colors on flanks of orders. Under a wide window orders are narrow, and float32 resolves a frequency to half a
+     * unit in the last place. Three deviations from an order's middle the power changes by six times the relative shift.
+     */
+    private double reachable() {
+        double farthest = range.longestUv() / CieTable.MINIMUM_WAVELENGTH;
+        return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / window.sigmaFrequency();
     }
 
     /** Returns one line about memory on the graphics card. */

@@ -2,6 +2,7 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
@@ -13,7 +14,8 @@ import sunbeam.precompute.text.Text;
  *
  * @param minimumW smallest |w|, 0..2
  * @param maximumW largest |w|, 0..2
- * @param reach points of the intervals that can occur, for tables that hold only those
+ * @param light the only light, for every direction to the viewer: then w follows from u and v
+ * @param pairs the only pairs of directions; empty if there are others
  */
 public record VisibleRange(
         double minimumU,
@@ -22,11 +24,16 @@ public record VisibleRange(
         double maximumV,
         double minimumW,
         double maximumW,
-        Reach reach) {
+        Optional<Direction> light,
+        List<DirectionPair> pairs) {
+
+    public VisibleRange {
+        pairs = List.copyOf(pairs);
+    }
 
     public VisibleRange(
             double minimumU, double maximumU, double minimumV, double maximumV, double minimumW, double maximumW) {
-        this(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW, new Reach.Everything());
+        this(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW, Optional.empty(), List.of());
     }
 
     /** Returns the range of all pairs of directions of the hemisphere. */
@@ -43,7 +50,8 @@ public record VisibleRange(
                 -light.y() + 1,
                 light.z(),
                 light.z() + 1,
-                new Reach.OneLight(light));
+                Optional.of(light),
+                List.of());
     }
 
     /** Returns the smallest range that holds these pairs of directions, of which there is at least one. */
@@ -62,7 +70,12 @@ public record VisibleRange(
         if (low[0] > high[0]) {
             throw new IllegalArgumentException("no directions");
         }
-        return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2], new Reach.Pairs(all));
+        return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2], Optional.empty(), all);
+    }
+
+    /** True if single points of the intervals can occur alone, as in maps and lists, so that a table may hold only those. */
+    public boolean hasPoints() {
+        return light.isPresent() || !pairs.isEmpty();
     }
 
     /** Returns the intervals for cache keys; all uses of the same intervals share tables. */

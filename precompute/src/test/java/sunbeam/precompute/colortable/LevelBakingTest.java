@@ -44,7 +44,7 @@ class LevelBakingTest {
 
     private static BitSet tilesOf(TileGrid grid, double u, double v, double w) {
         BitSet tiles = new BitSet();
-        new TileFeedback(grid, tiles).mark(u, v, w);
+        new TileGrid.Feedback(grid, tiles).mark(u, v, w);
         return tiles;
     }
 

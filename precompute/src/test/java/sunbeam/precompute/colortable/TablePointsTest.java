@@ -18,7 +18,6 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.Reach;
 import sunbeam.precompute.plan.VisibleRange;
 
 class TablePointsTest {
@@ -69,11 +68,11 @@ class TablePointsTest {
     }
 
     private static TablePoints of(Direction light) {
-        return new TablePoints(new Reach.OneLight(light));
+        return new TablePoints(VisibleRange.of(light));
     }
 
     private static TablePoints of(List<DirectionPair> pairs) {
-        return new TablePoints(new Reach.Pairs(pairs));
+        return new TablePoints(VisibleRange.of(pairs));
     }
 
     @ParameterizedTest
@@ -154,7 +153,7 @@ class TablePointsTest {
     void memoryIsEstimatedFromAbove() {
         for (TablePoints points : List.of(of(new Direction(0, 0, 1)), of(pairs(40)))) {
             int tiles = points.tiles(points.grid(DESIGN)).cardinality();
-            assertThat(points.memory(DESIGN).largestTextureBytes())
+            assertThat(points.memory(DESIGN).textureBytes())
                     .isGreaterThanOrEqualTo(AtlasPages.texels(tiles).bytes());
         }
     }

@@ -19,14 +19,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.ErrorBudget;
-import sunbeam.precompute.plan.FresnelFactor;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.GemForm;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
+import sunbeam.precompute.plan.MethodSettings.GemForm;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
-import sunbeam.precompute.plan.Preset;
-import sunbeam.precompute.plan.ReplicatedArea;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
@@ -114,7 +114,7 @@ class MethodsTest {
     @Test
     void replicasOfTheReferenceStandInPlaceOfTheWindow() {
         ReferenceMethod method = (ReferenceMethod) Methods.of(REFERENCE.with(REPLICAS, 3));
-        assertThat(method.area()).isEqualTo(new ReplicatedArea(new Replicas(3, 3)));
+        assertThat(method.area()).isEqualTo(new CoherenceArea.Replicated(new Replicas(3, 3)));
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(WINDOW_ORIGIN, WindowOrigin.CENTRE)))
                 .hasMessageStartingWith("window origin centre belongs to the Gaussian window, which replicas");
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(AVERAGE, Average.ENSEMBLE)))

@@ -46,7 +46,7 @@ final class ErrorSourcesTest {
     }
 
     private static Expansion expansion(HeightMap map, double tolerance) {
-        return new Planner(map, HeightLevels.of(map), CieTable.load(), HEAP)
+        return new Planner(HeightLevels.of(map), CieTable.load(), HEAP)
                 .plan(
                         TableChoices.within(tolerance),
                         new GaussianArea(WINDOW, WindowOrigin.CENTRE, Average.COHERENT),

@@ -98,7 +98,7 @@ class PlannerTest {
     @ValueSource(longs = {32L << 20, 8L << 20})
     void plansBeyondTheMemoryAreRefusedWithTheirNeed(long heap) {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
-        Planner planner = new Planner(map, HeightLevels.of(map), CIE, heap);
+        Planner planner = new Planner(HeightLevels.of(map), CIE, heap);
 
         assertThatThrownBy(() -> planner.plan(STANDARD.table(), STANDARD.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
@@ -173,7 +173,7 @@ class PlannerTest {
     }
 
     private static Planner planner(HeightMap map) {
-        return new Planner(map, HeightLevels.of(map), CIE, MUCH_MEMORY);
+        return new Planner(HeightLevels.of(map), CIE, MUCH_MEMORY);
     }
 
     @Test

@@ -53,6 +53,6 @@ class RoughnessTest {
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
                 WindowOrigin.CENTRE,
                 VisibleRange.all(),
-                StatisticsCache.NONE);
+                Roughness.Cache.NONE);
     }
 }

@@ -14,6 +14,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -73,7 +74,7 @@ class SamplingTablesTest {
     private static SpectrumPlan plan(Preset preset, double coherenceLength, Average average) {
         boolean thesis = preset == Preset.THESIS;
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
-        return new Planner(SKIN, HeightLevels.of(SKIN), CIE)
+        return new Planner(HeightLevels.of(SKIN), CIE, Roughness.Cache.NONE)
                 .plan(
                         thesis ? TableChoices.THESIS : TableChoices.within(ErrorBudget.STANDARD),
                         new GaussianArea(window, WindowOrigin.CENTRE, average),

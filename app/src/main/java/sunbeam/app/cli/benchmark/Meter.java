@@ -14,7 +14,7 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.plan.StatisticsCache;
+import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ShaderTables;
@@ -51,7 +51,7 @@ record Meter(RenderContext context, int size, Direction light) {
      */
     Measurement measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
-        MethodPlan plan = method.plan(setup.surface().withStatistics(StatisticsCache.NONE), VisibleRange.of(light));
+        MethodPlan plan = method.plan(setup.surface().withStatistics(Roughness.Cache.NONE), VisibleRange.of(light));
         ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();

@@ -12,7 +12,7 @@ import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.Preset;
+import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;

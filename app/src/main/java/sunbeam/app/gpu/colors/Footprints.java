@@ -3,7 +3,6 @@ package sunbeam.app.gpu.colors;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.TableSpace;
-import sunbeam.precompute.colortable.TileFeedback;
 import sunbeam.precompute.colortable.TileGrid;
 
 /**
@@ -51,8 +50,8 @@ public record Footprints(float[] centers, float[] axes) {
 
     private TileSet tiles(List<TileGrid> grids, int first, int end) {
         TileSet tiles = TileSet.none(grids.size());
-        List<TileFeedback> feedback = IntStream.range(0, grids.size())
-                .mapToObj(level -> new TileFeedback(grids.get(level), tiles.of(level)))
+        List<TileGrid.Feedback> feedback = IntStream.range(0, grids.size())
+                .mapToObj(level -> new TileGrid.Feedback(grids.get(level), tiles.of(level)))
                 .toList();
         for (int i = first; i < end; i++) {
             if (level(i) >= 0) {

@@ -11,7 +11,7 @@ import jrtr.gl.Texture;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
-import sunbeam.precompute.colortable.MortonOrder;
+import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
@@ -75,7 +75,7 @@ public final class GpuBaker implements ColorBaker {
         for (int i = 0; i < count; i++) {
             System.arraycopy(uvw, 3 * (start + i), texels, 4 * texel(i), 3);
             texels[4 * texel(i) + 3] = USED;
-            rows = Math.max(rows, MortonOrder.y(i) + 1);
+            rows = Math.max(rows, LevelBaking.mortonX(i >>> 1) + 1);
         }
         samples.upload(texels);
         // The tile's y counts rows from the top, the texture's from the bottom.
@@ -83,13 +83,13 @@ public final class GpuBaker implements ColorBaker {
         context.drawFullScreen(program, textures, target, tile);
         float[] rgba = UploadedTables.requireWholeSums(target.read(0, tile));
         for (int i = 0; i < count; i++) {
-            int row = rows - 1 - MortonOrder.y(i);
-            System.arraycopy(rgba, 4 * (row * SIDE + MortonOrder.x(i)), xyz, 3 * (start + i), 3);
+            int row = rows - 1 - LevelBaking.mortonX(i >>> 1);
+            System.arraycopy(rgba, 4 * (row * SIDE + LevelBaking.mortonX(i)), xyz, 3 * (start + i), 3);
         }
     }
 
     private static int texel(int number) {
-        return MortonOrder.y(number) * SIDE + MortonOrder.x(number);
+        return LevelBaking.mortonX(number >>> 1) * SIDE + LevelBaking.mortonX(number);
     }
 
     @Override

@@ -17,7 +17,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.plan.ReplicatedArea;
+import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 
@@ -40,7 +40,7 @@ class PqMethodTest {
     }
 
     private double exact(DirectionPair pair, int replicas) {
-        return new ReplicatedArea(new Replicas(replicas, replicas))
+        return new CoherenceArea.Replicated(new Replicas(replicas, replicas))
                 .over(blaze.setup().patch().heights(), blaze.setup().cie())
                 .power(pair, WAVELENGTH);
     }
@@ -110,7 +110,7 @@ class PqMethodTest {
 
     @Test
     void colorAgreesWithTheExactSum() {
-        ExactLight light = new ReplicatedArea(new Replicas(26, 26))
+        ExactLight light = new CoherenceArea.Replicated(new Replicas(26, 26))
                 .over(blaze.setup().patch().heights(), blaze.setup().cie());
         List<DirectionPair> directions =
                 List.of(MethodProbe.inPlane(0, -12), MethodProbe.inPlane(10, -31), MethodProbe.inPlane(0, 25));

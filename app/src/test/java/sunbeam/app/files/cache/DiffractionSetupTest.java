@@ -67,7 +67,7 @@ class DiffractionSetupTest {
                 Optional.empty(),
                 false,
                 Optional.empty(),
-                MemoryNeed.of(0, List.of()),
+                new MemoryNeed(0, List.of()),
                 EnumSet.allOf(MethodUse.class),
                 () -> "plan",
                 (use, sources) -> {
