@@ -28,7 +28,7 @@ import jrtr.scene.Node;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Primaries;
@@ -135,7 +135,7 @@ public record Scene(
     /** Returns this scene with a user's patch, and a dark body instead of an animal's. */
     public Scene withOwnPatch(PatchRequest value) {
         Scene other = withPatch(value);
-        return BodyTextures.isAnimal(get(TEXTURE)) ? other.withTexture(BodyTextures.DARK) : other;
+        return BodyTexture.isAnimal(get(TEXTURE)) ? other.withTexture(BodyTexture.DARK) : other;
     }
 
     public Scene withView(Viewpoint value) {

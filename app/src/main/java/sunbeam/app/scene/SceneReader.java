@@ -26,7 +26,7 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
@@ -90,7 +90,7 @@ public final class SceneReader {
         root.required(TEXTURE.fileKey(), "\"elaphe\"");
         Choices own = root.choices(SceneSettings.OF_ROOT);
         own = resolve(own, MESH, BuiltInMeshes.names());
-        own = resolve(own, TEXTURE, BodyTextures.names());
+        own = resolve(own, TEXTURE, BodyTexture.names());
         own = resolve(own, ORIENTATION_MAP, List.of(Body.NONE));
         own = resolveIndex(own);
         Optional<JsonObject> plan = root.findObject("plan");

@@ -19,7 +19,7 @@ import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshFiles;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
@@ -87,7 +87,7 @@ enum FuzzedReader {
     TEXTURE("texture", "texture") {
         @Override
         void read(Path file) {
-            BodyTextures.load(file.toString(), BlobCache.NONE);
+            BodyTexture.load(file.toString(), BlobCache.NONE);
         }
     },
     PICTURE("picture.png", "picture") {

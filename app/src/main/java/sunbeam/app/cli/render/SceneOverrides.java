@@ -21,7 +21,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -74,7 +74,7 @@ public final class SceneOverrides {
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
         Choices placed =
-                withAbsoluteName(withAbsoluteName(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTextures.names());
+                withAbsoluteName(withAbsoluteName(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTexture.names());
         Choices lit = withAbsoluteName(placed, ILLUMINANT, Illuminant.NAMES);
         Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, ORIENTATION_MAP, List.of(Body.NONE)));
         return patch(scene.with(chosen), withAbsoluteName(given, PATCH, BuiltInPatches.names()));

@@ -49,7 +49,7 @@ public record Body(
      */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
         return new Body(
-                BodyTextures.load(texture, cache),
+                BodyTexture.load(texture, cache),
                 scales,
                 ScaleRelief.of(scales, cache),
                 directions(orientationMap),

@@ -30,24 +30,141 @@ interface BodyColors {
      * belly and pale lips. {@link ScaleRelief} has the pale scales above the belly.
      */
     final class Xenopeltis implements BodyColors {
-        private static final Vector3dc BACK = BodyColors.ofSrgb(0x33231b);
-        private static final Vector3dc FLANK = BodyColors.ofSrgb(0x4a3429);
-        private static final Vector3dc BELLY = BodyColors.ofSrgb(0xcdbfa8);
+        private static final Vector3dc BACK = ofSrgb(0x33231b);
+        private static final Vector3dc FLANK = ofSrgb(0x4a3429);
+        private static final Vector3dc BELLY = ofSrgb(0xcdbfa8);
 
-        private final SnakeHead head = new SnakeHead(BodyColors.ofSrgb(0x3a2a1c));
+        private final SnakeHead head = new SnakeHead(ofSrgb(0x3a2a1c));
         private final SkinNoise grain = new SkinNoise(5, 1600, 120);
         private final SkinNoise mottle = new SkinNoise(6, 200, 12);
 
         @Override
         public Vector3dc at(double along, double around) {
             double side = Math.abs(around);
-            Vector3dc skin = BACK.lerp(FLANK, BodyColors.step(0.3, 0.7, side), new Vector3d());
+            Vector3dc skin = BACK.lerp(FLANK, step(0.3, 0.7, side), new Vector3d());
             double mottled = mottle.at(along, around);
             Vector3dc uneven = skin.mul(1 + 0.12 * grain.at(along, around) + 0.12 * mottled, new Vector3d());
             // The upper lip is pale; behind the head the edge sinks to that of the belly's shields.
-            double edge = 0.52 + 0.2 * BodyColors.step(0.6, 1, along / ScaleRelief.BEGIN);
-            Vector3dc pale = uneven.lerp(BELLY, BodyColors.step(edge, edge + 0.04, side), new Vector3d());
+            double edge = 0.52 + 0.2 * step(0.6, 1, along / ScaleRelief.BEGIN);
+            Vector3dc pale = uneven.lerp(BELLY, step(edge, edge + 0.04, side), new Vector3d());
             return along < ScaleRelief.BEGIN ? head.at(along / ScaleRelief.BEGIN, side, pale) : pale;
+        }
+    }
+
+    /**
+     * A corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, with red saddles on the back that are edged in black,
+     * smaller blotches on the flanks between them, and a belly checkered in black and cream.
+     */
+    final class Elaphe implements BodyColors {
+        private static final Vector3dc GROUND = ofSrgb(0xc98243);
+        private static final Vector3dc FLANK = ofSrgb(0xbf9a6c);
+        private static final Vector3dc SADDLE = ofSrgb(0x9c3216);
+        private static final Vector3dc EDGE = ofSrgb(0x1d1210);
+        private static final Vector3dc CREAM = ofSrgb(0xe6d8bd);
+
+        // Corn snakes have 27 to 40 saddles on the body and a dozen smaller ones on the tail.
+        private static final double SADDLES = 38;
+        // Where the belly begins on either side: back 0, middle of the belly 1.
+        private static final double BELLY_BEGIN = 0.76;
+        // Shields along the belly; each check is two shields long.
+        private static final int BELLY_SHIELDS = 150;
+        // Superellipse distance beyond which no marking has color: its outline at 1 wobbles by 0.11, and its edge
+        // reaches
+        // 0.04 farther.
+        private static final double FARTHEST = 1.16;
+        private static final double OUTER_EDGE = -0.04;
+
+        private final SnakeHead head = new SnakeHead(ofSrgb(0x8a4a1c));
+        private final SkinNoise outline = new SkinNoise(1, 400, 24);
+        private final double[] saddleSizes = sizes(0.16, 0);
+        private final double[] blotchSizes = sizes(0.3, 0.9);
+        private final SkinNoise grain = new SkinNoise(3, 1600, 120);
+        private final SkinNoise mottle = new SkinNoise(4, 260, 16);
+
+        @Override
+        public Vector3dc at(double along, double around) {
+            if (along < ScaleRelief.BEGIN) {
+                return head(along / ScaleRelief.BEGIN, around);
+            }
+            return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
+        }
+
+        /** A spear from the neck, and a band from each eye to the corner of the mouth. */
+        private Vector3dc head(double along, double around) {
+            double side = Math.abs(around);
+            Vector3dc ground = GROUND.lerp(FLANK, step(0.3, 0.6, side), new Vector3d());
+            Vector3dc pale = ground.lerp(CREAM, step(0.55, 0.68, side), new Vector3d());
+            double spear = 2.4 * (1 - superellipse((along - 1.1) / 0.82, side / (0.04 + 0.2 * along)));
+            double band = 1.6 * (1 - superellipse((along - 0.44) / 0.24, (side - 0.22 - 0.42 * along) / 0.1));
+            Vector3dc marked = mark(mark(pale, Math.min(spear, 4 * (0.97 - along))), band);
+            double grained = 1 + 0.1 * grain.at(ScaleRelief.BEGIN * along, around);
+            return head.at(along, side, marked.mul(grained, new Vector3d()));
+        }
+
+        private Vector3dc body(double along, double around) {
+            double side = Math.abs(around);
+            double mottled = 0.1 * mottle.at(along, around);
+            Vector3dc ground = GROUND.lerp(FLANK, step(0.25, 0.7, side + mottled), new Vector3d());
+            double wobble = 0.11 * outline.at(along, around);
+            Vector3dc marked = mark(ground, saddle(along, side) + wobble);
+            marked = mark(marked, blotch(along, side) + wobble);
+            Vector3dc skin = marked.mul(1 + 0.13 * grain.at(along, around) + mottled, new Vector3d());
+            double share = step(BELLY_BEGIN - 0.02, BELLY_BEGIN + 0.04, side);
+            return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
+        }
+
+        /** Returns a marking's color: red inside, black along its outline, the ground's outside. */
+        private static Vector3dc mark(Vector3dc ground, double depth) {
+            if (depth <= OUTER_EDGE) {
+                return ground;
+            }
+            Vector3dc edged = ground.lerp(EDGE, step(OUTER_EDGE, 0.06, depth), new Vector3d());
+            return edged.lerp(SADDLE, step(0.24, 0.36, depth), new Vector3d());
+        }
+
+        /** Returns relative sizes of successive markings along the body, 1 in the mean; they vary by at most the spread. */
+        private static double[] sizes(double spread, double around) {
+            SkinNoise sizes = new SkinNoise(2, 60, 2);
+            double[] all = new double[(int) SADDLES + 2];
+            for (int i = 0; i < all.length; i++) {
+                all[i] = 1 + spread * sizes.at((i + 0.5) / SADDLES, around);
+            }
+            return all;
+        }
+
+        /** Returns the depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
+        private double saddle(double along, double side) {
+            return depth(along * SADDLES, 0.36, side, 0.42, saddleSizes);
+        }
+
+        private double blotch(double along, double side) {
+            return depth(along * SADDLES + 0.5, 0.24, side - 0.56, 0.13, blotchSizes);
+        }
+
+        private static double depth(double place, double halfLength, double beside, double halfWidth, double[] sizes) {
+            int number = (int) place;
+            double size = sizes[number];
+            return 1 - superellipse((place - (number + 0.5)) / (halfLength * size), beside / (halfWidth * size));
+        }
+
+        /**
+         * Returns the distance from the middle, relative to a rounded rectangle (x and y from -1 to 1); approximate beyond {@link #FARTHEST}.
+         */
+        private static double superellipse(double x, double y) {
+            double least = Math.max(Math.abs(x), Math.abs(y));
+            if (least > FARTHEST) {
+                return least;
+            }
+            return Math.pow(Math.pow(Math.abs(x), 2.6) + Math.pow(Math.abs(y), 2.6), 1 / 2.6);
+        }
+
+        private Vector3dc belly(double along, double around) {
+            int shield = (int) Math.floor(along * BELLY_SHIELDS);
+            int column = (int) Math.floor((1 - Math.abs(around)) / 0.08) + (around < 0 ? 1 : 0);
+            boolean dark = Math.floorMod(shield / 2 + column, 2) == 0;
+            return dark
+                    ? EDGE.lerp(CREAM, 0.05, new Vector3d())
+                    : CREAM.mul(1 + 0.05 * grain.at(along, around), new Vector3d());
         }
     }
 }

@@ -6,9 +6,14 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.IntBinaryOperator;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import org.joml.Vector3dc;
+import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.input.ImageFile;
+import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 
 /**
@@ -17,10 +22,59 @@ import sunbeam.precompute.files.InputException;
  * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top. Shared, not copied
  */
 public record BodyTexture(int width, int height, byte[] rgba) {
+    /** Name of a neutral dark body, on which a nanostructure's colors show. */
+    public static final String DARK = "dark";
+
+    private static final int COLUMNS = 4096;
+    private static final int ROWS = 512;
     // The largest side that common OpenGL 3.3 drivers support.
     private static final int LARGEST_SIDE = 8192;
     // 4 bytes each for decoded rows, RGBA and the upload.
     private static final int BYTES_PER_PIXEL = 12;
+
+    /** Returns the names of the built-in textures, in the order in which help shows them. */
+    public static List<String> names() {
+        return List.of("elaphe", "xenopeltis", DARK, Body.NONE);
+    }
+
+    /**
+     * Loads a built-in texture by its name, or a picture from a file.
+     *
+     * <ul>
+     * <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a checkered belly
+     * <li>{@code xenopeltis}: a sunbeam snake, dark brown with a pale belly
+     * <li>{@code dark}: dark gray
+     * <li>{@code none}: plain white
+     * </ul>
+     *
+     * @param nameOrFile a name, or an image file in sRGB ({@link sunbeam.app.files.input.ImageFile})
+     * @throws sunbeam.precompute.files.InputException if there is no such texture, or the file cannot be used
+     */
+    public static BodyTexture load(String nameOrFile, BlobCache cache) {
+        return switch (nameOrFile) {
+            case "elaphe" -> load(nameOrFile, BodyColors.Elaphe::new, cache);
+            case "xenopeltis" -> load(nameOrFile, BodyColors.Xenopeltis::new, cache);
+            case DARK -> ofTexel(0x30, 0x30, 0x32, 255);
+            case Body.NONE -> ofTexel(255, 255, 255, 255);
+            default -> read("texture", Path.of(nameOrFile), ", or one of " + String.join(", ", names()));
+        };
+    }
+
+    public static boolean isAnimal(String name) {
+        return names().contains(name) && !name.equals(Body.NONE) && !name.equals(DARK);
+    }
+
+    private static BodyTexture load(String name, Supplier<BodyColors> colors, BlobCache cache) {
+        return new BodyTexture(
+                COLUMNS, ROWS, cache.get("texture " + name, 4 * COLUMNS * ROWS, () -> paint(colors.get())));
+    }
+
+    private static byte[] paint(BodyColors colors) {
+        return opaque(COLUMNS, IntStream.range(0, ROWS).parallel(), ROWS, (column, row) -> {
+            Vector3dc color = colors.at((column + 0.5) / COLUMNS, 1 - 2 * (row + 0.5) / ROWS);
+            return Srgb.channel(color.x()) << 16 | Srgb.channel(color.y()) << 8 | Srgb.channel(color.z());
+        });
+    }
 
     /** Returns a texture of a single texel. */
     static BodyTexture ofTexel(int red, int green, int blue, int alpha) {

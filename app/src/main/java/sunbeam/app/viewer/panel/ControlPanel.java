@@ -42,7 +42,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
-import sunbeam.app.scene.texture.BodyTextures;
+import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.method.MethodPlan;
@@ -130,7 +130,7 @@ public final class ControlPanel extends JTabbedPane {
     private void addScene() {
         sceneTab.box(MESH, new NameBox(BuiltInMeshes.names()), false);
         sceneTab.box(MESH_UNIT, SettingRows.words(MESH_UNIT), false);
-        sceneTab.box(TEXTURE, new NameBox(BodyTextures.names()), false);
+        sceneTab.box(TEXTURE, new NameBox(BodyTexture.names()), false);
         sceneTab.slider(TEXTURE_WEIGHT, sceneTab.hundredths(TEXTURE_WEIGHT, 200));
         sceneTab.box(SCALES, SettingRows.words(SCALES), false);
         sceneTab.slider(

@@ -50,7 +50,7 @@ class BodyTexturesTest {
             }
             ImageIO.write(image, "png", file.toFile());
 
-            BodyTexture texture = BodyTextures.load(file.toString(), BlobCache.NONE);
+            BodyTexture texture = BodyTexture.load(file.toString(), BlobCache.NONE);
 
             for (int c = 0; c < 3; c++) {
                 assertThat(channel(texture, 2, 1, c)).as("type %d", type).isEqualTo(0x80);
@@ -63,10 +63,10 @@ class BodyTexturesTest {
     @Test
     void invalidPicturesAreRefusedInOneLine() throws IOException {
         Path text = Files.writeString(folder.resolve("x.png"), "no picture");
-        assertThatThrownBy(() -> BodyTextures.load(text.toString(), BlobCache.NONE))
+        assertThatThrownBy(() -> BodyTexture.load(text.toString(), BlobCache.NONE))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("x.png");
-        assertThatThrownBy(() -> BodyTextures.load("elafe", BlobCache.NONE))
+        assertThatThrownBy(() -> BodyTexture.load("elafe", BlobCache.NONE))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("elaphe, xenopeltis, dark, none");
     }
