@@ -41,9 +41,7 @@ class BadPatchTest extends InWorkplace {
 
     @Test
     void aFolder() throws Exception {
-        assertRefused(
-                "--patch . --width 65um --max-height 375nm",
-                ". is a folder; name the image, scan or descriptor (.json) in it");
+        assertRefused("--patch . --width 65um --max-height 375nm", "cannot read .: it is a folder; name a file in it");
     }
 
     @Test

@@ -63,19 +63,14 @@ public final class SceneReader {
      * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; the message names file, line and key
      */
     public static Scene read(Path file) {
-        return new SceneReader(json(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene"))).scene();
-    }
-
-    private static JsonObject json(Path file) {
-        InputException.requireRegular(file);
-        return InputException.naming(file, () -> JsonFile.read(file));
+        return new SceneReader(JsonFile.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene"))).scene();
     }
 
     /** True if a file looks like a scene; it may be invalid. */
     public static boolean isScene(Path file) {
         try {
             return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
-                    && json(file).has("camera");
+                    && JsonFile.read(file).has("camera");
         } catch (InputException notJson) {
             return false;
         }

@@ -60,10 +60,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     private static final double ALIKE = 0.05;
     private static final double SLANT = 0.07;
 
-    /**
-     * Returns the verdict under light from above, such as "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors at 20
-     * to 45 degrees under light from above".
-     */
+    /** Returns the verdict under light from above: "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors ...". */
     public static Verdict of(Patch patch, GratingPeriod period) {
         return of(patch, period, 0);
     }

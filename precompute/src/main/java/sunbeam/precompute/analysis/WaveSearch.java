@@ -170,9 +170,7 @@ final class WaveSearch {
         return line / sums[SECTORS / 2];
     }
 
-    /**
-     * Returns the wave of half or a third of a line's frequency if the line is its overtone (its peak is not much lower); else the line.
-     */
+    /** Returns the wave of half or a third of a line's frequency if the line is its overtone; else the line. */
     SpatialFrequency fundamental(SpatialFrequency line, Predicate<SpatialFrequency> also) {
         return Stream.of(line.times(1.0 / 2), line.times(1.0 / 3))
                 .filter(which.and(also))

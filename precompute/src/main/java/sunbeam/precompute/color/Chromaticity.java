@@ -1,8 +1,6 @@
 package sunbeam.precompute.color;
 
-/**
- * CIE 1931 chromaticity, x = X / (X + Y + Z), with dominant wavelength and excitation purity against the light's white (CIE 15:2018, 9.3).
- */
+/** CIE 1931 chromaticity with dominant wavelength and excitation purity against the light's white (CIE 15:2018, 9.3). */
 public record Chromaticity(double x, double y) {
     // Ends of the locus in nm; beyond, it moves by less than the table's rounding.
     private static final int RED_END = 700;

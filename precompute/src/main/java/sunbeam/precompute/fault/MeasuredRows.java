@@ -79,9 +79,7 @@ final class MeasuredRows {
         return missing >= MISSING * scan.columns();
     }
 
-    /**
-     * True if a row minus another is the same in all columns, within {@code slack} meters; if {@code other} is negative, the row itself.
-     */
+    /** True if a row minus another, or the row itself if {@code other} is negative, is constant within {@code slack} meters. */
     private boolean isConstant(int row, int other, double slack) {
         double first = Double.NaN;
         for (int column = 0; column < scan.columns(); column++) {

@@ -5,10 +5,7 @@ import java.util.HexFormat;
 import java.util.zip.CRC32;
 import java.util.zip.CRC32C;
 
-/**
- * 64-bit checksum of arrays: CRC-32 and CRC-32C side by side, which Java computes fast even without its optimizing compiler, unlike {@link
- * Sha256}. Detects accidents, not manipulation.
- */
+/** 64-bit checksum of arrays, CRC-32 beside CRC-32C, fast even in interpreted code. Detects accidents, not manipulation. */
 public final class Checksum {
     private final CRC32 first = new CRC32();
     private final CRC32C second = new CRC32C();

@@ -31,11 +31,14 @@ public final class JsonFile {
     /**
      * Reads a file.
      *
-     * @throws InputException when it is too large or no JSON object
+     * @throws InputException when it cannot be read, is too large or no JSON object
      */
-    public static JsonObject read(Path file) throws IOException {
+    public static JsonObject read(Path file) {
+        InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
             return read(file.toString(), stream);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
         }
     }
 

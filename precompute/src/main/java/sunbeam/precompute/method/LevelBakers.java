@@ -17,10 +17,7 @@ import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.radial.SlopeBaker;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
-/**
- * Bakers of the levels of a table of all directions: one power spectrum for all levels of an ensemble average, the shader of method full
- * for a coherent one. Thread-safe.
- */
+/** Bakers of a table of all directions: one power spectrum for all levels, or the shader of method full if coherent. Thread-safe. */
 public final class LevelBakers {
     private final ColorTablePlan plan;
     private final TableSources sources;

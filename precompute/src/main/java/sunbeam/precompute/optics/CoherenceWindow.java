@@ -40,10 +40,7 @@ public record CoherenceWindow(double sigmaMeters) {
         return 1 / (2 * Math.PI * sigmaMeters);
     }
 
-    /**
-     * Returns the |(u, v)| up to which a direction sees the specular peak of any wavelength up to the longest, in meters: five standard
-     * deviations of the window's spectrum.
-     */
+    /** Returns the |(u, v)| at which the specular peak of the longest wavelength, meters, ends: at five standard deviations. */
     public double specularReach(double longestWavelength) {
         return 5 * sigmaFrequency() * longestWavelength;
     }

@@ -55,21 +55,15 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         } catch (ScanException unusable) {
             throw new InputException(file + " " + unusable.getMessage(), unusable);
         } catch (IOException failure) {
-            throw new InputException(file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
+            throw InputException.of(file, failure);
         }
     }
 
-    /** Reading a device or a pipe might never end. */
     static void requireReadable(Path file) {
         if (!Files.exists(file)) {
             throw new InputException(file + ": no such file; check the name and the folder");
         }
-        if (Files.isDirectory(file)) {
-            throw new InputException(file + " is a folder; name the image, scan or descriptor (.json) in it");
-        }
-        if (!Files.isRegularFile(file)) {
-            throw new InputException(file + " is no regular file; copy the image, scan or descriptor to one");
-        }
+        InputException.requireRegular(file);
         if (!Files.isReadable(file)) {
             throw new InputException(file + " cannot be read; check its permissions");
         }

@@ -190,9 +190,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         return named(setting) + " " + value;
     }
 
-    /**
-     * True if the heights, drawn or computed as one period of a grating, are constant along one axis, up to rounding; false if samples are missing or all heights are equal.
-     */
+    /** True if the heights are constant along one axis, as a drawn period is; false if samples are missing or all are equal. */
     static boolean looksSynthetic(HeightMap field) {
         return Math.max(field.width(), field.height()) <= LARGEST_SYNTHETIC
                 && ((field.columns() > 1 && isSame(field, 1, 0)) || (field.rows() > 1 && isSame(field, 0, 1)));

@@ -190,22 +190,13 @@ public final class PatchLoader {
          */
         static PatchDescriptor read(Path file) {
             MeasuredHeights.requireReadable(file);
-            JsonObject keys = json(file);
+            JsonObject keys = JsonFile.read(file);
             String heights = keys.text("heights", keys.required("heights", "\"scan.png\""));
             Path inside = inside(file, keys.name("heights"), heights);
             Choices choices = keys.choices(PatchSettings.OF_FILES);
             keys.find("note").ifPresent(value -> keys.text("note", value));
             keys.requireNoOthers();
             return new PatchDescriptor(file, inside, choices);
-        }
-
-        private static JsonObject json(Path file) {
-            try {
-                return JsonFile.read(file);
-            } catch (IOException failure) {
-                throw new InputException(
-                        file + " cannot be read (" + failure.getMessage() + "); check the file", failure);
-            }
         }
 
         /** The file must lie in the descriptor's folder or below after all links are followed. */

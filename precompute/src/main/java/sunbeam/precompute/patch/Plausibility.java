@@ -14,10 +14,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Refuses impossible sizes and reliefs, and warns of unlikely ones, and of a pitch or of height steps that are too coarse for the shortest
- * rendered wavelength.
- */
+/** Refuses impossible sizes and reliefs; warns of unlikely ones, and of sampling too coarse for the shortest wavelength. */
 public final class Plausibility {
     /** Shortest wavelength of the model, meters. */
     public static final double SHORTEST_WAVELENGTH = 380e-9;

@@ -9,10 +9,7 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.optics.HeightMap;
 
-/**
- * Leveling of measured heights: removes a scan's offset, its tilt, the bow of the scanner, and the offset of each line. Missing samples
- * (NaN, infinities) are ignored and stay missing.
- */
+/** Leveling of heights: removes offset, tilt, bow, and each line's offset. Missing samples (NaN, infinite) stay missing. */
 public enum Leveling {
     NONE,
     MEAN,

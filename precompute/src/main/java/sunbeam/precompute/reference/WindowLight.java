@@ -21,10 +21,7 @@ public record WindowLight(ReferenceEvaluator evaluator, CieTable cie, boolean en
     // Per period of the interference between top and bottom of the relief.
     private static final double NODES_PER_FRINGE = 8;
 
-    /**
-     * Returns the step of 1 / lambda, in 1 / meters, that resolves the power at lengths of (u, v) and w. An order's standard deviation in 1
-     * / lambda is sigma_f / (sqrt 2 |(u, v)|).
-     */
+    /** Returns the step of 1 / lambda, 1 / meters, that resolves the power; an order deviates by sigma_f / (sqrt 2 |(u, v)|). */
     public static double step(CoherenceWindow window, HeightLevels heights, double uv, double w) {
         double deviation = window.sigmaFrequency() / (Math.sqrt(2) * Math.max(1e-9, uv));
         double fringes = w * (heights.maximum() - heights.minimum());

@@ -140,13 +140,11 @@ public final class ShaderTablesFile {
     }
 
     private static <T> T opened(Path file, Reading<T> reading) {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-            return reading.of(channel);
-        } catch (InputException e) {
-            throw new InputException(file + ": " + e.getMessage());
-        } catch (IOException e) {
-            throw new InputException(file + ": cannot be read: " + e.getMessage());
-        }
+        return InputException.naming(file, () -> {
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
+                return reading.of(channel);
+            }
+        });
     }
 
     private static int headerBytes(FileChannel channel) throws IOException {

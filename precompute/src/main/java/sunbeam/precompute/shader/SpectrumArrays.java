@@ -7,9 +7,7 @@ public final class SpectrumArrays {
 
     private SpectrumArrays() {}
 
-    /**
-     * Defines the source of the coefficients in shaders/include/expansion.glsl: an array of samples, or the closed form of Taylor's series.
-     */
+    /** Defines the source of coefficients in shaders/include/expansion.glsl: an array of samples, or the closed form of Taylor. */
     public static void define(ShaderTables.Builder tables, boolean sampled, int terms) {
         tables.define("EXPANSION_TAYLOR", 0).define("EXPANSION_SAMPLED", 1);
         tables.define("EXPANSION", sampled ? "EXPANSION_SAMPLED" : "EXPANSION_TAYLOR")

@@ -103,7 +103,7 @@ class ShaderTablesFileTest {
     void anotherPlansAreRefused() {
         assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY + "!"))
                 .isInstanceOf(InputException.class)
-                .hasMessage(file + ": tables of another surface or plan");
+                .hasMessage("cannot use " + file + ": tables of another surface or plan");
     }
 
     @Test
