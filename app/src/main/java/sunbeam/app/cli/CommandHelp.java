@@ -7,6 +7,7 @@ import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -32,6 +33,7 @@ final class CommandHelp {
     /** Option that prints the complete form. */
     static final String COMPLETE = "--help-all";
 
+    private static final Set<String> LAST = Set.of("--output", "--force", "--resume", "--json");
     private static final Set<String> GENERAL = Set.of("--help", COMPLETE, "--version", "--debug", "--quiet");
     private static final List<Setting<?>> METHOD_SETTINGS =
             List.of(METHOD, PRESET, TOLERANCE, COHERENCE_LENGTH, AVERAGE);
@@ -94,6 +96,7 @@ final class CommandHelp {
             help.commandSpec().options().stream()
                     .filter(group.members)
                     .filter(option -> complete || isCommon(option))
+                    .sorted(Comparator.comparing(option -> LAST.contains(option.longestName())))
                     .forEach(option -> members.addOption(shown(option, complete)));
             if (!members.options().isEmpty()) {
                 Help.Layout layout = help.createDefaultLayout();

@@ -94,7 +94,6 @@ final class SunbeamTest extends CommandLineFixture {
     @CsvSource(
             delimiter = '|',
             value = {
-                "brdf-map blaze scan.gwy | scan.gwy' is neither a built-in patch nor an existing file; a name with blanks needs quotes",
                 "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
                 "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
                 "export blaze --format npz --output x --theta-max 0,5 | option '--theta-max': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",

@@ -11,12 +11,11 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.terminal.ExitCode;
@@ -38,7 +37,7 @@ import sunbeam.precompute.setting.SettingException;
                         + " that method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
                         + " beside it.",
         footer = {"  sunbeam benchmark --output speed.md", "  sunbeam benchmark --patch scan.gwy --method table"})
-public final class BenchmarkCommand extends ReportingCommand {
+public final class BenchmarkCommand extends FileCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");
     private static final int MOST_VIEWS = 10_000;
 
@@ -80,12 +79,6 @@ public final class BenchmarkCommand extends ReportingCommand {
             description = "A page to write; plots (PNG) and numbers (CSV) go into a folder of the same name.")
     private Path output;
 
-    @Mixin
-    private ForceOption force;
-
-    @Mixin
-    private JsonOption json;
-
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
@@ -97,7 +90,7 @@ public final class BenchmarkCommand extends ReportingCommand {
         UsageException.requireWithin("--size", size, 16, 2048);
         UsageException.requireWithin("--samples", samples, 0, MOST_VIEWS);
         if (output != null) {
-            BenchmarkPage.checkWritable(output, force.overwrite());
+            BenchmarkPage.checkWritable(output, overwrite());
         }
         // All patches are read and checked first: measuring one takes minutes.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
@@ -130,7 +123,7 @@ public final class BenchmarkCommand extends ReportingCommand {
             JsonOption.print(out(), report);
         }
         if (output != null) {
-            page.write(output, force.overwrite());
+            page.write(output, overwrite());
             out().println(output);
         }
     }

@@ -25,13 +25,11 @@ import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
@@ -74,7 +72,7 @@ import sunbeam.precompute.units.Angles;
             "  sunbeam brdf-map blaze --theta-i 30",
             "  sunbeam brdf-map scan.png --width 65um --max-height 375nm --size 1024"
         })
-public final class BrdfMapCommand extends ReportingCommand {
+public final class BrdfMapCommand extends FileCommand {
     private static final int LARGEST = 8192;
 
     @Mixin
@@ -92,12 +90,6 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     @Mixin
     private CertifyOption certify;
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Mixin
     private ResumeOption resume;
@@ -162,8 +154,8 @@ public final class BrdfMapCommand extends ReportingCommand {
         RefractiveIndex material = material(asked);
         // All options are checked before scans are read.
         Direction towards = light.direction();
-        AtomicFile.checkWritable(output, resume.beforeLoading(force.overwrite()));
-        AtomicFile.checkWritable(linear, resume.beforeLoading(force.overwrite()));
+        AtomicFile.checkWritable(output, resume.beforeLoading(overwrite()));
+        AtomicFile.checkWritable(linear, resume.beforeLoading(overwrite()));
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<DiffractionSetup> setups = compared
@@ -186,8 +178,8 @@ public final class BrdfMapCommand extends ReportingCommand {
             Stream.concat(Stream.of(picture), linearFile.stream()).forEach(out::println);
             return finished.getAsInt();
         }
-        AtomicFile.checkWritable(picture, force.overwrite(resume.named(output, picture)));
-        AtomicFile.checkWritable(linear, force.overwrite());
+        AtomicFile.checkWritable(picture, overwrite(resume.named(output, picture)));
+        AtomicFile.checkWritable(linear, overwrite());
         List<MaterialMap> materials = plan(setups, choices, material, towards);
         MaterialMap firstMap = materials.get(0);
         Map<String, Object> report = new LinkedHashMap<>();
@@ -331,8 +323,8 @@ public final class BrdfMapCommand extends ReportingCommand {
 
     /** Writes the picture and, if requested, the linear file; neither appears under its name before both are complete. */
     private Path write(Path picture, BufferedImage image, Map<String, String> text, LinearPicture map) {
-        try (AtomicFile png = AtomicFile.create(picture, force.overwrite(resume.named(output, picture)));
-                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, force.overwrite())) {
+        try (AtomicFile png = AtomicFile.create(picture, overwrite(resume.named(output, picture)));
+                AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite())) {
             if (numbers != null) {
                 numbers.fill(LinearFile.of(linear, map.xyz(), size, size));
                 ResumeOption.noteLinear(text, numbers.path());

@@ -17,14 +17,13 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.Range;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -64,7 +63,7 @@ import sunbeam.precompute.text.Quoted;
                 + " the plan and all warnings. A surface without order has no color of its own: exit code 3. See"
                 + " docs/color.md.",
         footer = {"  sunbeam color blaze --theta-i 30", "  sunbeam color scan.gwy --with other.gwy --output both.png"})
-public final class ColorCommand extends ReportingCommand {
+public final class ColorCommand extends FileCommand {
     private static final double HORIZON = 90;
 
     @Mixin
@@ -90,13 +89,7 @@ public final class ColorCommand extends ReportingCommand {
     private final MethodOptions methodOptions = MethodOptions.choosingAverage("ensemble");
 
     @Mixin
-    private JsonOption json;
-
-    @Mixin
     private ResumeOption resume;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(
             names = "--output",
@@ -136,14 +129,14 @@ public final class ColorCommand extends ReportingCommand {
         exposure.check();
         Methods.of(choices);
         if (output != null) {
-            new ColorFiles(output, force.overwrite()).checkWritable();
+            new ColorFiles(output, overwrite()).checkWritable();
         }
         CieTable cie = LightTable.of(choices);
         PrintWriter err = err();
         List<Patch> patches = compared.load(patchOptions, choices, environment().progress());
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("color-" + names + ".png");
-        ColorFiles files = new ColorFiles(picture, force.overwrite(output));
+        ColorFiles files = new ColorFiles(picture, overwrite(output));
         files.checkWritable();
         List<SurfaceColors> surfaces = new ArrayList<>();
         List<String> warnings = new ArrayList<>();

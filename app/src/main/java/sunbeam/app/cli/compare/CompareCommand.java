@@ -16,10 +16,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.PictureSize;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.render.FrameSequence;
 import sunbeam.app.cli.render.Overlays;
@@ -52,7 +50,7 @@ import sunbeam.precompute.units.Decimals;
                 + " hue. The scene must describe camera, light and mesh of the photograph. Less than 5 %% of the mesh lit is"
                 + " exit code 3. For a goniometer's table use docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
-public final class CompareCommand extends ReportingCommand {
+public final class CompareCommand extends FileCommand {
     /** Most pixels of the longer side by default; at a photograph's own size drawing would take an hour. */
     private static final int LONGER_SIDE = 1024;
 
@@ -103,12 +101,6 @@ public final class CompareCommand extends ReportingCommand {
                     .toList(),
             SceneOverrides.STANDARDS);
 
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
-
     @Override
     public Integer call() {
         Ending.PNG.require("--output", output);
@@ -118,7 +110,7 @@ public final class CompareCommand extends ReportingCommand {
         }
         Scene scene = SceneOverrides.apply(Scenes.load(sceneName), overrides.choices());
         Path target = output != null ? output : Path.of(FileNames.stem(photo) + "-compared.png");
-        AtomicFile.checkWritable(target, force.overwrite(output));
+        AtomicFile.checkWritable(target, overwrite(output));
         Photograph photograph = Photograph.read(photo);
         PictureSize drawn = size(photograph);
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
@@ -138,7 +130,7 @@ public final class CompareCommand extends ReportingCommand {
                 SceneWriter.caption(scene),
                 "Comparison",
                 String.join("\n", comparison.lines()));
-        Path written = PngWriter.write(target, force.overwrite(output), sheet, text);
+        Path written = PngWriter.write(target, overwrite(output), sheet, text);
         Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
         values.putAll(comparison.values());
         PrintWriter out = out(output);

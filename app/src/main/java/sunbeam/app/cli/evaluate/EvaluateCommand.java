@@ -12,11 +12,10 @@ import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
@@ -62,7 +61,7 @@ import sunbeam.precompute.setting.ValueKind;
                         + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
                         + " docs/evaluation.md.",
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
-public final class EvaluateCommand extends ReportingCommand {
+public final class EvaluateCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter
     // between coherence areas, that of a repeated patch is exact, and that of the option --period is roughly known.
@@ -99,12 +98,6 @@ public final class EvaluateCommand extends ReportingCommand {
     @Mixin
     private final MethodOptions methodOptions = MethodOptions.of(
             Arrays.stream(Evaluator.values()).map(evaluator -> evaluator.type).toArray(MethodType[]::new));
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(
             names = "--method",
@@ -166,7 +159,7 @@ public final class EvaluateCommand extends ReportingCommand {
     }
 
     private FileGroup files(Path name) {
-        return FileGroup.named(name, ENDINGS, force.overwrite(output));
+        return FileGroup.named(name, ENDINGS, overwrite(output));
     }
 
     private GratingPeriod period(Patch patch) {

@@ -14,9 +14,7 @@ import java.util.OptionalInt;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
-import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -56,7 +54,7 @@ import sunbeam.precompute.text.Text;
             "  sunbeam export blaze --format html --output page.html",
             "  sunbeam export scan.gwy --format npz --output colors.npz --size 50MB"
         })
-public final class ExportCommand extends ReportingCommand {
+public final class ExportCommand extends FileCommand {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;
     private static final long SEED = 3;
@@ -69,13 +67,7 @@ public final class ExportCommand extends ReportingCommand {
             "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
 
     @Mixin
-    private JsonOption json;
-
-    @Mixin
     private final SettingOptions energy = new SettingOptions(List.of(ENERGY));
-
-    @Mixin
-    private ForceOption force;
 
     @Option(
             names = "--format",
@@ -149,7 +141,7 @@ public final class ExportCommand extends ReportingCommand {
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
         TableWriter writer = writer(asked, tolerance);
         GridBaker.Limit limit = new GridBaker.Limit(writer, output, most());
-        format.check(output, force.overwrite());
+        format.check(output, overwrite());
         if (size != null) {
             limit.requireRoom();
         }
@@ -173,7 +165,7 @@ public final class ExportCommand extends ReportingCommand {
                 read,
                 errors(setup, baker, read, writer),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
-        List<Path> written = format.write(output, force.overwrite(), writer.files(grid, baker, metadata));
+        List<Path> written = format.write(output, overwrite(), writer.files(grid, baker, metadata));
         PrintWriter out = out(output);
         PrintWriter text = json.text(out);
         text.println(metadata.summary());

@@ -8,12 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.collection.Collection;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
-import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
@@ -35,7 +32,7 @@ import sunbeam.precompute.text.Text;
                         + " and the difference. Existing"
                         + " pictures that were drawn with the same options are kept, so a stopped run can be continued. Look at index.html, which names the command of each picture.",
         footer = {"  sunbeam figures --only 5.10,table-4.1"})
-public final class FiguresCommand extends ReportingCommand {
+public final class FiguresCommand extends FileCommand {
     private static final int LARGEST = 2048;
     private static final int STANDARD = 224;
 
@@ -78,12 +75,6 @@ public final class FiguresCommand extends ReportingCommand {
             description = "Folder with the measured patches blaze.json, elaphe.json and xenopeltis.json. Default: the"
                     + " built-in patches blaze, elaphe-like and xenopeltis-like.")
     private Path patchFolder;
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     /**
      * Creates the command.
@@ -161,7 +152,7 @@ public final class FiguresCommand extends ReportingCommand {
             return ExitCode.OK.code();
         }
         FigureInput.write(drawing, output);
-        boolean replaced = force.overwrite() == Overwrite.REPLACE;
+        boolean replaced = overwrite() == Overwrite.REPLACE;
         if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
             return ExitCode.OK.code();
         }
@@ -186,7 +177,7 @@ public final class FiguresCommand extends ReportingCommand {
         Path page = output.resolve(PAGE);
         AtomicFile.checkWritable(page, Overwrite.REPLACE);
         try {
-            if (force.overwrite() == Overwrite.REFUSE
+            if (overwrite() == Overwrite.REFUSE
                     && Files.exists(page)
                     && !Files.readString(page).contains(FiguresPage.GENERATOR)) {
                 throw new OutputException.Exists(

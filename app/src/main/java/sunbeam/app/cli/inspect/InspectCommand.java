@@ -9,11 +9,9 @@ import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.output.AtomicFile;
@@ -38,7 +36,7 @@ import sunbeam.precompute.setting.Choices;
             "  sunbeam inspect folder --output report",
             "  sunbeam inspect scan.png --width 65um --max-height 375nm"
         })
-public final class InspectCommand extends ReportingCommand {
+public final class InspectCommand extends FileCommand {
     @Mixin
     private final PatchOptions patchOptions = PatchOptions.ofMany();
 
@@ -48,17 +46,11 @@ public final class InspectCommand extends ReportingCommand {
     @Mixin
     private ResumeOption resume;
 
-    @Mixin
-    private ForceOption force;
-
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
             description = "The picture, or the folder of several. Default: a name made of the patch.")
     private Path output;
-
-    @Mixin
-    private JsonOption json;
 
     @Option(
             names = "--explain",
@@ -75,11 +67,11 @@ public final class InspectCommand extends ReportingCommand {
         }
         PrintWriter err = err();
         PrintWriter out = out(output);
-        AtomicFile.checkWritable(output, force.overwrite());
+        AtomicFile.checkWritable(output, overwrite());
         Patch loaded = patchOptions.load(Choices.none());
         ScanWarnings.print(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
-        AtomicFile.checkWritable(picture, force.overwrite(output));
+        AtomicFile.checkWritable(picture, overwrite(output));
         double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
         Inspection inspection = Inspection.of(loaded, theta, explain || json.isGiven());
         List<String> lines = new ArrayList<>(inspection.lines());
@@ -93,7 +85,7 @@ public final class InspectCommand extends ReportingCommand {
         text.put("Verdict", inspection.verdict().sentence());
         inspection.plan().ifPresent(summary -> text.put("Plan", summary));
         InspectionSheet sheet = new InspectionSheet(inspection, loaded.scan(), lines.subList(1, lines.size()));
-        Path place = PngWriter.write(picture, force.overwrite(output), sheet.draw(), text);
+        Path place = PngWriter.write(picture, overwrite(output), sheet.draw(), text);
         Map<String, Object> fields = inspection.fields();
         fields.put("thumbnail_px", sheet.thumbnail());
         json.print(out, fields, List.of(place));

@@ -13,9 +13,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
-import sunbeam.app.cli.options.ReportingCommand;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.output.AtomicFile;
@@ -49,13 +47,7 @@ import sunbeam.precompute.setting.Setting;
             "  sunbeam mesh snake --output snake.glb",
             "  sunbeam mesh beetle.ply --mesh-unit mm --output beetle.obj"
         })
-public final class MeshCommand extends ReportingCommand {
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
-
+public final class MeshCommand extends FileCommand {
     @Parameters(
             paramLabel = "MESH",
             description = "snake: coiled, 1.3 m long, with scales in its normals. plane: a square of 0.2 m. sphere: of"
@@ -83,7 +75,7 @@ public final class MeshCommand extends ReportingCommand {
     @Override
     public Integer call() {
         Ending.MESH.require("--output", output);
-        Overwrite overwrite = force.overwrite(output);
+        Overwrite overwrite = overwrite(output);
         Path target = output != null ? output : Path.of(FileNames.stem(Path.of(mesh)) + ".obj");
         Choices choices = options.choices();
         String name = target.toString().toLowerCase(Locale.ROOT);

@@ -13,12 +13,11 @@ import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.Range;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
@@ -53,7 +52,7 @@ import sunbeam.precompute.units.Lengths;
                         + " without a period: exit code 4. See docs/evaluation.md.",
         footer = {"  sunbeam orders blaze --theta-i 0:60:10", "  sunbeam orders scan.gwy --theta-i 30 --index 0.97+6.5i"
         })
-public final class OrdersCommand extends ReportingCommand {
+public final class OrdersCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
     // Limits of a patch's orders (for a relief of 1 um: 500 MB of amplitudes), of evaluated orders (minutes), and of
@@ -75,12 +74,6 @@ public final class OrdersCommand extends ReportingCommand {
 
     @Mixin
     private IndexOption index;
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(
             names = "--theta-i",
@@ -119,12 +112,12 @@ public final class OrdersCommand extends ReportingCommand {
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
         if (output != null) {
-            FileGroup.named(output, ENDINGS, force.overwrite(output)).checkWritable();
+            FileGroup.named(output, ENDINGS, overwrite(output)).checkWritable();
         }
         Patch patch = patchOptions.load(Choices.none());
         ScanWarnings.line(patch.name(), patch.warnings(), "inspect").ifPresent(err()::println);
         Path name = output != null ? output : Path.of(patch.name() + "-orders");
-        FileGroup files = FileGroup.named(name, ENDINGS, force.overwrite(output));
+        FileGroup files = FileGroup.named(name, ENDINGS, overwrite(output));
         files.checkWritable();
         GratingPeriod period = GratingPeriod.of(patch);
         if (!period.isSeen()) {

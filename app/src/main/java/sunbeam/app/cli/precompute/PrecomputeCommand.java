@@ -9,11 +9,9 @@ import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -39,7 +37,7 @@ import sunbeam.precompute.text.Text;
                         + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
                         + " its numbers mean; see docs/conventions.md.",
         footer = {"  sunbeam precompute blaze --output blaze.h5"})
-public final class PrecomputeCommand extends ReportingCommand {
+public final class PrecomputeCommand extends FileCommand {
     private static final int MOST_POWER = 99;
 
     @Mixin
@@ -47,12 +45,6 @@ public final class PrecomputeCommand extends ReportingCommand {
 
     @Mixin
     private final MethodOptions methodOptions = MethodOptions.of(FullMethod.TYPE);
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(names = "--output", paramLabel = "FILE.h5", description = "The file. Default: the patch's name.")
     private Path output;
@@ -89,26 +81,26 @@ public final class PrecomputeCommand extends ReportingCommand {
                         "--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
             }
         }
-        AtomicFile.checkWritable(picture, force.overwrite());
+        AtomicFile.checkWritable(picture, overwrite());
         Patch patch = patchOptions.load(choices);
         FourierImages.Result drawn = new FourierImages(patch.heights()).draw(powers);
         Map<String, String> text = Map.of(
                 "Title", "Fourier images of " + patch.name(),
                 "Patch", patch.source(),
                 "Extremes", Arrays.toString(drawn.largest()));
-        Path written = PngWriter.write(picture, force.overwrite(), drawn.picture(), text);
+        Path written = PngWriter.write(picture, overwrite(), drawn.picture(), text);
         json.print(out(picture), Map.of("patch", patch.name(), "powers", powers), List.of(written));
         return ExitCode.OK.code();
     }
 
     private int write(Choices choices) {
         FullMethod.of(choices);
-        AtomicFile.checkWritable(output, force.overwrite());
+        AtomicFile.checkWritable(output, overwrite());
         DiffractionSetup setup =
                 new DiffractionSetup(patchOptions.load(choices, environment(), err()), environment(), err());
         FullMethod method = FullMethod.of(setup.limitToScan(choices, err()));
         Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
-        AtomicFile.checkWritable(file, force.overwrite(output));
+        AtomicFile.checkWritable(file, overwrite(output));
         SpectrumPlan plan = method.tablePlan(setup.surface(), VisibleRange.all());
         methodOptions.explain(plan, err());
         long start = System.nanoTime();
@@ -116,7 +108,7 @@ public final class PrecomputeCommand extends ReportingCommand {
         double seconds = (System.nanoTime() - start) * 1e-9;
         Path written = AtomicFile.writeFile(
                 file,
-                force.overwrite(output),
+                overwrite(output),
                 path -> TableFile.write(
                         path, table, setup.surface().name(), setup.surface().digest()));
         PrintWriter out = out(file);

@@ -18,12 +18,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -61,7 +59,7 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
                 + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
                 + " See docs/conventions.md.",
         footer = {"  sunbeam reflectance blaze --directions list.csv --output colors.csv"})
-public final class ReflectanceCommand extends ReportingCommand {
+public final class ReflectanceCommand extends FileCommand {
     @Mixin
     private PatchOptions patchOptions;
 
@@ -76,12 +74,6 @@ public final class ReflectanceCommand extends ReportingCommand {
 
     @Mixin
     private CertifyOption certify;
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
     private Path directions;
@@ -112,7 +104,7 @@ public final class ReflectanceCommand extends ReportingCommand {
                     + " has not: give it the column wavelength, or leave the option out");
         }
         RefractiveIndex material = material(list);
-        AtomicFile.checkWritable(output, force.overwrite());
+        AtomicFile.checkWritable(output, overwrite());
         PrintWriter err = err();
         PrintWriter out = out(output);
         DiffractionSetup loaded = new DiffractionSetup(patchOptions.load(asked, environment(), err), environment(), err)
@@ -197,7 +189,7 @@ public final class ReflectanceCommand extends ReportingCommand {
         header.addAll(columns.keySet());
         AtomicFile.write(
                 output,
-                force.overwrite(),
+                overwrite(),
                 CsvWriter.numbers(
                         header,
                         list.size(),

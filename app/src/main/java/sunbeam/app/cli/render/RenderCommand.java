@@ -19,10 +19,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.ForceOption;
-import sunbeam.app.cli.options.JsonOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.PictureSize;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
 import sunbeam.app.cli.report.ReportFields;
@@ -70,7 +68,7 @@ import sunbeam.precompute.setting.Choices;
             "  sunbeam render elaphe --patch scan.png --width 65um --max-height 375nm",
             "  sunbeam render xenopeltis --light-sweep 0:360 --frames 12"
         })
-public final class RenderCommand extends ReportingCommand {
+public final class RenderCommand extends FileCommand {
     private static final String GIF = "animation.gif";
     // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its
     // median error.
@@ -122,12 +120,6 @@ public final class RenderCommand extends ReportingCommand {
     @Mixin
     private final SettingOptions overrides =
             SettingOptions.overriding(SceneOverrides.SETTINGS, SceneOverrides.STANDARDS);
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(
             names = "--resume",
@@ -227,12 +219,12 @@ public final class RenderCommand extends ReportingCommand {
                     "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
         }
         Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
-        AtomicFile.checkWritable(file, force.overwrite(output));
+        AtomicFile.checkWritable(file, overwrite(output));
         MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         BufferedImage image = Wireframe.draw(scene, mesh.mesh(), overlays.hasStrokes(), size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
-        Path written = PngWriter.write(file, force.overwrite(output), image, text);
+        Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));
         return ExitCode.OK.code();
     }
@@ -305,11 +297,11 @@ public final class RenderCommand extends ReportingCommand {
 
     /** True if the output may be an existing file or folder; false if a taken name gets a number. */
     private boolean mayUseExisting() {
-        return output != null || resume || force.overwrite() == Overwrite.REPLACE;
+        return output != null || resume || overwrite() == Overwrite.REPLACE;
     }
 
     private Overwrite overwriteOfPictures() {
-        return mayUseExisting() || animation.isGiven() ? force.overwrite() : Overwrite.NUMBER;
+        return mayUseExisting() || animation.isGiven() ? overwrite() : Overwrite.NUMBER;
     }
 
     private String stem() {
@@ -327,7 +319,7 @@ public final class RenderCommand extends ReportingCommand {
             files(target, frames).forEach(this::checkPicture);
         }
         if (linear != null) {
-            AtomicFile.checkWritable(linear, force.overwrite());
+            AtomicFile.checkWritable(linear, overwrite());
         }
     }
 
@@ -381,6 +373,6 @@ public final class RenderCommand extends ReportingCommand {
     }
 
     private Overwrite overwriteOfAnimation() {
-        return resume ? Overwrite.REPLACE : force.overwrite();
+        return resume ? Overwrite.REPLACE : overwrite();
     }
 }

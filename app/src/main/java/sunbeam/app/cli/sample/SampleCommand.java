@@ -15,9 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.ForceOption;
+import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.JsonOption;
-import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.cli.options.TaskPart;
 import sunbeam.app.cli.report.ReportFields;
@@ -56,7 +55,7 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
                         + " they were drawn, most of them on orders. A row depends on --seed and its number alone, so that the parts"
                         + " of --task are the whole, bit for bit. No OpenGL is needed. See docs/export.md.",
         footer = {"  sunbeam sample blaze --count 1000000 --output rows.npz"})
-public final class SampleCommand extends ReportingCommand {
+public final class SampleCommand extends FileCommand {
     private static final long MOST_ROWS = 1_000_000_000;
 
     private static final int MOST_OF_FILE = 100_000_000;
@@ -70,12 +69,6 @@ public final class SampleCommand extends ReportingCommand {
 
     @Mixin
     private CertifyOption certify;
-
-    @Mixin
-    private JsonOption json;
-
-    @Mixin
-    private ForceOption force;
 
     @Option(
             names = "--count",
@@ -138,7 +131,7 @@ public final class SampleCommand extends ReportingCommand {
         TaskPart part = TaskPart.parse(task);
         boolean hdf5 = isHdf5();
         int rows = rows(part);
-        AtomicFile.checkWritable(output, force.overwrite());
+        AtomicFile.checkWritable(output, overwrite());
         requireRoom(rows, hdf5);
         DiffractionSetup setup =
                 new DiffractionSetup(table.load(asked), environment(), err()).withLight(LightTable.of(asked));
@@ -167,9 +160,9 @@ public final class SampleCommand extends ReportingCommand {
                 return JsonOption.text(made);
             });
             if (hdf5) {
-                AtomicFile.writeFile(output, force.overwrite(), file::writeHdf5);
+                AtomicFile.writeFile(output, overwrite(), file::writeHdf5);
             } else {
-                AtomicFile.write(output, force.overwrite(), file::writeNpz);
+                AtomicFile.write(output, overwrite(), file::writeNpz);
             }
         }
         PrintWriter out = out(output);

@@ -253,7 +253,9 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(run("color", scans.toString(), "--output", "a.png")).isEqualTo(2);
         assertThat(err.toString()).contains("--output", "folder").hasLineCount(1);
         assertThat(inspect("blaze", "no-such-file")).isEqualTo(4);
-        assertThat(err.toString()).contains("'no-such-file' is neither").hasLineCount(1);
+        assertThat(err.toString())
+                .contains("'no-such-file' is neither", "needs quotes")
+                .hasLineCount(1);
         assertThat(run("evaluate", scans.toString())).isEqualTo(4);
         assertThat(err.toString()).contains("scans", "folder").hasLineCount(1);
         Files.writeString(report.resolve("table.csv"), "mine");

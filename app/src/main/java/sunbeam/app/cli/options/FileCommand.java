@@ -1,11 +1,15 @@
 package sunbeam.app.cli.options;
 
 import java.nio.file.Path;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.output.Overwrite;
 
-/** Option {@code --force} of commands that write files; a picocli mixin. */
-public final class ForceOption {
+/** Base class of commands that write files and report them: options {@code --force} and {@code --json}. */
+public abstract class FileCommand extends ReportingCommand {
+    @Mixin
+    protected final JsonOption json = new JsonOption();
+
     @Option(
             names = "--force",
             description = "Overwrite output files that exist. Without it a file that you name is never overwritten,"
@@ -13,7 +17,7 @@ public final class ForceOption {
     private boolean force;
 
     /** Returns the rule for an existing file that the user named: replace or refuse. */
-    public Overwrite overwrite() {
+    protected final Overwrite overwrite() {
         return force ? Overwrite.REPLACE : Overwrite.REFUSE;
     }
 
@@ -22,7 +26,7 @@ public final class ForceOption {
      *
      * @param named name given by the user, or null if Sunbeam chooses the name
      */
-    public Overwrite overwrite(Path named) {
+    protected final Overwrite overwrite(Path named) {
         return force || named != null ? overwrite() : Overwrite.NUMBER;
     }
 }
