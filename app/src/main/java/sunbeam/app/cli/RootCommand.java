@@ -10,7 +10,6 @@ import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.Version;
 
 /** The command {@code sunbeam} itself, which only has subcommands; its help is the first page of the manual. */
 @Command(
@@ -114,7 +113,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
     static final class ProgramVersion implements IVersionProvider {
         @Override
         public String[] getVersion() {
-            return new String[] {"sunbeam " + Version.number()};
+            return new String[] {"sunbeam " + Environment.version()};
         }
     }
 }

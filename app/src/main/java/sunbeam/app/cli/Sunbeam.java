@@ -37,7 +37,6 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.HarmlessWriter;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.QuietWriter;
 import sunbeam.app.terminal.UsageException;
 
 /** The program: parses a command line, runs the command, and turns failures into messages and exit codes. */
@@ -85,7 +84,7 @@ public final class Sunbeam {
             return help;
         }
         root.setOut(HarmlessWriter.around(out));
-        root.setErr(quiet ? QuietWriter.around(err) : err);
+        root.setErr(quiet ? HarmlessWriter.ofErrors(err) : err);
         if (quiet) {
             environment.progress().silence();
         }

@@ -11,7 +11,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.texture.Body;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.Checksum;
 import sunbeam.precompute.files.Sha256;
 
@@ -49,7 +49,7 @@ public final class FrameText {
                 .hex();
         inputs = String.join(
                 "|",
-                Version.number(),
+                Environment.version(),
                 joined(data -> data.patch().digest()),
                 joined(data -> data.reflectanceComponent()
                         .map(ReflectanceComponent::digest)

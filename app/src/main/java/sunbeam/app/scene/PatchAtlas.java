@@ -1,5 +1,6 @@
 package sunbeam.app.scene;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -36,10 +37,11 @@ public record PatchAtlas(String map, List<Region> regions) {
                     + " patches beside its map; give each color of the map a patch, such as \"#ff0000\": \"blaze\", at most "
                     + MOST);
         }
-        for (int i = 0; i < regions.size(); i++) {
-            if (region(regions, regions.get(i).color().rgb()) < i) {
+        Set<SceneColor> colors = new HashSet<>();
+        for (Region region : regions) {
+            if (!colors.add(region.color())) {
                 throw new IllegalArgumentException(
-                        "gives " + regions.get(i).color() + " two patches; each color of the map has one");
+                        "gives " + region.color() + " two patches; each color of the map has one");
             }
         }
     }
@@ -60,10 +62,6 @@ public record PatchAtlas(String map, List<Region> regions) {
 
     /** Returns the index of the region with a color, 0xRRGGBB. */
     public int region(int rgb) {
-        return region(regions, rgb);
-    }
-
-    private static int region(List<Region> regions, int rgb) {
         return IntStream.range(0, regions.size())
                 .filter(i -> regions.get(i).color().rgb() == rgb)
                 .findFirst()

@@ -1,12 +1,19 @@
 package sunbeam.app.terminal;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Properties;
 
 /** Environment of the process: variables, home folder and progress display. */
 public record Environment(Map<String, String> variables, Path home, ProgressDisplay progress) {
     /** Variable that, set to 1, makes the program print stack traces as {@code --debug} does. */
     public static final String DEBUG_VARIABLE = "SUNBEAM_DEBUG";
+
+    /** Resource that the build writes. */
+    private static final String VERSION = "version.properties";
 
     public Environment {
         variables = Map.copyOf(variables);
@@ -29,5 +36,19 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
     /** True if {@link #DEBUG_VARIABLE} is set, so that stack traces are printed. */
     public boolean debug() {
         return variable(DEBUG_VARIABLE).equals("1");
+    }
+
+    /** Returns the version of the program, for example {@code 0.1.0}. */
+    public static String version() {
+        try (InputStream stream = Environment.class.getResourceAsStream(VERSION)) {
+            if (stream == null) {
+                throw new IllegalStateException("the build left out the resource " + VERSION);
+            }
+            Properties properties = new Properties();
+            properties.load(stream);
+            return properties.getProperty("version");
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
     }
 }

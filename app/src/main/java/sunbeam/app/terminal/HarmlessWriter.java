@@ -8,7 +8,7 @@ import java.io.Writer;
  * Writer to a terminal that replaces characters which control it, since names of files and fields of tables may hold any. Control
  * characters other than line breaks and tabs, and those that change the direction of text, become {@code ?}.
  */
-public final class HarmlessWriter extends Writer {
+public class HarmlessWriter extends Writer {
     private static final char REPLACEMENT = '?';
 
     private final Writer out;
@@ -20,6 +20,33 @@ public final class HarmlessWriter extends Writer {
     /** Wraps a writer, which is flushed after each line. */
     public static PrintWriter around(Writer out) {
         return new PrintWriter(new HarmlessWriter(out), true);
+    }
+
+    /** Wraps a writer that passes on only error messages, and drops plans, warnings, notes and reports. */
+    public static PrintWriter ofErrors(Writer out) {
+        return new PrintWriter(new OfErrors(out), true);
+    }
+
+    private static final class OfErrors extends HarmlessWriter {
+        private final StringBuilder line = new StringBuilder();
+
+        OfErrors(Writer out) {
+            super(out);
+        }
+
+        @Override
+        public void write(char[] text, int offset, int length) throws IOException {
+            for (int i = offset; i < offset + length; i++) {
+                line.append(text[i]);
+                if (text[i] == '\n') {
+                    char[] whole = line.toString().toCharArray();
+                    line.setLength(0);
+                    if (Messages.isError(String.valueOf(whole))) {
+                        super.write(whole, 0, whole.length);
+                    }
+                }
+            }
+        }
     }
 
     @Override

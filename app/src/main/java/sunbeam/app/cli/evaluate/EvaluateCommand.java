@@ -21,12 +21,12 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ScanWarnings;
-import sunbeam.app.terminal.Version;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.GratingPlane;
@@ -213,7 +213,7 @@ public final class EvaluateCommand extends FileCommand {
     private Map<String, Object> report(Evaluation evaluation, Choices choices, Optional<MethodPlan> plan) {
         Map<String, Object> tree = evaluation.tree();
         GaussianArea area = GaussianArea.of(choices);
-        tree.put("program", "Sunbeam " + Version.number());
+        tree.put("program", "Sunbeam " + Environment.version());
         tree.put("method", method.type.label());
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -44,7 +44,7 @@ final class ShaderText {
         values.put("ASKED", Lengths.rounded(metadata.requestedCoherenceLength(), 3));
         values.put("WIDTH", Text.format("%.2g", metadata.resolutionDegrees()));
         values.put("LIGHT", plain(metadata.setup().cie().description()));
-        values.put("VERSION", Version.number());
+        values.put("VERSION", Environment.version());
         values.put("ERROR", metadata.error());
         values.put("LAYERS", String.valueOf(shape.depth().count()));
         values.put("U", number(shape.u().first()));

@@ -10,7 +10,7 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.DiscDirections;
 import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.colortable.ColorTable;
@@ -106,7 +106,7 @@ record TableMetadata(
 
     Map<String, Object> fields() {
         Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("program", "sunbeam " + Version.number());
+        fields.put("program", "sunbeam " + Environment.version());
         fields.put("patch", setup.patch().name());
         fields.put("patch_sha256", setup.patch().digest());
         fields.put("average", "ensemble: mean over all positions of the coherence window");

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import sunbeam.app.gpu.picture.PictureDifference;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 
 /** Writes index.html: each figure with its pictures, captions and commands. */
 final class FiguresPage {
@@ -40,7 +40,7 @@ final class FiguresPage {
         }
         try (InputStream stream = FiguresPage.class.getResourceAsStream(TEMPLATE)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8)
-                    .replace("@VERSION@", Version.number())
+                    .replace("@VERSION@", Environment.version())
                     .replace("@FIGURES@", html);
         } catch (IOException failure) {
             throw new UncheckedIOException(TEMPLATE, failure);

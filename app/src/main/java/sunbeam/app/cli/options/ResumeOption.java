@@ -19,10 +19,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.Version;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.patch.Patch;
 
@@ -106,7 +106,7 @@ public final class ResumeOption {
      * Options that do not change the output do not count.
      */
     public static String hash(List<String> words) {
-        Sha256 hash = new Sha256().add(Version.number());
+        Sha256 hash = new Sha256().add(Environment.version());
         for (String word : words) {
             String[] option = word.split("=", 2);
             if (!IGNORED.contains(option[0])) {

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.OrderLattice;
 import sunbeam.precompute.analysis.OrderLattice.Order;
@@ -222,7 +222,7 @@ record OrderTable(
 
     Map<String, Object> tree() {
         Map<String, Object> tree = ReportFields.of(patch, period, verdict);
-        tree.put("program", "Sunbeam " + Version.number());
+        tree.put("program", "Sunbeam " + Environment.version());
         tree.put(
                 "lattice_per_m",
                 Stream.concat(Stream.of(lattice.first()), lattice.second().stream())

@@ -26,9 +26,9 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ByteSize;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.terminal.Version;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -205,7 +205,7 @@ public final class SampleCommand extends FileCommand {
     private Map<String, Object> metadata(
             DiffractionSetup setup, TableMethod method, ColorTablePlan plan, TaskPart part) {
         Map<String, Object> fields = new LinkedHashMap<>();
-        fields.put("program", "sunbeam " + Version.number());
+        fields.put("program", "sunbeam " + Environment.version());
         fields.put("patch", setup.patch().name());
         fields.put("patch_sha256", setup.patch().digest());
         fields.put("plan", plan.plan().summary());

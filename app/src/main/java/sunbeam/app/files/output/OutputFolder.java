@@ -87,27 +87,17 @@ public final class OutputFolder {
      */
     public static Path claim(Path folder, boolean mayUse) {
         int most = mayUse ? 0 : TargetFolder.MOST_NAMES;
-        try {
-            for (int number = 1; number <= most; number++) {
-                Path name = TargetFolder.numberedAtEnd(folder, number);
-                if (createIfFree(name)) {
-                    return name;
-                }
+        for (int number = 1; number <= most; number++) {
+            try {
+                return Files.createDirectory(TargetFolder.numberedAtEnd(folder, number));
+            } catch (FileAlreadyExistsException taken) {
+                continue;
+            } catch (IOException failure) {
+                throw creationFailure(folder, failure);
             }
-        } catch (IOException failure) {
-            throw creationFailure(folder, failure);
         }
         create(folder);
         return folder;
-    }
-
-    private static boolean createIfFree(Path folder) throws IOException {
-        try {
-            Files.createDirectory(folder);
-            return true;
-        } catch (FileAlreadyExistsException taken) {
-            return false;
-        }
     }
 
     private static void requireFolder(Path folder) {

@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -14,7 +16,7 @@ import javax.imageio.ImageWriter;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 
 /**
  * Writer of 8-bit PNG files that say how they were made, with an sRGB chunk and text chunks (tEXt, or iTXt for texts beyond Latin-1). The
@@ -43,7 +45,9 @@ public final class PngWriter {
         try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {
             IIOMetadata metadata = writer.getDefaultImageMetadata(
                     ImageTypeSpecifier.createFromRenderedImage(image), writer.getDefaultWriteParam());
-            metadata.mergeTree(NATIVE_FORMAT, chunks(withSoftware(text)));
+            Map<String, String> all = new LinkedHashMap<>(Map.of("Software", "Sunbeam " + Environment.version()));
+            all.putAll(text);
+            metadata.mergeTree(NATIVE_FORMAT, chunks(all));
             writer.setOutput(output);
             writer.write(new IIOImage(image, null, metadata));
         } finally {
@@ -51,45 +55,27 @@ public final class PngWriter {
         }
     }
 
-    private static Map<String, String> withSoftware(Map<String, String> text) {
-        Map<String, String> all = new LinkedHashMap<>();
-        all.put("Software", "Sunbeam " + Version.number());
-        all.putAll(text);
-        return all;
-    }
-
     private static IIOMetadataNode chunks(Map<String, String> text) {
         IIOMetadataNode root = new IIOMetadataNode(NATIVE_FORMAT);
-        IIOMetadataNode srgb = new IIOMetadataNode("sRGB");
-        srgb.setAttribute("renderingIntent", "Perceptual");
-        root.appendChild(srgb);
+        add(root, "sRGB", Map.of("renderingIntent", "Perceptual"));
         IIOMetadataNode latin = new IIOMetadataNode("tEXt");
         IIOMetadataNode international = new IIOMetadataNode("iTXt");
         text.forEach((keyword, value) -> {
             if (StandardCharsets.ISO_8859_1.newEncoder().canEncode(value)) {
                 add(latin, "tEXtEntry", Map.of("keyword", keyword, "value", value));
             } else {
-                add(
-                        international,
-                        "iTXtEntry",
-                        Map.of(
-                                "keyword", keyword,
-                                "compressionFlag", "FALSE",
-                                "compressionMethod", "0",
-                                "languageTag", "",
-                                "translatedKeyword", "",
-                                "text", value));
+                Map<String, String> entry = new HashMap<>(Map.of("keyword", keyword, "text", value));
+                entry.putAll(Map.of("compressionFlag", "FALSE", "compressionMethod", "0"));
+                entry.putAll(Map.of("languageTag", "", "translatedKeyword", ""));
+                add(international, "iTXtEntry", entry);
             }
         });
-        appendUnlessEmpty(root, latin);
-        appendUnlessEmpty(root, international);
-        return root;
-    }
-
-    private static void appendUnlessEmpty(IIOMetadataNode root, IIOMetadataNode entries) {
-        if (entries.hasChildNodes()) {
-            root.appendChild(entries);
+        for (IIOMetadataNode entries : List.of(latin, international)) {
+            if (entries.hasChildNodes()) {
+                root.appendChild(entries);
+            }
         }
+        return root;
     }
 
     private static void add(IIOMetadataNode chunk, String name, Map<String, String> attributes) {

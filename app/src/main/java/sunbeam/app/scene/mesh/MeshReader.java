@@ -24,7 +24,7 @@ import sunbeam.precompute.units.Lengths;
  * <ul>
  * <li>Triangles without area are dropped.
  * <li>A mesh far from the origin, in map coordinates for example, is moved to the origin, because float32 would change its shape.
- * <li>Missing normals are computed as means over the triangles around a position ({@link CornerNormals}).
+ * <li>Missing normals are computed as means over the triangles around a position ({@link VertexAssembly}).
  * <li>Missing tangents (only glTF may have some) follow the texture's u, made orthogonal to the normal; a mirrored texture gives
  *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
  *       x).

@@ -28,7 +28,7 @@ abstract class MeshReading {
     final AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String content) {
         return assertThatThrownBy(() -> read(content))
                 .isInstanceOf(InputException.class)
-                .hasMessageStartingWith("cannot use " + folder)
+                .hasMessageContaining(folder.resolve("mesh").toString())
                 .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
     }
 }

@@ -54,7 +54,7 @@ final class GltfBuffers {
             throw new InputException("a buffer view has " + length + " bytes from " + offset + " on in a buffer of "
                     + buffer.limit() + "; copy it again with its files");
         }
-        return GlbFile.slice(buffer, (int) offset, (int) length);
+        return GltfFile.slice(buffer, (int) offset, (int) length);
     }
 
     private ByteBuffer buffer(Integer index) throws IOException {
@@ -92,7 +92,7 @@ final class GltfBuffers {
             throw new InputException("buffer " + index + " lies at " + Quoted.of(uri)
                     + ", and nothing is fetched; put it into the folder, or export it as .glb");
         }
-        return GlbFile.map(fileInFolder(uri));
+        return GltfFile.map(fileInFolder(uri));
     }
 
     private Path fileInFolder(String uri) {

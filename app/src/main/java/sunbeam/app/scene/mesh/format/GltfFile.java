@@ -4,6 +4,9 @@ import de.javagl.jgltf.impl.v2.GlTF;
 import de.javagl.jgltf.impl.v2.MeshPrimitive;
 import de.javagl.jgltf.impl.v2.Node;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -16,11 +19,23 @@ import org.joml.Quaterniond;
 import sunbeam.precompute.files.InputException;
 
 /**
- * Reader of a glTF 2.0 file's geometry: all meshes of its scene where the scene's nodes place them, with normals, tangents and the texture
+ * Reader of a glTF 2.0 file's geometry, a text or binary chunks: all meshes of its scene where the scene's nodes place them, with normals, tangents and the texture
  * coordinates of each material's first texture. glTF's y is up, so (x, y, z) becomes (x, -z, y). Points and lines are ignored; skinned and
  * morphed meshes are refused.
  */
 final class GltfFile {
+    static final String MAGIC = "glTF";
+    // The same four characters, little-endian.
+    private static final int MAGIC_NUMBER = 0x46546C67;
+
+    // A longer text contains its buffers as base64, and its parsed tree would fill the heap.
+    private static final int MOST_JSON_BYTES = 24 << 20;
+    private static final int HEADER_BYTES = 12;
+    private static final int CHUNK_HEADER_BYTES = 8;
+    // Chunk types: "JSON" and "BIN\0" in little-endian ASCII.
+    private static final int JSON = 0x4E4F534A;
+    private static final int BINARY = 0x004E4942;
+
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
     private static final int MOST_NODES = 100_000;
 
@@ -34,10 +49,59 @@ final class GltfFile {
         this.primitives = new GltfPrimitives(gltf, new GltfAccessors(gltf, buffers));
     }
 
+    /** Reads a file; its binary part is memory-mapped. */
     static RawMesh read(Path file) throws IOException {
-        GlbFile parts = GlbFile.read(file);
-        GlTF gltf = GltfDocument.read(parts.json());
-        return new GltfFile(gltf, new GltfBuffers(file, gltf, parts.binary())).mesh();
+        ByteBuffer all = map(file);
+        if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {
+            return read(file, text(all, 0, all.limit()), ByteBuffer.allocate(0));
+        }
+        if (all.getInt(4) != 2) {
+            throw new InputException(
+                    "it is glTF of version " + Integer.toUnsignedLong(all.getInt(4)) + "; export it as glTF 2.0");
+        }
+        int first = HEADER_BYTES + CHUNK_HEADER_BYTES;
+        int json = chunk(all, HEADER_BYTES, JSON, "JSON");
+        int next = first + json;
+        int binary = next + CHUNK_HEADER_BYTES > all.limit() ? 0 : chunk(all, next, BINARY, "binary");
+        return read(file, text(all, first, json), slice(all, binary == 0 ? 0 : next + CHUNK_HEADER_BYTES, binary));
+    }
+
+    private static RawMesh read(Path file, byte[] json, ByteBuffer binary) throws IOException {
+        GlTF gltf = GltfDocument.read(json);
+        return new GltfFile(gltf, new GltfBuffers(file, gltf, binary)).mesh();
+    }
+
+    static ByteBuffer map(Path file) throws IOException {
+        MeshFormat.requireSize(file);
+        try (FileChannel channel = FileChannel.open(file)) {
+            return channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size()).order(ByteOrder.LITTLE_ENDIAN);
+        }
+    }
+
+    static ByteBuffer slice(ByteBuffer buffer, int offset, int length) {
+        return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static int chunk(ByteBuffer all, int at, int kind, String name) {
+        if (at + CHUNK_HEADER_BYTES > all.limit() || all.getInt(at + 4) != kind) {
+            throw new InputException("there is no " + name + " chunk at byte " + at + "; export it again");
+        }
+        int length = all.getInt(at);
+        if (length < 0 || length > all.limit() - at - CHUNK_HEADER_BYTES) {
+            throw new InputException("the " + name + " chunk has " + Integer.toUnsignedLong(length)
+                    + " bytes, more than the file; copy or export it again");
+        }
+        return length;
+    }
+
+    private static byte[] text(ByteBuffer all, int offset, int length) {
+        if (length > MOST_JSON_BYTES) {
+            throw new InputException("its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES
+                    + " can be used, so export it as .glb");
+        }
+        byte[] text = new byte[length];
+        all.get(offset, text);
+        return text;
     }
 
     private record PendingNode(Integer node, Matrix4d parent) {}

@@ -26,7 +26,7 @@ public record MeshFormat(List<String> endings, Predicate<String> start, Reader r
             new MeshFormat(List.of("ply"), head -> head.startsWith("ply\n") || head.startsWith("ply\r"), PlyFile::read),
             new MeshFormat(
                     List.of("glb", "gltf"),
-                    head -> head.startsWith(GlbFile.MAGIC) || head.strip().startsWith("{"),
+                    head -> head.startsWith(GltfFile.MAGIC) || head.strip().startsWith("{"),
                     GltfFile::read),
             new MeshFormat(List.of("obj"), head -> true, ObjFile::read));
 

@@ -23,7 +23,7 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.terminal.Version;
+import sunbeam.app.terminal.Environment;
 
 /**
  * Writes a mesh as binary glTF 2.0: positions in meters, y up ((x, y, z) as (x, z, -y)), texture coordinates with v downwards, normals,
@@ -57,7 +57,7 @@ public final class GltfWriter {
         Map<String, ?> primitive =
                 Map.of("attributes", new TreeMap<>(attributes), "indices", indices(mesh.indices()), "material", 0);
         Map<String, Object> document = new TreeMap<>();
-        document.put("asset", Map.of("version", "2.0", "generator", "Sunbeam " + Version.number()));
+        document.put("asset", Map.of("version", "2.0", "generator", "Sunbeam " + Environment.version()));
         document.put("scene", 0);
         document.put("scenes", List.of(Map.of("nodes", List.of(0))));
         document.put("nodes", List.of(Map.of("mesh", 0)));
