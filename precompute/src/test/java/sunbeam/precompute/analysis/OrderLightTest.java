@@ -171,17 +171,6 @@ class OrderLightTest {
     }
 
     @Test
-    void grooveTwoOfAPatchMayDifferAndDoublesThePeriod() {
-        HeightMap equal = Surfaces.sampled(64, 2, PERIOD / 32, (column, row) -> column % 32 < 16 ? 0 : 100e-9);
-        HeightMap unequal = Surfaces.sampled(
-                64, 2, PERIOD / 32, (column, row) -> column % 32 < 16 ? 0 : column < 32 ? 100e-9 : 90e-9);
-        Direction wi = Direction.ofDegrees(0, 0);
-        // One period diffracts into the orders up to 2500 / 500; two different grooves have twice as many.
-        assertThat(light(equal, wi, 501e-9).efficiencies()).hasSize(9);
-        assertThat(light(unequal, wi, 501e-9).efficiencies()).hasSize(19);
-    }
-
-    @Test
     void theEfficiencyIsTheIntegralOfTheBrdfOverTheOrder() {
         double amplitude = 100e-9;
         double wavelength = 550e-9;

@@ -77,28 +77,6 @@ class IlluminantTest {
                         WavelengthNodes.integrated(filter, 5e3).sum(wavelength -> 1e-6 / wavelength), within(1e-9));
     }
 
-    @Test
-    void twoHalvesOfTheBandAreTheWhole() {
-        Illuminant light = Illuminant.of("F11");
-        CieTable whole = CieTable.of(Observer.CIE1931, light);
-        double[] sum = new double[3];
-        for (String band : new String[] {"380nm..541.3nm", "541.3nm..780nm"}) {
-            CieTable half = CieTable.of(Observer.CIE1931, light, WavelengthBand.parse(band));
-            // An order of 20 nm.
-            double[] xyz = WavelengthNodes.integrated(half, 20e3)
-                    .sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
-            for (int c = 0; c < 3; c++) {
-                sum[c] += xyz[c] * half.integralOfY() / whole.integralOfY();
-            }
-        }
-
-        double[] expected = WavelengthNodes.integrated(whole, 20e3)
-                .sum(wavelength -> Math.exp(-Math.pow((wavelength - 540e-9) / 20e-9, 2)));
-
-        // Weights are linear in the light: rounding.
-        assertThat(sum).containsExactly(expected, within(1e-12));
-    }
-
     @ParameterizedTest
     @CsvSource({"532nm, 532nm", "0.532 um, 532nm", "500nm..600nm, 500nm..600nm", "380nm, 380.5nm", "612.25nm, 612.25nm"
     })

@@ -8,9 +8,10 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
@@ -146,63 +147,42 @@ class ScanFaultsTest {
         }
     }
 
-    /** Generated surfaces with equal or flat rows. */
-    @SuppressWarnings("ImmutableEnumChecker") // pure functions
-    private enum Drawn {
-        LINES_ALONG_Y(t -> ridge(t), 1, 0),
-        LINES_ALONG_X(t -> ridge(t), 0, 1),
-        SINE_ALONG_X(t -> Math.cos(2 * Math.PI * t), 0, 1),
-        ASLANT(t -> ridge(t), 1, 0.96),
-        SAW(t -> t - Math.floor(t), 0.6, 0.8),
-        TRAPEZOID(t -> trapezoid(t), 1, 0.2),
-        SOFT_WALLS(t -> Math.tanh(8 * Math.cos(2 * Math.PI * t)), 1, 0.1),
-        HALF_SINE(t -> Math.max(0, Math.cos(2 * Math.PI * t)), 1, 0);
+    private static double ridge(double turns) {
+        return turns - Math.floor(turns) < 0.5 ? 1 : 0;
+    }
 
-        private final DoubleUnaryOperator profile;
-        private final double cosine;
-        private final double sine;
+    /** Lines with a profile over turns, whose frequency has a direction. */
+    private static DoubleBinaryOperator lines(DoubleUnaryOperator profile, double cosine, double sine) {
+        return (x, y) -> 80e-9 * profile.applyAsDouble((x * cosine + y * sine) / 960e-9);
+    }
 
-        Drawn(DoubleUnaryOperator profile, double cosine, double sine) {
-            this.profile = profile;
-            this.cosine = cosine;
-            this.sine = sine;
-        }
-
-        private static double ridge(double turns) {
-            return turns - Math.floor(turns) < 0.5 ? 1 : 0;
-        }
-
-        private static double trapezoid(double turns) {
-            return Math.max(-0.5, Math.min(0.5, 3 * Math.abs(turns - Math.floor(turns) - 0.5) - 0.75));
-        }
-
-        double[] heights() {
-            return ScanFaultsTest.heights((x, y) -> 80e-9 * profile.applyAsDouble((x * cosine + y * sine) / 960e-9));
-        }
+    /** Generated surfaces with equal or flat rows: lines, sines, a saw, trapezoids, soft walls, half sines, squares, an egg box. */
+    private static Stream<DoubleBinaryOperator> drawn() {
+        return Stream.of(
+                lines(ScanFaultsTest::ridge, 1, 0),
+                lines(ScanFaultsTest::ridge, 0, 1),
+                lines(t -> Math.cos(2 * Math.PI * t), 0, 1),
+                lines(ScanFaultsTest::ridge, 1, 0.96),
+                lines(t -> t - Math.floor(t), 0.6, 0.8),
+                lines(t -> Math.max(-0.5, Math.min(0.5, 3 * Math.abs(t - Math.floor(t) - 0.5) - 0.75)), 1, 0.2),
+                lines(t -> Math.tanh(8 * Math.cos(2 * Math.PI * t)), 1, 0.1),
+                lines(t -> Math.max(0, Math.cos(2 * Math.PI * t)), 1, 0),
+                (x, y) -> ridge(x / 1e-6) * ridge(y / 1.5e-6) * 1e-7,
+                (x, y) -> 5e-8 * Math.cos(2 * Math.PI * x / 1e-6) * Math.cos(2 * Math.PI * y / 1.6e-6));
     }
 
     /** Without noise, and with noise of a third of a level on flat tops, as in 8-bit pictures of real gratings. */
     @ParameterizedTest
-    @EnumSource(Drawn.class)
-    void aGratingHasNoFault(Drawn drawn) {
+    @MethodSource("drawn")
+    void aDrawnPatternHasNoFault(DoubleBinaryOperator drawn) {
         SplittableRandom random = new SplittableRandom(7);
         for (double noise : new double[] {0, 1e-10, 2e-9}) {
-            double[] heights = Arrays.stream(drawn.heights())
+            double[] heights = Arrays.stream(heights(drawn))
                     .map(height -> height + noise * random.nextGaussian())
                     .toArray();
             assertThat(faults(heights)).isEmpty();
             assertThat(faults(rounded(heights, 256))).isEmpty();
         }
-    }
-
-    /** Squares on flat ground, and an egg box, whose rows repeat at its crests. */
-    @Test
-    void drawnPatternsHaveNoFault() {
-        double[] squares = heights((x, y) -> Drawn.ridge(x / 1e-6) * Drawn.ridge(y / 1.5e-6) * 1e-7);
-        double[] eggs = heights((x, y) -> 5e-8 * Math.cos(2 * Math.PI * x / 1e-6) * Math.cos(2 * Math.PI * y / 1.6e-6));
-        assertThat(faults(squares)).isEmpty();
-        assertThat(faults(eggs)).isEmpty();
-        assertThat(faults(rounded(eggs, 256))).isEmpty();
     }
 
     @Test
@@ -217,18 +197,6 @@ class ScanFaultsTest {
             assertThat(fault.leveling()).contains(Leveling.MEDIAN_ROWS);
         });
         assertThat(faults(Leveling.MEDIAN_ROWS.apply(field(heights)).heights())).isEmpty();
-    }
-
-    @Test
-    void aJumpBetweenTwoRowsIsNamed() {
-        double[] heights = scan(11);
-        for (int row = 60; row < ROWS; row++) {
-            shiftRow(heights, row, 150e-9);
-        }
-        assertThat(words(heights))
-                .singleElement()
-                .asString()
-                .isEqualTo("all heights jump by 150 nm between rows 60 and 61 of 96 (from the top)");
     }
 
     /** A sideways shift of the lines is another fault. */

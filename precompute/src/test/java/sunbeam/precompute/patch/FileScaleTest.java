@@ -171,21 +171,6 @@ class FileScaleTest {
 
     @ParameterizedTest
     @CsvSource({
-        "65nm, 1nm, --width 65 nm is absurd",
-        "65um, 375mm, --max-height 375 mm is absurd",
-        "65um, 375um, --max-height 375 um makes a relief of 370.588 um on a patch of 65 um",
-        "1nm, 1um, --width 1 nm is absurd"
-    })
-    void refusesScalesThatCannotBe(String width, String maxHeight, String complaint) throws IOException {
-        Path file = TestImages.write(TestImages.gray8(5, 4, (c, r, b) -> 63 * c + 3), folder.resolve("grey.png"));
-
-        assertThatThrownBy(() -> load(file, WIDTH, width, MAX_HEIGHT, maxHeight))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining(complaint);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
         "2.5um, 5um, relief of 5 um is larger than the patch (2.5 um)",
         "20mm, 5um, the scan is 20 mm wide",
         "65um, 20um, one gray level is 78.4314 nm"

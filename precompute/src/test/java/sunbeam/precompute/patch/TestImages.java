@@ -12,6 +12,7 @@ import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
+import java.awt.image.SampleModel;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -47,13 +48,11 @@ final class TestImages {
         return filled(new BufferedImage(columns, rows, BufferedImage.TYPE_4BYTE_ABGR), samples);
     }
 
-    /** Bands of 16 bits: one is gray, three are RGB, four are RGBA. */
-    static BufferedImage wide16(int columns, int rows, int bands, Samples samples) {
-        return component(columns, rows, bands, DataBuffer.TYPE_USHORT, samples);
-    }
-
     static BufferedImage gray32f(int columns, int rows, Samples samples) {
-        return component(columns, rows, 1, DataBuffer.TYPE_FLOAT, samples);
+        ComponentColorModel model = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_GRAY), false, false, Transparency.OPAQUE, DataBuffer.TYPE_FLOAT);
+        SampleModel floats = new BandedSampleModel(DataBuffer.TYPE_FLOAT, columns, rows, 1);
+        return filled(new BufferedImage(model, Raster.createWritableRaster(floats, null), false, null), samples);
     }
 
     /** An 8-bit palette image whose index i has the gray {@code grays[i]}. */
@@ -76,17 +75,6 @@ final class TestImages {
             writer.write(image);
         }
         return file;
-    }
-
-    private static BufferedImage component(int columns, int rows, int bands, int type, Samples samples) {
-        boolean alpha = bands == 4;
-        ColorSpace space = ColorSpace.getInstance(bands == 1 ? ColorSpace.CS_GRAY : ColorSpace.CS_sRGB);
-        ComponentColorModel model = new ComponentColorModel(
-                space, alpha, false, alpha ? Transparency.TRANSLUCENT : Transparency.OPAQUE, type);
-        WritableRaster raster = type == DataBuffer.TYPE_FLOAT
-                ? Raster.createWritableRaster(new BandedSampleModel(type, columns, rows, bands), null)
-                : Raster.createInterleavedRaster(type, columns, rows, bands, null);
-        return filled(new BufferedImage(model, raster, false, null), samples);
     }
 
     private static BufferedImage filled(BufferedImage image, Samples samples) {

@@ -99,20 +99,6 @@ class GratingTruthsTest {
         });
     }
 
-    @ParameterizedTest
-    @ValueSource(doubles = {100e-9, 250e-9, 411e-9})
-    void sampledRampHasDirichletOrders(double height) {
-        int samples = 64;
-        HeightMap map = Surfaces.of(samples, 1, PERIOD / samples, (x, y) -> height * x / PERIOD);
-        assertOrders(map, height, (order, phase) -> {
-            double turns = 0.5 * (phase + 2 * Math.PI * order) / samples;
-            return Complex.I
-                    .multiply(turns * (samples - 1))
-                    .exp()
-                    .multiply(Math.sin(samples * turns) / (samples * Math.sin(turns)));
-        });
-    }
-
     @Test
     void finelySampledRampHasSincSquaredOrders() {
         int samples = 4096;
