@@ -1,5 +1,7 @@
 package sunbeam.app.scene.texture;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
 
@@ -53,6 +55,8 @@ public final class ScaleRelief {
     private static final double REAR_LENGTH = 0.6;
     private static final double FRONT_LENGTH = 0.9;
     private static final double HALF_WIDTH = 1.04;
+    // Edge, as in {@link Plate}, up to which a plate darkens the plate below it.
+    private static final double SHADED_EDGE = 1.6;
     // Step of numerical derivatives, in lengths of a scale and widths of a row.
     private static final double STEP = 1e-3;
     private static final int FIRST_ROW = 64;
@@ -141,15 +145,16 @@ public final class ScaleRelief {
      */
     private void addPoint(double x, double y, double[] sum) {
         Plate top = null;
-        double covered = 0;
-        for (int row = (int) Math.floor(y - HALF_WIDTH); row <= y + HALF_WIDTH; row++) {
+        List<Plate> others = new ArrayList<>();
+        for (int row = floor(y - 1.5); row <= y + 1.5; row++) {
             double offset = 0.5 * (row & 1);
-            if (Math.abs(row) > outermostRow) {
-                continue;
-            }
-            for (int scale = (int) Math.ceil(x - offset - 1); scale <= x - offset + FRONT_LENGTH; scale++) {
+            for (int scale = ceil(x - offset - 1);
+                    Math.abs(row) <= outermostRow && scale <= x - offset + FRONT_LENGTH;
+                    scale++) {
                 Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
-                if (plate.edge < 1 && (top == null || plate.along > top.along)) {
+                if (plate.edge >= 1 && plate.edge < SHADED_EDGE && plate.along >= 0) {
+                    others.add(plate);
+                } else if (plate.edge < 1 && (top == null || plate.along > top.along)) {
                     top = plate;
                 }
             }
@@ -157,16 +162,11 @@ public final class ScaleRelief {
         if (top == null) {
             top = shield(x, y);
         }
-        for (int row = (int) Math.floor(y - 1.5); row <= y + 1.5; row++) {
-            double offset = 0.5 * (row & 1);
-            for (int scale = (int) Math.ceil(x - offset - 1);
-                    Math.abs(row) <= outermostRow && scale <= x - offset;
-                    scale++) {
-                Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
-                if (plate.edge >= 1 && (top.isShield || plate.along > top.along)) {
-                    double near = Math.max(0, 1.6 - plate.edge) / 0.6;
-                    covered = Math.max(covered, near * near * near);
-                }
+        double covered = 0;
+        for (Plate plate : others) {
+            if (top.isShield || plate.along > top.along) {
+                double near = (SHADED_EDGE - plate.edge) / (SHADED_EDGE - 1);
+                covered = Math.max(covered, near * near * near);
             }
         }
         double unevenAlong = SLOPE_VARIATION * noise(3 * top.number);
@@ -182,6 +182,15 @@ public final class ScaleRelief {
         sum[1] += slopeAround + unevenAround;
         sum[2] += lightness;
         sum[3] += pale(top);
+    }
+
+    private static int floor(double value) {
+        int whole = (int) value;
+        return whole > value ? whole - 1 : whole;
+    }
+
+    private static int ceil(double value) {
+        return -floor(-value);
     }
 
     private double pale(Plate plate) {
@@ -204,7 +213,7 @@ public final class ScaleRelief {
         double halfGirth = scales.rows() / (2 * DORSAL);
         double beside = (halfGirth - Math.abs(y)) / (halfGirth - outermostRow);
         double bent = x + 0.25 * beside * beside;
-        int number = (int) Math.floor(bent);
+        int number = floor(bent);
         double along = bent - number - 0.5;
         return new Plate(Math.floorMod(number, SCALES_ALONG), along, beside, shieldEdge(along), true);
     }
