@@ -2,7 +2,7 @@
 
     sunbeam export elaphe-like --format npz --output elaphe.npz
     python3 mitsuba_bsdf.py elaphe.npz                  checks it: chi-square test, white furnace, comparison with read_export.py
-    python3 mitsuba_bsdf.py elaphe.npz sphere.png       draws spheres under the sun and under a lamp that has an area
+    python3 mitsuba_bsdf.py disc.npz disc.png           draws a disc under a square lamp and a sphere under the sun
 
 In a scene: set the variant, import mitsuba_bsdf, then {"type": "sunbeam", "filename": "elaphe.npz"}. `scale` multiplies it: at 1 a flat
 mirror reflects Schlick's share for an index of 1.5, 4 % along the normal. Colors are linear Rec. 709, clipped where they are negative.
@@ -196,21 +196,21 @@ def check(filename, count=1000000):
     return failed
 
 
-def sphere(filename, lamps, exposure, samples=256):
-    """Linear Rec. 709 of a sphere seen obliquely from above."""
+def drawn(filename, shape, lamps, samples=256):
+    """Linear Rec. 709 of a sphere, or of a disk, whose tangents are radial, seen obliquely from above."""
     look = mi.ScalarTransform4f().look_at(origin=[0, -8, 5.6], target=[0, 0, 0], up=[0, 0, 1])
     sensor = {"type": "perspective", "fov": 13, "fov_axis": "y", "to_world": look, "sampler": {"type": "independent", "sample_count": samples},
               "film": {"type": "hdrfilm", "width": 320, "height": 320, "rfilter": {"type": "box"}}}
-    scene = {"type": "scene", "integrator": {"type": "path", "max_depth": 3}, "sensor": sensor, "sphere": {
-             "type": "sphere", "bsdf": {"type": "sunbeam", "filename": filename, "scale": exposure}}}
+    scene = {"type": "scene", "integrator": {"type": "path", "max_depth": 3}, "sensor": sensor,
+             "shape": {"type": shape, "bsdf": {"type": "sunbeam", "filename": filename}}}
     return np.array(mi.render(mi.load_dict(scene | lamps)))
 
 
 def picture(filename, output):
     sun = {"sun": {"type": "directional", "direction": [-0.3, 0.5, -0.8], "irradiance": 1.0}}
-    to_world = mi.ScalarTransform4f().look_at(origin=[2, -3, 5], target=[0, 0, 0], up=[0, 1, 0])
+    to_world = mi.ScalarTransform4f().look_at(origin=[0.8, 3, 4.5], target=[0, 0, 0], up=[0, 1, 0]).scale(0.3)
     lamp = {"lamp": {"type": "rectangle", "to_world": to_world, "emitter": {"type": "area", "radiance": 1.0}}}
-    images = sphere(filename, sun, 1), sphere(filename, lamp, 1)
+    images = drawn(filename, "disk", lamp), drawn(filename, "sphere", sun)
     both = np.concatenate([1 - np.exp(-image * 3 / np.quantile(image[image > 0], 0.98)) for image in images], 1)
     mi.util.write_bitmap(output, mi.TensorXf(both.astype(np.float32)))
 
