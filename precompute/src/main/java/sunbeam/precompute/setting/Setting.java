@@ -1,10 +1,11 @@
 package sunbeam.precompute.setting;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * Declaration of a user's setting.
@@ -42,7 +43,11 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
     /** Returns the settings of several lists, without repetitions. */
     @SafeVarargs
     public static List<Setting<?>> union(List<Setting<?>>... lists) {
-        return Stream.of(lists).<Setting<?>>flatMap(List::stream).distinct().toList();
+        Set<Setting<?>> all = new LinkedHashSet<>();
+        for (List<Setting<?>> list : lists) {
+            all.addAll(list);
+        }
+        return List.copyOf(all);
     }
 
     public Optional<String> writtenStandard() {
