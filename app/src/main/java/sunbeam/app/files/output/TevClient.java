@@ -118,9 +118,10 @@ public final class TevClient implements AutoCloseable {
         if (lost) {
             return;
         }
-        packet.putInt(0, packet.position());
+        byte[] bytes = new byte[packet.position()];
+        packet.putInt(0, bytes.length).flip().get(bytes);
         FutureTask<Void> sent = new FutureTask<>(() -> {
-            socket.getOutputStream().write(packet.array(), 0, packet.position());
+            socket.getOutputStream().write(bytes);
             return null;
         });
         Thread thread = new Thread(sent, "tev");

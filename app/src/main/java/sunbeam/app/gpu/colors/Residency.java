@@ -140,7 +140,7 @@ final class Residency implements AutoCloseable {
         if (texels != null && capacity == layers) {
             // Doubling keeps the number of complete uploads small. Drivers allow no more layers than expect() does.
             long most = MemoryNeed.LARGEST_TEXTURE_BYTES / AtlasPages.LAYER_NUMBERS / format.bytes();
-            capacity = Math.max(layers, (int) Math.min(2 * texels.spec().layers(), most));
+            capacity = Math.max(layers, (int) Math.min(2L * texels.spec().layers(), most));
         }
         close(texels);
         texels = null;
