@@ -11,7 +11,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -64,18 +63,11 @@ final class CommandHelp {
             TOLERANCE,
             COHERENCE_LENGTH);
 
-    private static final List<Group> GROUPS = List.of(
-            new Group("Options", option -> !(option.userObject() instanceof Setting) && !isGeneral(option)),
-            new Group("Surface", option -> isOfSurface(option.userObject())),
-            new Group("Scene", option -> isOfScene(option.userObject())),
-            new Group("Light", option -> isOfLight(option.userObject())),
-            new Group("Method", option -> METHOD_SETTINGS.contains(option.userObject())),
-            new Group(
-                    "Method, for experts: parts of the plan that otherwise follow from the tolerance",
-                    option -> isOfPlan(option.userObject())),
-            new Group("Of every command", CommandHelp::isGeneral));
-
-    private record Group(String title, Predicate<OptionSpec> members) {}
+    private static final String EVERY = "Of every command";
+    private static final String EXPERT_METHOD =
+            "Method, for experts: parts of the plan that otherwise follow from the tolerance";
+    private static final List<String> GROUPS =
+            List.of("Options", "Surface", "Scene", "Light", "Method", EXPERT_METHOD, EVERY);
 
     private CommandHelp() {}
 
@@ -91,44 +83,39 @@ final class CommandHelp {
 
     private static String options(Help help, boolean complete) {
         StringBuilder text = new StringBuilder();
-        for (Group group : GROUPS) {
+        for (String group : GROUPS) {
             CommandSpec members = CommandSpec.create();
             help.commandSpec().options().stream()
-                    .filter(group.members)
+                    .filter(option -> group(option).equals(group))
                     .filter(option -> complete || isCommon(option))
                     .sorted(Comparator.comparing(option -> LAST.contains(option.longestName())))
                     .forEach(option -> members.addOption(shown(option, complete)));
             if (!members.options().isEmpty()) {
                 Help.Layout layout = help.createDefaultLayout();
                 layout.addAllOptions(members.options(), help.parameterLabelRenderer());
-                text.append(help.createHeading("%n" + group.title + ":%n")).append(layout);
+                text.append(help.createHeading("%n" + group + ":%n")).append(layout);
             }
         }
         return text.toString();
     }
 
-    private static boolean isOfSurface(Object setting) {
-        return setting == SceneSettings.ROTATE_PATCH || PatchSettings.ALL.contains(setting);
-    }
-
-    private static boolean isOfScene(Object setting) {
-        return SceneSettings.OVERRIDABLE.contains(setting) && !isOfSurface(setting);
-    }
-
-    private static boolean isOfLight(Object setting) {
-        return setting == LightOptions.THETA_I || setting == LightOptions.PHI_I || LightSettings.ALL.contains(setting);
-    }
-
-    private static boolean isOfPlan(Object setting) {
-        return setting instanceof Setting
-                && !isOfSurface(setting)
-                && !isOfScene(setting)
-                && !isOfLight(setting)
-                && !METHOD_SETTINGS.contains(setting);
-    }
-
-    private static boolean isGeneral(OptionSpec option) {
-        return GENERAL.contains(option.longestName());
+    private static String group(OptionSpec option) {
+        if (GENERAL.contains(option.longestName())) {
+            return EVERY;
+        }
+        if (!(option.userObject() instanceof Setting<?> setting)) {
+            return "Options";
+        }
+        if (setting == SceneSettings.ROTATE_PATCH || PatchSettings.ALL.contains(setting)) {
+            return "Surface";
+        }
+        if (SceneSettings.OVERRIDABLE.contains(setting)) {
+            return "Scene";
+        }
+        if (setting == LightOptions.THETA_I || setting == LightOptions.PHI_I || LightSettings.ALL.contains(setting)) {
+            return "Light";
+        }
+        return METHOD_SETTINGS.contains(setting) ? "Method" : EXPERT_METHOD;
     }
 
     private static boolean isCommon(OptionSpec option) {

@@ -5,6 +5,8 @@ import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,9 +17,15 @@ import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Decimals;
+import sunbeam.precompute.units.Lengths;
 
 record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
@@ -41,16 +49,48 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
         Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH, ANGULAR_DIAMETER)));
-        Optional<String> spectrum = light.chosen().isEmpty() ? Optional.empty() : Optional.of(light.describe());
+        String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
+                + index.map(words -> "refractive index " + words + "; ").orElse("");
         return sheet(maps.stream()
-                .map(map -> {
-                    MapCaption.Remarks remarks = new MapCaption.Remarks(
-                            spectrum, index, ScanLimit.of(asked, map.patch()).limiting());
-                    List<String> caption =
-                            MapCaption.of(map.patch(), map.light(), map.coherenceLength(), map.method(), remarks);
-                    return new MapAnnotation(disc(map), map.light(), MapCaption.with(caption, exposed)).draw();
-                })
+                .map(map -> new MapAnnotation(disc(map), map.light(), caption(map, remarks, asked, exposed)).draw())
                 .toList());
+    }
+
+    /** Returns one paragraph for the patch, one for light and window, with remarks on what differs from the defaults, and the last one. */
+    static List<String> caption(MaterialMap.Result map, String remarks, Choices asked, String last) {
+        Patch patch = map.patch();
+        Direction light = map.light();
+        String average = map.method().referenceMethod(patch.heights()).area() instanceof GaussianArea area
+                ? area.average() == Average.COHERENT ? ", one coherence area" : ", ensemble average"
+                : "";
+        return List.of(
+                Text.format(
+                        "%s: %s x %s, relief %s",
+                        patch.name(),
+                        rounded(patch.heights().width()),
+                        rounded(patch.heights().height()),
+                        rounded(patch.scan().relief())),
+                Text.format(
+                        "light %s\u00b0 from the normal, azimuth %s\u00b0; %scoherence length %s%s%s; method %s",
+                        degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
+                        degrees(Math.atan2(light.y(), light.x())),
+                        remarks,
+                        rounded(map.coherenceLength()),
+                        ScanLimit.of(asked, patch)
+                                .limiting()
+                                .map(side -> " (the scan's " + side + ")")
+                                .orElse(""),
+                        average,
+                        map.method().type().label()),
+                last);
+    }
+
+    private static String degrees(double radians) {
+        return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
+    }
+
+    private static String rounded(double meters) {
+        return Lengths.format(new BigDecimal(meters).round(new MathContext(4)).doubleValue());
     }
 
     Optional<Patch> black() {

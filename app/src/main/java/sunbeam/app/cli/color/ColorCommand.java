@@ -9,7 +9,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -19,7 +21,6 @@ import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
@@ -29,6 +30,7 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.ExitCode;
@@ -40,6 +42,7 @@ import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
@@ -129,14 +132,14 @@ public final class ColorCommand extends FileCommand {
         exposure.check();
         Methods.of(choices);
         if (output != null) {
-            new ColorFiles(output, overwrite()).checkWritable();
+            files(output).checkWritable();
         }
         CieTable cie = LightTable.of(choices);
         PrintWriter err = err();
         List<Patch> patches = compared.load(patchOptions, choices, environment().progress());
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("color-" + names + ".png");
-        ColorFiles files = new ColorFiles(picture, overwrite(output));
+        FileGroup files = files(picture);
         files.checkWritable();
         List<SurfaceColors> surfaces = new ArrayList<>();
         List<String> warnings = new ArrayList<>();
@@ -157,16 +160,39 @@ public final class ColorCommand extends FileCommand {
                     .toList();
         }
         ExitCode judged = judge(reports, err);
-        PrintWriter out = json.text(out());
-        ColorSheet sheet = new ColorSheet(reports, settings, cie);
-        Map<String, Object> tree = ColorFiles.tree(reports, settings, warnings, sheet);
-        List<Path> written = files.write(reports, settings, JsonOption.text(tree), sheet);
         for (ColorReport report : reports) {
             String name = reports.size() > 1 ? Quoted.oneLine(report.patch().name()) + ": " : "";
-            out.println(name + String.join(System.lineSeparator() + "  ", report.lines()));
+            json.text(out()).println(name + String.join(System.lineSeparator() + "  ", report.lines()));
         }
-        json.print(out(), tree, written);
+        ColorSheet sheet = new ColorSheet(reports, settings, cie);
+        Map<String, Object> tree = new LinkedHashMap<>(settings);
+        List<Map<String, Object>> fields =
+                reports.stream().map(ColorReport::fields).toList();
+        fields.get(0).put("thumbnail_px", sheet.thumbnail());
+        tree.put("surfaces", fields);
+        tree.put("warnings", warnings);
+        write(files, tree, ColorReport.csv(reports), sheet.draw(), text(patches, settings));
         return judged.code();
+    }
+
+    /** Returns the picture and, beside it, the files of its numbers. */
+    private FileGroup files(Path picture) {
+        String stem = FileNames.stem(picture);
+        String ending = picture.getFileName().toString().substring(stem.length());
+        return new FileGroup(picture.resolveSibling(stem), List.of(ending, ".csv", ".json"), overwrite(output));
+    }
+
+    private static Map<String, String> text(List<Patch> patches, Map<String, Object> settings) {
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", "Colors of " + joined(patches, Patch::name));
+        text.put("Patch", joined(patches, Patch::source));
+        settings.forEach((key, value) ->
+                text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
+        return text;
+    }
+
+    private static String joined(List<Patch> patches, Function<Patch, String> words) {
+        return patches.stream().map(words).collect(Collectors.joining("; "));
     }
 
     private void describe(

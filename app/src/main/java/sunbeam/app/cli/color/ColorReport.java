@@ -1,11 +1,17 @@
 package sunbeam.app.cli.color;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import sunbeam.app.cli.report.ReportFields;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.CsvWriter;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.patch.ModelError;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
@@ -50,5 +56,47 @@ record ColorReport(
                     + " stands in each plane");
         }
         return lines;
+    }
+
+    Map<String, Object> fields() {
+        Map<String, Object> fields = ReportFields.of(patch, period, verdict);
+        fields.put("theta_i_deg", colors.get(0).view().thetaIDegrees());
+        fields.put("has_color", colored);
+        fields.put("plane_azimuth_deg", azimuthDegrees);
+        fields.put("coherence_length_m", coherenceLength);
+        fields.put("plan", plan);
+        fields.put("model", ModelError.of(patch.scan()).describe());
+        Optional<Map<String, Object>> values = purest.map(ViewColor::fields);
+        values.ifPresent(found -> found.putAll(spectrum.band()));
+        fields.put("purest", values.orElse(null));
+        fields.put("colors", colors.stream().map(ViewColor::fields).toList());
+        fields.put("spectrum", spectrum.fields());
+        return fields;
+    }
+
+    /**
+     * Returns a header and a row for each color; a cell is empty if its value is not defined. Columns of angles have no unit in their names,
+     * the dominant wavelength is in nm.
+     */
+    static AtomicFile.StreamContent csv(List<ColorReport> reports) {
+        List<Map<String, Object>> rows = new ArrayList<>();
+        for (ColorReport report : reports) {
+            for (ViewColor color : report.colors) {
+                Map<String, Object> cells = new LinkedHashMap<>(Map.of("patch", report.patch.name()));
+                color.fields().forEach((name, value) -> {
+                    if (name.equals("dominant_m")) {
+                        cells.put("dominant_nm", cell(value == null ? null : 1e9 * (Double) value));
+                    } else {
+                        cells.put(name.replaceFirst("^(phi|phi_i|theta_i|theta_r)_deg$", "$1"), cell(value));
+                    }
+                });
+                rows.add(cells);
+            }
+        }
+        return AtomicFile.StreamContent.of(CsvWriter.text(rows));
+    }
+
+    private static String cell(Object value) {
+        return value == null ? "" : value instanceof Double number ? Text.format("%.7g", number) : value.toString();
     }
 }

@@ -1,7 +1,9 @@
 package sunbeam.app.cli.color;
 
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
@@ -110,12 +112,32 @@ record ViewColor(
         return CieLab.ofXyz(cut * xyz[0], cut * xyz[1], cut * xyz[2]);
     }
 
-    String hex() {
-        return Text.format("#%06x", rgb);
+    /** Returns all values by name; null for those that are not defined. */
+    Map<String, Object> fields() {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("strip", view.strip());
+        values.put("phi_deg", view.phiDegrees());
+        values.put("theta_i_deg", view.thetaIDegrees());
+        values.put("phi_i_deg", view.phiIDegrees());
+        values.put("theta_r_deg", view.thetaRDegrees());
+        values.put("srgb", hex());
+        values.put("X", xyz[0]);
+        values.put("Y", xyz[1]);
+        values.put("Z", xyz[2]);
+        values.put("x", chromaticity.x());
+        values.put("y", chromaticity.y());
+        values.put("dominant_m", 1e-9 * hue.nanometers());
+        values.put("purity", hue.purity());
+        values.put("lightness", lab.lightness());
+        values.put("chroma", lab.chroma());
+        values.put("hue_deg", Math.toDegrees(Math.atan2(lab.b(), lab.a())));
+        values.put("delta_e", uncertainty);
+        values.replaceAll((key, value) -> value instanceof Double number && !Double.isFinite(number) ? null : value);
+        return values;
     }
 
-    double hueAngleDegrees() {
-        return Math.toDegrees(Math.atan2(lab.b(), lab.a()));
+    String hex() {
+        return Text.format("#%06x", rgb);
     }
 
     String describeHue() {

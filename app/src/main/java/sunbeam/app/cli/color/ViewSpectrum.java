@@ -1,5 +1,8 @@
 package sunbeam.app.cli.color;
 
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
@@ -43,6 +46,27 @@ record ViewSpectrum(ViewColor.View view, double[] nanometers, double[] radiances
 
     double width() {
         return to - from;
+    }
+
+    Map<String, Object> band() {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("width_m", width());
+        values.put("quarter_m", from);
+        values.put("three_quarters_m", to);
+        return values;
+    }
+
+    Map<String, Object> fields() {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("strip", view.strip());
+        values.put("theta_i_deg", view.thetaIDegrees());
+        values.put("theta_r_deg", view.thetaRDegrees());
+        values.putAll(band());
+        values.put(
+                "wavelength_m",
+                Arrays.stream(nanometers).map(length -> length / 1e9).toArray());
+        values.put("relative_radiance", radiances);
+        return values;
     }
 
     private static double quantile(double[] wavelengths, double[] below, double share) {

@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import sunbeam.app.cli.doctor.Machine.Check;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.terminal.Environment;

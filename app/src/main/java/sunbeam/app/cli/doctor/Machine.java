@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.CacheFolder;
@@ -18,6 +19,21 @@ final class Machine {
     private static final double LEAST_HEAP_MEBIBYTES = 1024;
 
     private Machine() {}
+
+    /** Line of the report: name of a property, its value, and a remedy if the value prevents or limits rendering. */
+    record Check(String name, String value, Optional<String> remedy) {
+        static Check ok(String name, String value) {
+            return new Check(name, value, Optional.empty());
+        }
+
+        static Check failed(String name, String value, String remedy) {
+            return new Check(name, value, Optional.of(remedy));
+        }
+
+        boolean isOk() {
+            return remedy.isEmpty();
+        }
+    }
 
     static List<Check> examine(Environment environment) {
         List<Check> checks = new ArrayList<>();

@@ -13,13 +13,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.FileCommand;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
-import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -154,7 +151,7 @@ public final class EvaluateCommand extends FileCommand {
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
-        json.print(out(), report, files.write(contents(evaluation, title(choices), report)));
+        write(files, report, evaluation.csv(), ResponsePlot.draw(evaluation, title(choices)), text(evaluation, report));
         return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 
@@ -223,8 +220,7 @@ public final class EvaluateCommand extends FileCommand {
         return tree;
     }
 
-    private static Map<String, AtomicFile.StreamContent> contents(
-            Evaluation evaluation, String title, Map<String, Object> tree) {
+    private static Map<String, String> text(Evaluation evaluation, Map<String, Object> tree) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", evaluation.patch().name() + ", " + evaluation.light());
         text.put("Patch", evaluation.patch().source());
@@ -233,11 +229,7 @@ public final class EvaluateCommand extends FileCommand {
         if (tree.containsKey("plan")) {
             text.put("Plan", tree.get("plan").toString());
         }
-        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
-        contents.put(".csv", evaluation.csv());
-        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
-        contents.put(".png", stream -> PngWriter.write(stream, ResponsePlot.draw(evaluation, title), text));
-        return contents;
+        return text;
     }
 
     private String title(Choices choices) {

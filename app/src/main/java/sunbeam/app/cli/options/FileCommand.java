@@ -1,9 +1,15 @@
 package sunbeam.app.cli.options;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.files.output.AtomicFile.StreamContent;
+import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
 
 /** Base class of commands that write files and report them: options {@code --force} and {@code --json}. */
 public abstract class FileCommand extends ReportingCommand {
@@ -28,5 +34,24 @@ public abstract class FileCommand extends ReportingCommand {
      */
     protected final Overwrite overwrite(Path named) {
         return force || named != null ? overwrite() : Overwrite.NUMBER;
+    }
+
+    /**
+     * Writes a report as table, JSON and picture, and prints their names or the report.
+     *
+     * @param files group whose first ending is the picture's
+     * @param text text entries of the picture
+     */
+    protected final void write(
+            FileGroup files,
+            Map<String, Object> report,
+            StreamContent csv,
+            BufferedImage picture,
+            Map<String, String> text) {
+        Map<String, StreamContent> contents = new LinkedHashMap<>();
+        contents.put(".csv", csv);
+        contents.put(".json", StreamContent.of(JsonOption.text(report)));
+        contents.put(files.endings().get(0), stream -> PngWriter.write(stream, picture, text));
+        json.print(out(), report, files.write(contents));
     }
 }

@@ -67,16 +67,19 @@ public record Range(double minimum, double maximum, double step) {
                 .toArray();
     }
 
-    /** Parses {@code min:max:step}, plain numbers in the option's unit. */
+    /** Parses {@code min:max:step}, or one number, in the option's unit. */
     public static final class Converter implements ITypeConverter<Range> {
         @Override
         public Range convert(String text) {
             String[] parts = text.split(":", -1);
-            if (parts.length != 3) {
+            if (parts.length != 1 && parts.length != 3) {
                 throw new TypeConversionException("'" + text + "' is not a range; give min:max:step as in 380:780:5");
             }
             try {
-                return new Range(number(text, parts[0]), number(text, parts[1]), number(text, parts[2]));
+                double first = number(text, parts[0]);
+                return parts.length == 1
+                        ? new Range(first, first, 1)
+                        : new Range(first, number(text, parts[1]), number(text, parts[2]));
             } catch (IllegalArgumentException failure) {
                 throw new TypeConversionException("'" + text + "' is not a range: " + failure.getMessage());
             }
@@ -86,17 +89,6 @@ public record Range(double minimum, double maximum, double step) {
             OptionalDouble value = Decimals.parse(part);
             return value.orElseThrow(() -> new TypeConversionException("'" + text + "' is not a range: '" + part
                     + "' is not a number; give min:max:step as in 380:780:5"));
-        }
-    }
-
-    /** Parses one number, or a range. */
-    public static final class OrNumberConverter implements ITypeConverter<Range> {
-        @Override
-        public Range convert(String text) {
-            OptionalDouble number = Decimals.parse(text);
-            return number.isPresent()
-                    ? new Range(number.getAsDouble(), number.getAsDouble(), 1)
-                    : new Converter().convert(text);
         }
     }
 }

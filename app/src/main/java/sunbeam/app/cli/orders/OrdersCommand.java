@@ -6,7 +6,6 @@ import static sunbeam.precompute.plan.LightSettings.OBSERVER;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -15,14 +14,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
-import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.input.LightTable;
-import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.FileGroup;
-import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
@@ -78,7 +74,7 @@ public final class OrdersCommand extends FileCommand {
     @Option(
             names = "--theta-i",
             paramLabel = "ANGLES",
-            converter = Range.OrNumberConverter.class,
+            converter = Range.Converter.class,
             defaultValue = "0",
             description =
                     "Angle of the light to the normal in degrees, or angles MIN:MAX:STEP, within 0 to 89.9. Default:"
@@ -88,7 +84,7 @@ public final class OrdersCommand extends FileCommand {
     @Option(
             names = "--wavelengths",
             paramLabel = "MIN:MAX:STEP",
-            converter = Range.OrNumberConverter.class,
+            converter = Range.Converter.class,
             defaultValue = "380:780:5",
             description = "Wavelengths in nm, or one, within 380..780. Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;
@@ -128,12 +124,8 @@ public final class OrdersCommand extends FileCommand {
         table.lines().forEach(json.text(out())::println);
         Map<String, Object> tree = table.tree();
         tree.put("index", index.describe(material));
-        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
-        contents.put(".csv", table.csv());
-        contents.put(".json", AtomicFile.StreamContent.of(JsonOption.text(tree)));
         Map<String, String> text = Map.of("Title", patch.name() + ", diffraction orders", "Patch", patch.source());
-        contents.put(".png", stream -> PngWriter.write(stream, OrderPlot.draw(table), text));
-        json.print(out(), tree, files.write(contents));
+        write(files, tree, table.csv(), OrderPlot.draw(table), text);
         return DoubtfulPicture.ofPatches(List.of(patch)).code();
     }
 

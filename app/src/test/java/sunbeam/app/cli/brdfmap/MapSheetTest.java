@@ -3,19 +3,16 @@ package sunbeam.app.cli.brdfmap;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import sunbeam.app.cli.options.MethodOptions;
-import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 
-class MapCaptionTest {
+class MapSheetTest {
     private static final Choices ASKED =
             new CommandLine(new MethodOptions()).<MethodOptions>getCommand().choices();
     private static final Direction LIGHT = Direction.ofDegrees(30, 0);
@@ -30,24 +27,18 @@ class MapCaptionTest {
         return new Patch("scan", map, map, "made up", List.of(), List.of(), List.of(), List.of(), repetition);
     }
 
-    private static final MapCaption.Remarks NONE =
-            new MapCaption.Remarks(Optional.empty(), Optional.empty(), Optional.empty());
-
     @Test
     void whatIsNotAsByDefaultIsToldAndNothingElse() {
-        Method method = Methods.of(ASKED);
-        Patch patch = scan(Patch.Repetition.NONE);
-        MapCaption.Remarks remarks = new MapCaption.Remarks(
-                Optional.empty(),
-                Optional.of("0.97+6.5i"),
-                ScanLimit.of(ASKED, patch).limiting());
-
-        assertThat(String.join("; ", MapCaption.of(patch, LIGHT, 10e-6, method, remarks)))
+        assertThat(caption(Patch.Repetition.NONE, "refractive index 0.97+6.5i; "))
                 .contains("; refractive index 0.97+6.5i; coherence length 10 um (the scan's height), ");
-        assertThat(String.join("; ", MapCaption.of(patch, LIGHT, 10e-6, method, NONE)))
+        assertThat(caption(Patch.Repetition.PERIODIC, ""))
                 .contains("azimuth 0\u00b0; coherence length 10 um, ")
-                .doesNotContain("index");
-        assertThat(ScanLimit.of(ASKED, scan(Patch.Repetition.PERIODIC)).limiting())
-                .isEmpty();
+                .endsWith("; exposure 2");
+    }
+
+    private static String caption(Patch.Repetition repetition, String remarks) {
+        MaterialMap.Result map =
+                new MaterialMap.Result(scan(repetition), LIGHT, Methods.of(ASKED), "", "", 10e-6, null);
+        return String.join("; ", MapSheet.caption(map, remarks, ASKED, "exposure 2"));
     }
 }
