@@ -10,7 +10,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 
 /**

@@ -1,6 +1,6 @@
 package sunbeam.app.terminal;
 
-import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /** Origin of choices made on the command line: the setting {@code coherenceLength} is the option {@code --coherence-length}. */

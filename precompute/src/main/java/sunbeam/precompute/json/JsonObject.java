@@ -17,7 +17,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;

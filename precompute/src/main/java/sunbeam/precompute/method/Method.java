@@ -3,7 +3,7 @@ package sunbeam.precompute.method;
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.Setting.Sentence;
 
 /** Diffraction method with all its settings. Immutable; equal by value. Scenes treat {@link TableMethod} separately. */
 public interface Method {

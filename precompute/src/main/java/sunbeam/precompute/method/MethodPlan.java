@@ -7,7 +7,7 @@ import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.SpectrumPlan;
-import sunbeam.precompute.setting.Sentence;
+import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 

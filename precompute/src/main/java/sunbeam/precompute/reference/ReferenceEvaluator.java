@@ -3,9 +3,9 @@ package sunbeam.precompute.reference;
 import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.AxisWeights.Axis;
 

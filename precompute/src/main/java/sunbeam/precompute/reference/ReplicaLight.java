@@ -3,10 +3,10 @@ package sunbeam.precompute.reference;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.optics.WindowOrigin;
 import sunbeam.precompute.reference.AxisWeights.Axis;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 

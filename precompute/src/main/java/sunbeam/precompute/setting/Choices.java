@@ -5,8 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import sunbeam.precompute.setting.Setting.Sentence;
 
 /** Values of settings, each with the source where it was chosen. Immutable. Equality ignores the sources. */
 public final class Choices {
@@ -187,5 +189,45 @@ public final class Choices {
     @Override
     public String toString() {
         return describe();
+    }
+
+    /** Source of a setting's value (an option, a file, a control). It formats complaints about the value. */
+    public interface Origin {
+        enum Place {
+            OPTION,
+            FILE,
+            CONTROL,
+            PROGRAM
+        }
+
+        Place place();
+
+        /** Returns the name of a setting at this source, for use in a sentence: {@code --terms}, {@code terms}. */
+        String name(Setting<?> setting);
+
+        /**
+         * Returns an error message in one line. The value is the text at the source, or empty; the problem completes a sentence whose subject
+         * is the value, such as "must be at least 1".
+         */
+        default String complaint(Setting<?> setting, String value, String problem) {
+            return (name(setting) + " " + value).strip() + " " + problem;
+        }
+
+        /** The program itself. It names a setting by the words of its key, such as {@code coherence length}. */
+        Origin PROGRAM = of(Place.PROGRAM, setting -> setting.words(" "));
+
+        static Origin of(Place place, Function<Setting<?>, String> names) {
+            return new Origin() {
+                @Override
+                public Place place() {
+                    return place;
+                }
+
+                @Override
+                public String name(Setting<?> setting) {
+                    return names.apply(setting);
+                }
+            };
+        }
     }
 }

@@ -1,5 +1,7 @@
 package sunbeam.precompute.setting;
 
+import sunbeam.precompute.setting.Choices.Origin;
+import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.text.Quoted;
 
 /** Reports an invalid value of a setting. {@link Choices#located} adds the source of the value. */

@@ -2,7 +2,7 @@ package sunbeam.precompute.patch;
 
 import sunbeam.precompute.patch.PatchLoader.HeightCache;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 
 /** Patches as options of a command line request them. */

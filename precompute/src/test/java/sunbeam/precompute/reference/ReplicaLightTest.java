@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
@@ -58,14 +59,12 @@ class ReplicaLightTest {
         HeightMap map = Surfaces.random(12, 9, 90e-9, 200e-9, 3);
         DirectionPair order = seeing(2 * WAVELENGTH / map.width(), -WAVELENGTH / map.height(), -1.2);
         double one = light(map, 1, 1).power(order, WAVELENGTH);
-        assertThat(light(map, 7, 7).power(order, WAVELENGTH))
-                .isCloseTo(one, within(ROUNDING));
+        assertThat(light(map, 7, 7).power(order, WAVELENGTH)).isCloseTo(one, within(ROUNDING));
         // On a bin the Gaussian window and the sharp edge give the same order; neighbors are 40 deviations away.
         CoherenceWindow wide = new CoherenceWindow(7e-6);
         HeightMap grid = Surfaces.random(12, 12, 90e-9, 200e-9, 3);
         DirectionPair onBin = seeing(2 * WAVELENGTH / grid.width(), WAVELENGTH / grid.height(), -1.2);
-        assertThat(new ReferenceEvaluator(grid, wide, sunbeam.precompute.optics.WindowOrigin.CENTRE)
-                        .coherent(onBin, WAVELENGTH))
+        assertThat(new ReferenceEvaluator(grid, wide, WindowOrigin.CENTRE).coherent(onBin, WAVELENGTH))
                 .isCloseTo(light(grid, 1, 1).power(onBin, WAVELENGTH), within(1e-9));
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.setting.Choices.Origin;
 
 /** Choices keep values and their origins. */
 class ChoicesTest {

@@ -1,7 +1,7 @@
 package sunbeam.app.cli.export;
 
-import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorTable;
 
 /**

@@ -27,7 +27,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.SpectralBands;
+import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;

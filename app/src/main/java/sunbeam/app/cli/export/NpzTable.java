@@ -14,8 +14,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.NpyWriter;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.SpectralBands;
 import sunbeam.precompute.color.Srgb;
+import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.optics.Direction;
 
 /**

@@ -5,7 +5,7 @@ import java.util.Map;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 

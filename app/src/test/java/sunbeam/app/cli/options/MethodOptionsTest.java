@@ -17,7 +17,7 @@ import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.Origin;
+import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
