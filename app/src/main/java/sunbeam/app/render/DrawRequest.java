@@ -1,7 +1,6 @@
 package sunbeam.app.render;
 
 import java.util.List;
-import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 
@@ -26,9 +25,7 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
 
     /** Returns one request per light; this request's picture is the sum of theirs. */
     List<DrawRequest> perLight() {
-        return IntStream.range(0, scene.lightCount())
-                .mapToObj(light -> with(scene.underLight(light)))
-                .toList();
+        return scene.perLight().stream().map(this::with).toList();
     }
 
     DrawRequest with(Scene other) {

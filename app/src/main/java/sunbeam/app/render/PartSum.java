@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
-import sunbeam.app.scene.BodyAlpha;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneSettings.BodyAlpha;
 
 /**
  * Draws a scene as the sum of its parts' diffracted light, one part per patch and reflectance component, over the body
@@ -69,12 +69,13 @@ public final class PartSum {
             TimedTiles tiles,
             BooleanSupplier interrupted) {
         List<ScenePicture> lit = new ArrayList<>();
-        for (int light = 0; light < scene.lightCount(); light++) {
-            coarseUnderOneLight(scene.underLight(light), width, height, stride, white, tiles, interrupted)
-                    .ifPresent(lit::add);
-            if (lit.size() == light) {
-                return Optional.empty();
+        for (Scene alone : scene.perLight()) {
+            Optional<ScenePicture> picture =
+                    coarseUnderOneLight(alone, width, height, stride, white, tiles, interrupted);
+            if (picture.isEmpty()) {
+                return picture;
             }
+            lit.add(picture.get());
         }
         return Optional.of(ScenePicture.sum(lit));
     }

@@ -178,7 +178,7 @@ public final class SceneSession implements AutoCloseable {
 
     /** Adds the footprints of all parts to the feedback. If interrupted, clears the feedback and returns false. */
     private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
-        int lights = parts.get(0).scene().lightCount();
+        int lights = parts.get(0).scene().perLight().size();
         for (int light = 0; light < lights; light++) {
             // Backwards, so that the LRU cache keeps the geometry of the parts that are drawn first.
             for (int i = parts.size() - 1; i >= 0; i--) {

@@ -27,6 +27,7 @@ import java.util.stream.Stream;
 import jrtr.scene.Node;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
+import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.scene.texture.Scales;
@@ -154,37 +155,25 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
-    /** Returns the number of scenes of {@link #underLight}. */
-    public int lightCount() {
-        return Stream.concat(Stream.of(light), fillLights.stream())
-                .mapToInt(each -> drawn(each).size())
-                .sum();
-    }
-
     /** Returns the lights that are drawn for a light: parts of a wide one if pixels are footprints, which show one direction of light. */
     private List<SceneLight> drawn(SceneLight one) {
         return method.type().equals(TableMethod.TYPE) && !method.isThesis() ? one.narrow() : List.of(one);
     }
 
     /**
-     * Returns this scene with only one of its lights; the scene's picture is the sum over all of them. Under a fill light nothing casts
-     * shadows.
-     *
-     * @param number from 0 on for the key light or its parts, then for those of fill lights
+     * Returns this scene with each of its lights alone, those of the key light first; the scene's picture is the sum over all of them.
+     * Under a fill light nothing casts shadows.
      */
-    public Scene underLight(int number) {
-        if (lightCount() == 1) {
-            return this;
-        }
-        Scene alone = withFillLights(List.of());
-        List<SceneLight> keys = drawn(light);
-        return number < keys.size()
-                ? alone.withLight(keys.get(number))
-                : alone.withLight(fillLights.stream()
+    public List<Scene> perLight() {
+        Scene underKey = withFillLights(List.of());
+        Scene underFill = underKey.with(SHADOWS, false);
+        List<Scene> scenes = Stream.concat(
+                        drawn(light).stream().map(underKey::withLight),
+                        fillLights.stream()
                                 .flatMap(fill -> drawn(fill).stream())
-                                .toList()
-                                .get(number - keys.size()))
-                        .with(SHADOWS, false);
+                                .map(underFill::withLight))
+                .toList();
+        return scenes.size() == 1 ? List.of(this) : scenes;
     }
 
     /** Returns the standard deviation of a light's directions in radians; 0 with the thesis's preset. */

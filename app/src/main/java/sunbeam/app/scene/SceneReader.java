@@ -58,8 +58,7 @@ public final class SceneReader {
     /**
      * Reads a file. Files that it names must be in its folder or below.
      *
-     * @throws InputException when it is missing
-     * @throws InputException when it is not a scene; the message names file, line and key
+     * @throws InputException when it is missing or not a scene; the message names file, line and key
      * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; the message names file, line and key
      */
     public static Scene read(Path file) {

@@ -55,4 +55,11 @@ public final class ShutdownHook implements AutoCloseable {
             // The hook is running or has run.
         }
     }
+
+    /** Thrown when the user ends the process; work stops without a message. */
+    public static final class CancelledException extends RuntimeException {
+        public CancelledException() {
+            super("interrupted");
+        }
+    }
 }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.terminal.CancelledException;
+import sunbeam.app.terminal.ShutdownHook.CancelledException;
 
 /** Interrupts real processes by the signal that Ctrl-C sends. */
 final class InterruptionTest {

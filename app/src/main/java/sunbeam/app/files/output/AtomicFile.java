@@ -18,8 +18,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
 import sunbeam.app.terminal.ByteSize;
-import sunbeam.app.terminal.CancelledException;
 import sunbeam.app.terminal.ShutdownHook;
+import sunbeam.app.terminal.ShutdownHook.CancelledException;
 
 /**
  * Output file that appears whole or not at all. It is written beside its target under a temporary name, forced to the disk and renamed. A
