@@ -1,7 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.PowerSpectrum2d;
+import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.prepare.Leveling;
@@ -41,7 +41,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         int rows = padding * map.rows();
         Band bandX = band(columns, map.pitchX());
         Band bandY = band(rows, map.pitchY());
-        double[] power = new PowerSpectrum2d(columns, rows, bandX.last(), bandY.last()).power((row, samples) -> {
+        double[] power = new BandTransform2d(columns, rows, bandX, bandY).powers((row, samples) -> {
             for (int column = 0; row < map.rows() && column < map.columns(); column++) {
                 samples[column] = level.at(column, row) * taperX[column] * taperY[row];
             }

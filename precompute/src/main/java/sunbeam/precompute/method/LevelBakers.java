@@ -78,14 +78,7 @@ public final class LevelBakers {
             return level(0);
         }
         ColorTable.Level finest = table().levels().get(0);
-        return new RadialBaker(
-                spectrum.get(),
-                cie,
-                table().area(),
-                finest.design().step(),
-                finest.design().sliceStep(),
-                TableSpace.AllLights.REACH,
-                true);
+        return new RadialBaker(spectrum.get(), cie, table().area(), finest.design(), TableSpace.AllLights.REACH, true);
     }
 
     /** Value computed once, without a lock, by the first thread that needs it. After a failure the next call tries again. */

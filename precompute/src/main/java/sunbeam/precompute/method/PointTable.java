@@ -149,7 +149,6 @@ final class PointTable {
                 .widened(map.width(), map.height(), method.area().window());
         PowerSpectrum spectrum =
                 PowerSpectrum.of(sources.fourier(widened), new ErrorBudget(method.sourceTolerance()).powerBasis());
-        return design -> new RadialBaker(
-                spectrum, surface.cie(), method.area(), design.step(), design.sliceStep(), points.farthest(), true);
+        return design -> new RadialBaker(spectrum, surface.cie(), method.area(), design, points.farthest(), true);
     }
 }

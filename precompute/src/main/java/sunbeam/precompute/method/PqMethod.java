@@ -233,8 +233,7 @@ public record PqMethod(
 
         private ShaderTables tables() {
             HeightMap map = surface.map();
-            PeriodSpectrum spectrum =
-                    new PeriodSpectrum(map, surface.levels(), expansion, bandX(), bandY(), interpolation);
+            PeriodSpectrum spectrum = new PeriodSpectrum(surface.levels(), expansion, bandX(), bandY(), interpolation);
             CoefficientTable coefficients = CoefficientTable.sampled(expansion);
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");

@@ -1,6 +1,8 @@
 package sunbeam.precompute.radial;
 
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** Lagrange interpolation of colors along w, between slices in which |w| is constant. Immutable. */
@@ -40,45 +42,26 @@ final class DepthInterpolation {
      * @param widestStep distance in |w| at which four taps of equally spaced slices suffice
      */
     static DepthInterpolation fewest(float[] uvw, double widestStep) {
-        double lowest = Double.MAX_VALUE;
-        double deepest = 0;
-        for (int i = 2; i < uvw.length; i += COORDINATES) {
-            lowest = Math.min(lowest, Math.abs(uvw[i]));
-            deepest = Math.max(deepest, Math.abs(uvw[i]));
-        }
-        double low = lowest;
-        double range = deepest - lowest;
+        DoubleSummaryStatistics all = depths(uvw).summaryStatistics();
+        double lowest = all.getMin();
+        double range = all.getMax() - lowest;
         int nodes = chebyshevNodes(Math.PI * PERIODS_PER_STEP * range / widestStep);
-        double[] distinct = distinct(uvw, Math.max(2 * nodes, spaced(range, widestStep)));
-        if (distinct.length > 0) {
+        int most = Math.max(2 * nodes, spaced(range, widestStep));
+        double[] distinct = depths(uvw).distinct().limit(most + 1L).sorted().toArray();
+        if (distinct.length <= most) {
             return new DepthInterpolation(distinct, 1);
         }
         return nodes > 2 * TAPS
                 ? equallySpaced(lowest, range, widestStep)
                 : new DepthInterpolation(
                         IntStream.range(0, nodes)
-                                .mapToDouble(i -> low + 0.5 * range * (1 - Math.cos(Math.PI * (i + 0.5) / nodes)))
+                                .mapToDouble(i -> lowest + 0.5 * range * (1 - Math.cos(Math.PI * (i + 0.5) / nodes)))
                                 .toArray(),
                         nodes);
     }
 
-    /** Returns the distinct |w|, ascending; empty if there are more than {@code most}. */
-    private static double[] distinct(float[] uvw, int most) {
-        double[] sorted = new double[most];
-        int count = 0;
-        for (int i = 2; i < uvw.length; i += COORDINATES) {
-            double depth = Math.abs(uvw[i]);
-            int at = Arrays.binarySearch(sorted, 0, count, depth);
-            if (at < 0) {
-                if (count == most) {
-                    return new double[0];
-                }
-                System.arraycopy(sorted, -at - 1, sorted, -at, count + at + 1);
-                sorted[-at - 1] = depth;
-                count++;
-            }
-        }
-        return Arrays.copyOf(sorted, count);
+    private static DoubleStream depths(float[] uvw) {
+        return IntStream.range(0, uvw.length / COORDINATES).mapToDouble(i -> Math.abs(uvw[COORDINATES * i + 2]));
     }
 
     /**

@@ -11,6 +11,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.spectrum.PowerSpectrum;
@@ -47,21 +48,12 @@ public final class RadialBaker implements ColorBaker {
 
     /** Creates a baker for a level of a color table of all directions. */
     public RadialBaker(PowerSpectrum spectrum, CieTable cie, ColorTable.Level level) {
-        this(
-                spectrum,
-                cie,
-                level.area(),
-                level.design().step(),
-                level.design().sliceStep(),
-                TableSpace.AllLights.REACH,
-                level.includeFaintTails());
+        this(spectrum, cie, level.area(), level.design(), TableSpace.AllLights.REACH, level.includeFaintTails());
     }
 
     /**
-     * Creates a baker for samples of a given density.
+     * Creates a baker for samples of a table's density.
      *
-     * @param step distance in (u, v) of the samples
-     * @param sliceStep distance in |w| at which interpolation by four slices suffices
      * @param farthest largest |(u, v)| of a sample
      * @param includeFaintTails whether tails of bright orders must be exact down to 1e-6 of the order
      */
@@ -69,16 +61,15 @@ public final class RadialBaker implements ColorBaker {
             PowerSpectrum spectrum,
             CieTable cie,
             GaussianArea area,
-            double step,
-            double sliceStep,
+            TableDesign design,
             double farthest,
             boolean includeFaintTails) {
         this.powers = new WindowedSpectrum(
                 spectrum, area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
-        this.sliceStep = sliceStep;
+        this.sliceStep = design.sliceStep();
         double sigma = area.window().sigmaFrequency();
         this.direct = new DirectBaker(powers, cie, sigma);
-        double rayStep = SPACING * step;
+        double rayStep = SPACING * design.step();
         int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * rayStep)) / Math.log(2));
         this.bands = IntStream.rangeClosed(0, last)
                 .parallel()

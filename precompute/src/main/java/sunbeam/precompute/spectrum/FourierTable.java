@@ -5,6 +5,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntConsumer;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.expansion.Expansion;
+import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.fourier.ComplexVector;
@@ -45,8 +46,11 @@ public record FourierTable(
         BandTransform2d transform = new BandTransform2d(map.columns(), map.rows(), bandX, bandY);
         for (int n = 0; n < terms(); n++) {
             int term = n;
-            ComplexVector bins = transform.transform(
-                    rows(heights, s -> expansion.realBasis(term, s), s -> expansion.imaginaryBasis(term, s)));
+            ComplexVector bins = transform.transform(rows(
+                    heights,
+                    expansion.scale(),
+                    s -> expansion.realBasis(term, s),
+                    s -> expansion.imaginaryBasis(term, s)));
             real[n] = toFloat(bins.real());
             imaginary[n] = toFloat(bins.imaginary());
             progress.accept(1);
@@ -63,6 +67,7 @@ public record FourierTable(
             int count = Math.min(2, terms() - n);
             ComplexVector z = transform.transform(rows(
                     heights,
+                    expansion.scale(),
                     s -> expansion.realBasis(first, s),
                     s -> count == 2 ? expansion.realBasis(first + 1, s) : 0));
             for (int term = n; term < n + count; term++) {
@@ -92,21 +97,25 @@ public record FourierTable(
         imaginary[term] = im;
     }
 
-    /** Returns the rows of a complex image: its real and imaginary parts are the given functions of the scaled height of each sample. */
-    private BandTransform2d.RowSource rows(
-            HeightLevels heights, DoubleUnaryOperator realPart, DoubleUnaryOperator imaginaryPart) {
+    /** Returns the rows of a complex image: real and imaginary parts of a term, or of two real terms, at the height of each sample. */
+    static BandTransform2d.RowSource rows(
+            HeightLevels heights, HeightScale scale, DoubleUnaryOperator realPart, DoubleUnaryOperator imaginaryPart) {
+        HeightMap map = heights.map();
         int columns = map.columns();
         if (heights.areTooManyToTabulate()) {
             return (row, realRow, imaginaryRow) -> {
                 for (int column = 0; column < columns; column++) {
-                    double scaled = expansion.scale().scaled(map.at(column, row));
+                    double scaled = scale.scaled(map.at(column, row));
                     realRow[column] = realPart.applyAsDouble(scaled);
                     imaginaryRow[column] = imaginaryPart.applyAsDouble(scaled);
                 }
             };
         }
-        double[] realLevels = atLevels(heights, realPart);
-        double[] imaginaryLevels = atLevels(heights, imaginaryPart);
+        double[] levels = heights.levels();
+        double[] realLevels = new double[levels.length];
+        double[] imaginaryLevels = new double[levels.length];
+        Arrays.parallelSetAll(realLevels, i -> realPart.applyAsDouble(scale.scaled(levels[i])));
+        Arrays.parallelSetAll(imaginaryLevels, i -> imaginaryPart.applyAsDouble(scale.scaled(levels[i])));
         int[] index = heights.index();
         return (row, realRow, imaginaryRow) -> {
             for (int column = 0, i = row * columns; column < columns; column++, i++) {
@@ -114,14 +123,6 @@ public record FourierTable(
                 imaginaryRow[column] = imaginaryLevels[index[i]];
             }
         };
-    }
-
-    private double[] atLevels(HeightLevels heights, DoubleUnaryOperator function) {
-        double[] levels = heights.levels();
-        double[] values = new double[levels.length];
-        Arrays.parallelSetAll(
-                values, i -> function.applyAsDouble(expansion.scale().scaled(levels[i])));
-        return values;
     }
 
     private static float[] toFloat(double[] values) {

@@ -15,7 +15,6 @@ import sunbeam.precompute.patch.HeightLevels;
  * {@link PeriodInterpolation#RING} to the corner, as in the thesis.
  */
 public final class PeriodSpectrum {
-    private final HeightMap map;
     private final HeightLevels heights;
     private final Expansion expansion;
     private final PeriodInterpolation interpolation;
@@ -27,18 +26,13 @@ public final class PeriodSpectrum {
 
     /** @param bandX samples along x: those of visible directions and {@link PeriodInterpolation#margin()} more on each side */
     public PeriodSpectrum(
-            HeightMap map,
-            HeightLevels heights,
-            Expansion expansion,
-            Band bandX,
-            Band bandY,
-            PeriodInterpolation interpolation) {
-        this.map = map;
+            HeightLevels heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
         this.heights = heights;
         this.expansion = expansion;
         this.interpolation = interpolation;
         this.bandX = bandX;
         this.bandY = bandY;
+        HeightMap map = heights.map();
         int samples = interpolation.oversampling();
         this.transform = new BandTransform2d(samples * map.columns(), samples * map.rows(), bandX, bandY);
         this.correctionX = corrections(map.columns());
@@ -57,44 +51,33 @@ public final class PeriodSpectrum {
 
     /** Returns one term times {@code expansion.kind().turn(n)}, in rows of ascending y samples. Runs on all cores. */
     public ComplexVector term(int n) {
-        int[] index = heights.index();
-        Complex[] values = new Complex[heights.count()];
-        Complex turn = expansion.kind().turn(n);
-        for (int i = 0; i < values.length; i++) {
-            values[i] = expansion
-                    .basis(n, expansion.scale().scaled(heights.levels()[i]))
-                    .multiply(turn);
-        }
-        ComplexVector result = transform.transform((row, real, imaginary) -> fill(values, index, row, real, imaginary));
-        if (interpolation != PeriodInterpolation.RING) {
-            turnToMiddle(result);
-        }
-        return result;
+        BandTransform2d.RowSource rows = FourierTable.rows(
+                heights, expansion.scale(), s -> expansion.realBasis(n, s), s -> expansion.imaginaryBasis(n, s));
+        ComplexVector term = transform.transform((row, real, imaginary) -> {
+            if (row < correctionY.length) {
+                rows.fill(row, real, imaginary);
+                for (int column = 0; column < correctionX.length; column++) {
+                    double factor = correctionX[column] * correctionY[row];
+                    real[column] *= factor;
+                    imaginary[column] *= factor;
+                }
+            }
+        });
+        turn(term, expansion.kind().turn(n));
+        return term;
     }
 
-    // The zeros of the padding must be written: the work vector may hold another row.
-    private void fill(Complex[] values, int[] index, int row, double[] real, double[] imaginary) {
-        int columns = map.columns();
-        int padded = interpolation.oversampling() * columns;
-        for (int column = 0; column < padded; column++) {
-            boolean inside = row < map.rows() && column < columns;
-            Complex value = inside ? values[index[row * columns + column]] : Complex.ZERO;
-            double factor = inside ? correctionX[column] * correctionY[row] : 0;
-            real[column] = factor * value.getReal();
-            imaginary[column] = factor * value.getImaginary();
-        }
-    }
-
-    /** Also multiplies by the oversampling squared, because the DFT divides by the number of padded samples. */
-    private void turnToMiddle(ComplexVector samples) {
+    /** Turns to the middle, and multiplies by the oversampling squared, because the DFT divides by the number of padded samples. */
+    private void turn(ComplexVector samples, Complex turn) {
         double padding = interpolation.oversampling() * interpolation.oversampling();
-        double turnsX = -middle(map.columns()) / (interpolation.oversampling() * map.columns());
+        double turns = interpolation == PeriodInterpolation.RING ? 0 : 1.0 / interpolation.oversampling();
+        double turnsX = -turns * middle(correctionX.length) / correctionX.length;
         // Rows run downwards, y upwards.
-        double turnsY = middle(map.rows()) / (interpolation.oversampling() * map.rows());
+        double turnsY = turns * middle(correctionY.length) / correctionY.length;
         for (int i = 0; i < samples.length(); i++) {
             int jx = bandX.first() + i % bandX.count();
             int jy = bandY.first() + i / bandX.count();
-            double angle = 2 * Math.PI * (jx * turnsX + jy * turnsY);
+            double angle = 2 * Math.PI * (jx * turnsX + jy * turnsY) + turn.getArgument();
             double cosine = padding * Math.cos(angle);
             double sine = padding * Math.sin(angle);
             double real = samples.real()[i];

@@ -102,13 +102,4 @@ class AverageProjectionTest {
         // fourth power of 5 / 12.
         assertThat(sum).containsExactly(bell, within(1e-3));
     }
-
-    @Test
-    void nothingReachesFarBeyondTheEnds() {
-        AverageProjection interpolation = new AverageProjection(4, LENGTH);
-        int first = interpolation.firstMiddle() - 2 * 4;
-        int last = interpolation.firstMiddle() + (interpolation.knots() - 1) * 4 + 2 * 4;
-        assertThat(first).isGreaterThanOrEqualTo(-8 * 4);
-        assertThat(last).isLessThanOrEqualTo(LENGTH - 1 + 8 * 4);
-    }
 }

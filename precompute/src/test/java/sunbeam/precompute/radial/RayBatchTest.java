@@ -3,9 +3,7 @@ package sunbeam.precompute.radial;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,15 +32,11 @@ class RayBatchTest {
                 field[i] = Math.pow(10, -6 * random.nextDouble());
             }
         }
-        return plane(PERIOD_Y, fields);
-    }
-
-    private static PowerSpectrum plane(double periodY, double[][] fields) {
         return PowerSpectrum.of(
                 new HeightScale(0, 1e-6),
                 CoefficientTable.sampled(0, 1, 1, zeta -> new double[fields.length]),
                 new PowerSpectrum.Axis(PERIOD_X, -REACH_IN_BINS, BINS),
-                new PowerSpectrum.Axis(periodY, -REACH_IN_BINS, BINS),
+                new PowerSpectrum.Axis(PERIOD_Y, -REACH_IN_BINS, BINS),
                 fields,
                 1e-4);
     }
@@ -52,8 +46,8 @@ class RayBatchTest {
         return CoherenceWindow.ofCoherenceLength(4 * PERIOD_X / (2 * Math.PI * sigmaBins));
     }
 
-    private static WindowedSpectrum powers(PowerSpectrum plane, CoherenceWindow window) {
-        return new WindowedSpectrum(plane, window, REACH, false);
+    private static WindowedSpectrum powers(double sigmaBins) {
+        return new WindowedSpectrum(plane(), window(sigmaBins), REACH, false);
     }
 
     private static double spline(double distance) {
@@ -87,17 +81,11 @@ class RayBatchTest {
         return sum;
     }
 
-    @Test
-    @Tag("thorough")
-    void averagesOfCoarseLevelsAreThoseOfTheSumsOverBins() {
-        averagesAreThoseOfTheSumsOverBins(5);
-    }
-
     // As wide relative to bins as the window of a whole scan, and narrower; B-splines are 0.3 to 0.8 bins apart.
     @ParameterizedTest
     @ValueSource(doubles = {0.45, 0.64, 1.8})
     void averagesAreThoseOfTheSumsOverBins(double sigmaBins) {
-        WindowedSpectrum powers = powers(plane(), window(sigmaBins));
+        WindowedSpectrum powers = powers(sigmaBins);
         double[] averages = new double[powers.stride() * KNOTS.count()];
         // All directions, with both axes and diagonals, and rays at the ends of batches.
         for (double middle = -0.2; middle < 6.3; middle += 0.4) {
@@ -123,25 +111,10 @@ class RayBatchTest {
 
     @Test
     void beyondThePlaneThereIsNothing() {
-        WindowedSpectrum powers = powers(plane(), window(0.64));
+        WindowedSpectrum powers = powers(0.64);
         RayBatch.Knots beyond = new RayBatch.Knots(Math.log(80 / PERIOD_X), 0.02, 30);
         double[] averages = new double[powers.stride() * beyond.count()];
         powers.batch(0, 0.1, beyond).averages(0.05, averages);
         assertThat(averages).containsOnly(0);
-    }
-
-    @Test
-    void aConstantIsItsAverage() {
-        double[][] fields = new double[1][BINS * BINS];
-        Arrays.fill(fields[0], 1);
-        WindowedSpectrum powers = powers(plane(PERIOD_X, fields), window(2));
-        RayBatch.Knots inside = new RayBatch.Knots(Math.log(10 / PERIOD_X), 0.01, 60);
-        double[] averages = new double[powers.stride() * inside.count()];
-        powers.batch(0.7, 0.78, inside).averages(0.75, averages);
-        for (int knot = 0; knot < inside.count(); knot++) {
-            // Gaussians exp(-(distance / 2)^2) with volume 4 pi; B-splines hardly wider than steps. Measured 5e-5.
-            assertThat(averages[knot * powers.stride()]).isCloseTo(4 * Math.PI, within(2e-4));
-            assertThat(averages[knot * powers.stride() + 1]).isZero();
-        }
     }
 }

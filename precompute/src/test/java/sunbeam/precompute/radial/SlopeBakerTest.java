@@ -10,6 +10,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
@@ -58,7 +59,7 @@ class SlopeBakerTest {
         PowerSpectrum spectrum = spectrum(map, table);
         CieTable cie = CieTable.load();
         SlopeBaker colors = new SlopeBaker(spectrum, cie, SlopeBaker.pyramid(spectrum, table), table, 0);
-        RadialBaker points = new RadialBaker(spectrum, cie, AREA, 0.01, 0.1, 2, true);
+        RadialBaker points = new RadialBaker(spectrum, cie, AREA, new TableDesign(0.01, 21), 2, true);
         // The mirror direction, its flank at two and three deviations, orders, and grazing directions.
         List<double[]> places = List.of(
                 new double[] {0, 0, -1.9},

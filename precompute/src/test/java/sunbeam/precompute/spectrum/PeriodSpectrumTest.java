@@ -59,12 +59,6 @@ class PeriodSpectrumTest {
         assertThat(largestError(PeriodInterpolation.LINEAR, true)).isLessThan(1e-8);
     }
 
-    @Test
-    void linearIsNoSubstituteForSincBetweenTheBins() {
-        // Amplitudes of a rough surface are about 1 / sqrt(888 samples) = 0.03; the worst error is of that size.
-        assertThat(largestError(PeriodInterpolation.LINEAR, false)).isGreaterThan(0.02);
-    }
-
     /** The interpolation of shaders/method/pq.glsl in double precision. */
     private final class SpectrumReader {
         private final PeriodInterpolation interpolation;
@@ -76,7 +70,7 @@ class PeriodSpectrumTest {
             HeightScale scale = HeightScale.midRange(heights);
             double zeta = scale.phase(WAVELENGTH, -W);
             LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0.5 * zeta, zeta, EXPANSION_TOLERANCE);
-            PeriodSpectrum spectrum = new PeriodSpectrum(map, heights, expansion, band, band, interpolation);
+            PeriodSpectrum spectrum = new PeriodSpectrum(heights, expansion, band, band, interpolation);
             double[] coefficients = expansion.coefficients(zeta);
             sum = ComplexVector.zeros(band.count() * band.count());
             for (int n = 0; n < expansion.terms(); n++) {

@@ -159,8 +159,7 @@ final class GridBaker {
                 spectrum,
                 functions,
                 level.area(),
-                level.design().step(),
-                level.design().sliceStep(),
+                level.design(),
                 TableSpace.AllLights.REACH,
                 level.area().equals(all.area()));
     }
