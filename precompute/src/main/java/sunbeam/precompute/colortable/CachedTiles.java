@@ -3,40 +3,25 @@ package sunbeam.precompute.colortable;
 import java.util.BitSet;
 import java.util.Map;
 
-/** Cache of the tiles of a table's levels (see {@link LevelBaking}). Not thread-safe. */
+/** Cache of the tiles of a table's levels (see {@link LevelBaking}); by default it has none. Not thread-safe. */
 public interface CachedTiles extends AutoCloseable {
-    CachedTiles NONE = new CachedTiles() {
-        @Override
-        public BitSet present(int level, BitSet tiles) {
-            return new BitSet();
-        }
-
-        @Override
-        public Map<Integer, byte[]> read(int level, BitSet tiles) {
-            return Map.of();
-        }
-
-        @Override
-        public void keep(int level, Map<Integer, byte[]> tiles) {}
-
-        @Override
-        public void discard() {}
-
-        @Override
-        public void close() {}
-    };
+    CachedTiles NONE = new CachedTiles() {};
 
     /** Returns those of these tiles that are cached, as far as is known without reading them. */
-    BitSet present(int level, BitSet tiles);
+    default BitSet present(int level, BitSet tiles) {
+        return new BitSet();
+    }
 
     /** Reads those of these tiles that are cached: {@link LevelBaking#TILE_NUMBERS} encoded numbers for each. */
-    Map<Integer, byte[]> read(int level, BitSet tiles);
+    default Map<Integer, byte[]> read(int level, BitSet tiles) {
+        return Map.of();
+    }
 
-    void keep(int level, Map<Integer, byte[]> tiles);
+    default void keep(int level, Map<Integer, byte[]> tiles) {}
 
     /** Removes all tiles and stores no more: a table that misses its tolerance is baked, with a warning, in each run. */
-    void discard();
+    default void discard() {}
 
     @Override
-    void close();
+    default void close() {}
 }

@@ -123,7 +123,7 @@ public final class LowRankExpansion implements Expansion {
     }
 
     /** Returns J_0(zeta) and 2 J_n(zeta): exp(-i zeta s) in Chebyshev polynomials without factors (-i)^n (Jacobi-Anger, DLMF 10.12.3). */
-    static double[] bessel(int count, double zeta) {
+    private static double[] bessel(int count, double zeta) {
         BesselJ.BesselJResult result = BesselJ.rjBesl(zeta, 0, count);
         double[] values = result.getVals();
         // The library does not compute orders that underflow a double.

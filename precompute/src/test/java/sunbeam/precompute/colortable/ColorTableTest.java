@@ -99,10 +99,4 @@ class ColorTableTest {
         assertThat(table.widened(least, ColorTable.MIDDLE_WAVELENGTH).sigmaMeters())
                 .isCloseTo(table.levels().get(0).area().window().sigmaMeters(), within(1e-12));
     }
-
-    @Test
-    void slopesOfOneDegreeAndMoreAreInTheTable() {
-        assertThat(ColorTable.averages(Math.tan(Math.toRadians(0.99)))).isFalse();
-        assertThat(ColorTable.averages(Math.tan(Math.toRadians(1)))).isTrue();
-    }
 }

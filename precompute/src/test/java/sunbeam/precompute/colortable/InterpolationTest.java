@@ -7,7 +7,6 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.numerics.SplineFilter;
 
 class InterpolationTest {
     // Float32 coefficients, at most six times as large as the values.
@@ -33,33 +32,6 @@ class InterpolationTest {
         Interpolation.CUBIC.toCoefficients(coefficients, count, 1);
         for (int i = 0; i < count; i++) {
             assertThat(at(coefficients, i)).as("sample %d", i).isCloseTo(samples[i], within(ROUNDING));
-        }
-    }
-
-    @Test
-    void impulseResponsesFallByTheSameFactorPerSample() {
-        float[] peak = new float[41];
-        peak[20] = 1;
-        Interpolation.CUBIC.toCoefficients(peak, peak.length, 1);
-        for (int i = 21; i < 30; i++) {
-            assertThat(peak[i] / peak[i - 1]).isCloseTo((float) SplineFilter.CUBIC, within(1e-4f));
-        }
-    }
-
-    @Test
-    void columnsAreFilteredOneByOne() {
-        Random random = new Random(3);
-        float[] both = new float[2 * 12];
-        float[] second = new float[12];
-        for (int row = 0; row < 12; row++) {
-            // Very different magnitudes, as beside the specular peak.
-            both[2 * row] = (float) Math.exp(-12 * random.nextDouble());
-            second[row] = both[2 * row + 1] = random.nextFloat();
-        }
-        Interpolation.CUBIC.toCoefficients(both, 12, 2);
-        Interpolation.CUBIC.toCoefficients(second, 12, 1);
-        for (int row = 0; row < 12; row++) {
-            assertThat(both[2 * row + 1]).isEqualTo(second[row]);
         }
     }
 

@@ -2,11 +2,12 @@ package sunbeam.precompute.colortable;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
@@ -48,23 +49,6 @@ class LevelBakingTest {
         return tiles;
     }
 
-    /** The spline through a tile's coefficients, by its definition. */
-    private static double spline(float[] tile, double x, double y, int color) {
-        double sum = 0;
-        for (int row = (int) Math.floor(y) - 1; row <= Math.floor(y) + 2; row++) {
-            for (int column = (int) Math.floor(x) - 1; column <= Math.floor(x) + 2; column++) {
-                int texel = (row + 1) * TileGrid.STORED_SIDE + column + 1;
-                sum += tile[4 * texel + color] * basis(x - column) * basis(y - row);
-            }
-        }
-        return sum;
-    }
-
-    private static double basis(double distance) {
-        double d = Math.abs(distance);
-        return d >= 2 ? 0 : d >= 1 ? Math.pow(2 - d, 3) / 6 : 2.0 / 3 - d * d + d * d * d / 2;
-    }
-
     /** All tiles that look-ups use are among the reachable ones. */
     @Test
     void allPairsOfDirectionsAreReachable() {
@@ -83,76 +67,36 @@ class LevelBakingTest {
         }
     }
 
-    @Test
-    void aTileIsASplineThroughRootsOfItsColors() {
-        SplittableRandom random = new SplittableRandom(5);
-        for (int i = 0; i < 30; i++) {
-            double u = random.nextDouble(-1.4, 1.4);
-            double v = random.nextDouble(-1.4, 1.4);
-            BitSet one = new BitSet();
-            one.set(tilesOf(u, v, -0.5).nextSetBit(0));
-            List<byte[]> baked = new LevelBaking(GRID, NumberFormat.FLOAT).bake(one, WAVES, BakeToken.NONE);
-            int[] place = GRID.place(one.nextSetBit(0));
-            double x = (u - GRID.originX()) / DESIGN.step() - place[0] * TileGrid.SIDE;
-            double y = (v - GRID.originX()) / DESIGN.step() - place[1] * TileGrid.SIDE;
-            if (x < 0 || y < 0 || x >= TileGrid.SIDE || y >= TileGrid.SIDE) {
-                continue; // the neighboring tile, of a place close to the edge
-            }
-            double slice = place[2] * DESIGN.sliceStep();
-            // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
-            assertThat(spline(NumberFormatTest.decoded(baked.get(0), NumberFormat.FLOAT), x, y, 1))
-                    .isCloseTo(root(u, v, 1) + slice, within(6e-4));
-        }
-    }
-
-    /** Lines between a tile's coefficients, by their definition. */
-    private static double lines(float[] tile, double x, double y, int color) {
-        double sum = 0;
-        for (int row = (int) Math.floor(y); row <= Math.floor(y) + 1; row++) {
-            for (int column = (int) Math.floor(x); column <= Math.floor(x) + 1; column++) {
-                int texel = (row + 1) * TileGrid.STORED_SIDE + column + 1;
-                sum += tile[4 * texel + color] * (1 - Math.abs(x - column)) * (1 - Math.abs(y - row));
-            }
-        }
-        return sum;
-    }
-
-    @Test
-    void aTileOfLinesIsAsCloseToItsColorsRootsAsLinesCanBe() {
+    /** Root mean square error of roots between texels, in tiles that are baked when they are read. */
+    private static double error(TileGrid grid) {
+        Map<Integer, float[]> baked = new HashMap<>();
+        TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, number, index) -> {
+            float[] tile = baked.computeIfAbsent(number, key -> {
+                BitSet one = new BitSet();
+                one.set(key);
+                List<byte[]> tiles = new LevelBaking(grid, NumberFormat.FLOAT).bake(one, WAVES, BakeToken.NONE);
+                return NumberFormatTest.decoded(tiles.get(0), NumberFormat.FLOAT);
+            });
+            return tile[index];
+        });
         SplittableRandom random = new SplittableRandom(6);
         double squares = 0;
-        int count = 0;
-        while (count < 300) {
+        for (int i = 0; i < 300; i++) {
             double u = random.nextDouble(-1.4, 1.4);
             double v = random.nextDouble(-1.4, 1.4);
-            int[] numbers = tilesOf(LINES, u, v, -0.5).stream().toArray();
-            if (numbers.length != TableDesign.TAPS) {
-                continue; // close to an edge
-            }
-            BitSet one = new BitSet();
-            one.set(numbers[0]);
-            byte[] baked = new LevelBaking(LINES, NumberFormat.FLOAT)
-                    .bake(one, WAVES, BakeToken.NONE)
-                    .get(0);
-            float[] tile = NumberFormatTest.decoded(baked, NumberFormat.FLOAT);
-            int[] place = LINES.place(numbers[0]);
-            double x = (u - LINES.firstX()) / DESIGN.step() - place[0] * TileGrid.SIDE;
-            double y = (v - LINES.firstX()) / DESIGN.step() - place[1] * TileGrid.SIDE;
-            assertThat(x).isBetween(0.0, (double) TileGrid.SIDE);
-            squares += Math.pow(lines(tile, x, y, 1) - root(u, v, 1) - place[2] * DESIGN.sliceStep(), 2);
-            count++;
+            squares += Math.pow(Math.sqrt(table.xyz(0, u, v, -0.5)[1]) - root(u, v, 1) - 0.5, 2);
         }
+        return Math.sqrt(squares / 300);
+    }
+
+    @Test
+    void tilesAreSplinesThroughRootsOfTheirColorsOrAsCloseAsLinesCanBe() {
+        // A cubic spline errs by (2 pi / 12)^4 / 384 = 2e-4 of a wave of 12 texels, each way.
+        assertThat(error(GRID)).isLessThan(4e-4);
         // Blu et al.: f'' / sqrt(720) each way, of a product of waves of 12 texels whose square is 1/4 in the mean;
         // both ways bend together, so that errors add up where bends do: sqrt(2) to 2 times as much.
         double bend = Math.pow(2 * Math.PI / 12, 2) * 0.5;
-        assertThat(Math.sqrt(squares / count)).isBetween(bend / Math.sqrt(720), 2.2 * bend / Math.sqrt(720));
-    }
-
-    @Test
-    void linesDependOnNoSampleBehindTheTile() {
-        BitSet tile = tilesOf(LINES, 0.11, 0.3, -1.1);
-        assertThat(new LevelBaking(LINES, NumberFormat.FLOAT).missing(tile))
-                .isLessThan(new LevelBaking(GRID, NumberFormat.FLOAT).missing(tile));
+        assertThat(error(LINES)).isBetween(bend / Math.sqrt(720), 2.2 * bend / Math.sqrt(720));
     }
 
     @Test

@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
@@ -75,23 +74,17 @@ class TablePointsTest {
         return new TablePoints(VisibleRange.of(pairs));
     }
 
+    private static Stream<TablePoints> points() {
+        return Stream.concat(lights().map(TablePointsTest::of), Stream.of(of(pairs(5)), of(pairs(40))));
+    }
+
     @ParameterizedTest
-    @MethodSource("lights")
-    void allThatIsEvaluatedForALightLiesInTheRangeThatIsPlannedFor(Direction light) {
-        assertEvaluatedInRange(of(light));
-    }
-
-    @Test
-    void allThatIsEvaluatedForPairsLiesInTheRangeThatIsPlannedFor() {
-        assertEvaluatedInRange(of(pairs(5)));
-    }
-
-    private static void assertEvaluatedInRange(TablePoints points) {
+    @MethodSource("points")
+    void rangeAndMemoryAreEstimatedFromAbove(TablePoints points) {
         VisibleRange range = points.range(DESIGN);
         TileGrid grid = points.grid(DESIGN);
         double rounding = 1e-6;
         BitSet tiles = points.tiles(grid);
-        assertThat(tiles.cardinality()).isPositive();
         ColorBaker checking = (places, token) -> {
             for (int i = 0; i < places.length; i += 3) {
                 assertThat((double) places[i]).isBetween(range.minimumU() - rounding, range.maximumU() + rounding);
@@ -101,6 +94,9 @@ class TablePointsTest {
             return places;
         };
         new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, BakeToken.NONE);
+        assertThat(tiles.cardinality()).isPositive();
+        assertThat(points.memory(DESIGN).textureBytes())
+                .isGreaterThanOrEqualTo(AtlasPages.texels(tiles.cardinality()).bytes());
     }
 
     private static List<DirectionPair> pairs(int count) {
@@ -150,15 +146,6 @@ class TablePointsTest {
     }
 
     @Test
-    void memoryIsEstimatedFromAbove() {
-        for (TablePoints points : List.of(of(new Direction(0, 0, 1)), of(pairs(40)))) {
-            int tiles = points.tiles(points.grid(DESIGN)).cardinality();
-            assertThat(points.memory(DESIGN).textureBytes())
-                    .isGreaterThanOrEqualTo(AtlasPages.texels(tiles).bytes());
-        }
-    }
-
-    @Test
     void listsThatAreSortedAreComparedAllOver() {
         Direction light = Direction.ofDegrees(20, 30);
         List<DirectionPair> pairs = new ArrayList<>();
@@ -188,22 +175,6 @@ class TablePointsTest {
                 .isLessThan(0.75 * wide.step());
         assertThat(TableDesign.within(1e-4, ensemble, 0.4e-6).step()).isLessThan(0.7 * standard.step());
         assertThat(TableDesign.within(1e-3, ensemble, 4e-6).slices()).isGreaterThan(4 * standard.slices());
-    }
-
-    @Test
-    void aGratingOfTwoHeightsIsDeeperThanAScanOfTheSameRelief() {
-        double[] ridges = new double[64];
-        double[] spike = new double[64];
-        for (int i = 0; i < ridges.length; i++) {
-            ridges[i] = i % 8 < 4 ? 0 : 1e-6;
-        }
-        spike[3] = 1e-6;
-        HeightMap grating = new HeightMap(8, 8, 1e-6, 1e-6, ridges);
-        HeightMap scan = new HeightMap(8, 8, 1e-6, 1e-6, spike);
-        assertThat(TableDesign.depth(scan)).isCloseTo(1e-6, within(0.1e-6));
-        // Its power along w is a cosine whose phase grows with the whole relief; measured: slices must be 4 times
-        // closer.
-        assertThat(TableDesign.depth(grating)).isCloseTo(4.25e-6, within(0.01e-6));
     }
 
     @Test

@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -22,7 +21,6 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** Tables checked at directions between their samples. */
@@ -75,7 +73,7 @@ class ValidatedTableTest {
             TablePoints points,
             TableDesign coarsest,
             ColorBaker baker,
-            Predicate<MemoryNeed> room,
+            boolean room,
             Consumer<TableDesign> refused) {
         Function<TableDesign, ColorBaker> bakers = design -> {
             opened++;
@@ -87,13 +85,13 @@ class ValidatedTableTest {
                 coarsest,
                 bakers,
                 samples -> BakeToken.NONE,
-                room,
+                need -> room,
                 refused,
                 new ValidatedTable.Diagnostics(messages::add, messages::add));
     }
 
     private ValidatedTable oneLight(ColorBaker baker) {
-        return make(TOLERANCE, ONE_LIGHT, COARSE, baker, need -> true, ValidatedTableTest::neverRefused);
+        return make(TOLERANCE, ONE_LIGHT, COARSE, baker, true, ValidatedTableTest::neverRefused);
     }
 
     @Test
@@ -154,7 +152,7 @@ class ValidatedTableTest {
         ColorBaker deep = (uvw, token) -> colors(uvw, place -> 1.5 + Math.sin(14 * place[2]));
 
         TablePoints points = new TablePoints(VisibleRange.of(pairs));
-        ValidatedTable made = make(TOLERANCE, points, COARSE, deep, need -> true, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(TOLERANCE, points, COARSE, deep, true, ValidatedTableTest::neverRefused);
 
         assertThat(made.grid().slices()).isGreaterThan(COARSE.slices());
         for (DirectionPair pair : pairs) {
@@ -171,18 +169,12 @@ class ValidatedTableTest {
     }
 
     @Test
-    void reportsThatSmallerStepsDoNotHelp() {
-        oneLight(ValidatedTableTest::noisy);
-        assertThat(messages).last().asString().contains("smaller steps do not help");
-    }
-
-    @Test
     void tablesWithoutRoomAreRefusedBeforehand() {
         Consumer<TableDesign> refused = design -> {
             throw new IllegalStateException("no room for " + design.step());
         };
         ColorBaker baker = ValidatedTableTest::cancelling;
-        assertThatThrownBy(() -> make(TOLERANCE, ONE_LIGHT, COARSE, baker, need -> false, refused))
+        assertThatThrownBy(() -> make(TOLERANCE, ONE_LIGHT, COARSE, baker, false, refused))
                 .hasMessageContaining("no room for");
         assertThat(opened).isOne();
         assertThat(messages).isEmpty();
@@ -193,15 +185,18 @@ class ValidatedTableTest {
         // Its errors lie between the table's target and its tolerance.
         ColorBaker nearly = (uvw, token) -> colors(uvw, place -> 1 + 0.5 * Math.sin(36 * place[0]));
 
-        ValidatedTable made =
-                make(TOLERANCE, ONE_LIGHT, COARSE, nearly, need -> false, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(TOLERANCE, ONE_LIGHT, COARSE, nearly, false, ValidatedTableTest::neverRefused);
 
         assertThat(made.grid().design()).isEqualTo(COARSE);
         assertThat(messages).singleElement().asString().contains("memory does not suffice");
     }
 
     @Test
-    void nanEndsRefinement() {
+    void noiseAndNanEndRefinement() {
+        oneLight(ValidatedTableTest::noisy);
+        assertThat(messages).last().asString().contains("smaller steps do not help");
+        messages.clear();
+        opened = 0;
         ColorBaker broken = (uvw, token) -> colors(uvw, place -> place[0] > 0.2 ? Double.NaN : 1.0);
         oneLight(broken);
         assertThat(opened).isOne();
@@ -213,7 +208,7 @@ class ValidatedTableTest {
         // The spline through the root of a lone sharp order rings beside it.
         ColorBaker lone = (uvw, token) -> colors(uvw, ValidatedTableTest::order);
         TableDesign coarser = new TableDesign(0.1, 11);
-        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, need -> true, ValidatedTableTest::neverRefused);
+        ValidatedTable made = make(1e9, ONE_LIGHT, coarser, lone, true, ValidatedTableTest::neverRefused);
         long bright = ONE_LIGHT.samples().stream()
                 .filter(pair -> order(new double[] {pair.u(), pair.v()}) > 1e-9)
                 .count();
@@ -248,17 +243,6 @@ class ValidatedTableTest {
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
-
-            @Override
-            public void discard() {}
-
-            @Override
-            public void keep(int level, Map<Integer, byte[]> tiles) {
-                throw new AssertionError("nothing is made");
-            }
-
-            @Override
-            public void close() {}
         };
     }
 

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.apache.commons.math3.complex.Complex;
-import org.apache.commons.math3.special.BesselJ;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -72,16 +71,6 @@ class ExpansionTest {
     }
 
     @Test
-    void plannedTermsKeepTheToleranceAndOneFewerDoesNot() {
-        HeightScale scale = new HeightScale(0, 400e-9);
-        double maximum = scale.phase(380e-9, 2);
-        TaylorExpansion taylor = TaylorExpansion.within(scale, maximum, 1e-3);
-        assertThat(taylor.errorBound(maximum)).isLessThanOrEqualTo(1e-3);
-        assertThat(new TaylorExpansion(scale, taylor.terms() - 1, maximum).errorBound(maximum))
-                .isGreaterThan(1e-3);
-    }
-
-    @Test
     void lagrangeBoundOfAnImaginaryArgumentNeedsNoExponential() {
         // Thesis eq. 2.51 at x = 1.5 pi and N = 20, with M = 1 in place of e^x: 2.7e-6.
         TaylorExpansion taylor = new TaylorExpansion(new HeightScale(0, 1e-6), 20, 1.5 * Math.PI);
@@ -97,16 +86,5 @@ class ExpansionTest {
         assertThat(worst).isLessThanOrEqualTo(bound);
         // The bound is tight within the next term's factor; the thesis's is 111 times larger.
         assertThat(worst * 10).isGreaterThan(bound);
-    }
-
-    @Test
-    void besselCoefficientsAgreeWithTheLibrarysSingleValues() {
-        for (double zeta : new double[] {0, 1e-9, 0.3, 6.2, 13.5, 83}) {
-            double[] all = LowRankExpansion.bessel(60, zeta);
-            for (int n = 0; n < 60; n++) {
-                double expected = (n == 0 ? 1 : 2) * BesselJ.value(n, zeta);
-                assertThat(all[n]).as("2 J_%d(%g)", n, zeta).isCloseTo(expected, within(1e-14));
-            }
-        }
     }
 }

@@ -18,6 +18,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ArrayLayout;
 
 class PlannerTest {
     private static final double PITCH = 50e-9;
@@ -31,30 +32,14 @@ class PlannerTest {
     /** Fixed parts of a plan. */
     private record Request(TableChoices table, GaussianArea area) {}
 
-    @Test
-    void ordersThatTheWindowResolvesAreLookedAtOneByOne() {
-        // 3.2 um under a window of 65 um: 0.03 bins.
-        SpectrumPlan plan = plan(400e-9, request(65e-6));
-
-        assertThat(((OrderSampling) plan.sampling()).resolved()).isPresent();
-    }
-
-    @Test
-    void ordersThatTheWindowBlursAreResampled() {
-        // 3.2 um under a window of 3.2 um: 0.64 bins, as measured skins under sunlight.
-        SpectrumPlan plan = plan(400e-9, request(3.2e-6));
-
-        assertThat(plan.sampling()).isInstanceOf(GridSampling.class);
-    }
-
-    @Test
-    void ordersThatTheWindowNeitherResolvesNorBlursAreSummed() {
-        // 3.2 um under a window of 10 um: 0.2 bins.
-        SpectrumPlan plan = plan(400e-9, request(10e-6));
-
-        OrderSampling orders = (OrderSampling) plan.sampling();
-        assertThat(orders.resolved()).isEmpty();
-        assertThat(orders.neighborhood().radiusX()).isPositive();
+    /** The patch has 3.2 um: orders are resolved, neither resolved nor blurred, or blurred, as measured skins under sunlight. */
+    @ParameterizedTest
+    @CsvSource({"65e-6, OrderSampling, true", "10e-6, OrderSampling, false", "3.2e-6, GridSampling, false"})
+    void theWindowDecidesTheSampling(double coherenceLength, String sampling, boolean resolved) {
+        Sampling planned = plan(400e-9, request(coherenceLength)).sampling();
+        assertThat(planned.getClass().getSimpleName()).isEqualTo(sampling);
+        assertThat(planned instanceof OrderSampling orders && orders.resolved().isPresent())
+                .isEqualTo(resolved);
     }
 
     @Test
@@ -76,6 +61,10 @@ class PlannerTest {
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("coherence length 120 nm")
                 .hasMessageContaining("give 200 nm or more");
+        // Samples so far apart show no structure.
+        HeightMap wide = new HeightMap(16, 16, 78e-6, 78e-6, new double[256]);
+        assertThatThrownBy(() -> planner(wide).plan(STANDARD.table(), STANDARD.area(), MAP))
+                .hasMessageContaining("check the scan's size and its unit");
     }
 
     @Test
@@ -129,31 +118,51 @@ class PlannerTest {
                 .contains("keep no tolerance; leave out wavelength step");
     }
 
-    @Test
-    void tolerancesBelowFloat32sPercentileHaveAShortfall() {
-        Request ordinary = request(65e-6);
-        assertThat(warnings(withTolerance(ordinary, 1e-5)))
-                .anySatisfy(line -> assertThat(line)
-                        .contains("tolerance 1e-5 in the median", "4.2e-5 at the 95th percentile", "method reference"));
-        assertThat(warnings(withTolerance(ordinary, 2e-5)))
-                .singleElement()
-                .asString()
-                .contains("colors on flanks of orders");
-        assertThat(warnings(withTolerance(ordinary, 4e-5))).isEmpty();
+    @ParameterizedTest
+    @CsvSource(
+            quoteCharacter = '"',
+            value = {
+                "65e-6, 1e-5, tolerance 1e-5 in the median, 4.2e-5 at the 95th percentile",
+                "65e-6, 2e-5, colors on flanks of orders, 65 um",
+                "65e-6, 4e-5, ,",
+                "1e-3, 1e-4, colors on flanks of orders, 1 mm",
+                "1e-3, 1e-3, ,"
+            })
+    void tolerancesBeyondFloat32HaveAShortfall(double coherenceLength, double tolerance, String reason, String value) {
+        GaussianArea area = request(coherenceLength).area();
+        List<String> lines = warnings(new Request(TableChoices.within(tolerance), area));
+        if (reason == null) {
+            assertThat(lines).isEmpty();
+        } else {
+            assertThat(lines).anySatisfy(line -> assertThat(line).contains(reason, value));
+        }
+    }
+
+    /** A lone bright bin half a bin beyond the neighborhood contributes less than the budget; a smaller neighborhood would not do. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.15, 0.4, 1, 2.3, 9})
+    void theNeighborhoodIsAsLargeAsItMustBe(double sigmaBins) {
+        for (double tolerance : new double[] {1e-2, 1e-3, 1e-4}) {
+            ErrorBudget budget = new ErrorBudget(tolerance);
+            int radius = budget.neighborhoodRadius(sigmaBins);
+            assertThat(gauss((radius + 0.5) / sigmaBins)).isLessThanOrEqualTo(budget.leftOut());
+            assertThat(radius == 0 || gauss((radius - 0.5) / sigmaBins) > budget.leftOut())
+                    .isTrue();
+        }
+    }
+
+    private static double gauss(double deviations) {
+        return Math.exp(-0.5 * deviations * deviations);
     }
 
     @Test
-    void windowsTooWideForFloat32HaveAShortfall() {
-        Request wide = request(1e-3);
-        assertThat(warnings(withTolerance(wide, 1e-4)))
-                .singleElement()
-                .asString()
-                .contains("colors on flanks of orders", "1 mm");
-        assertThat(warnings(withTolerance(wide, 1e-3))).isEmpty();
-    }
-
-    private static Request withTolerance(Request request, double tolerance) {
-        return new Request(TableChoices.within(tolerance), request.area());
+    void oneTextureMayTakeLessThanAllTogether() {
+        // 1.44 GB each: together less than 3 GB, and each less than the 1.5 GiB that Mesa gives to one.
+        ArrayLayout half = ArrayLayout.layered("half", 15_000, 1_500, 4, 4);
+        assertThat(new MemoryNeed(0, List.of(half, half)).excess(MUCH_MEMORY)).isEmpty();
+        ArrayLayout whole = ArrayLayout.layered("whole", 15_000, 1_500, 8, 4);
+        assertThat(new MemoryNeed(0, List.of(whole)).excess(MUCH_MEMORY))
+                .hasValueSatisfying(line -> assertThat(line).contains("a texture of 2.9 GB", "1.6 GB"));
     }
 
     private static SpectrumPlan plan(double relief, Request request) {

@@ -23,10 +23,4 @@ class InterpolationDesignTest {
             assertThat(Math.abs(sum / gauss - 1)).as("%s deviations", distance).isLessThan(2e-4);
         }
     }
-
-    @Test
-    void aCompactDesignHasTheCoarserGrid() {
-        assertThat(InterpolationDesign.compact(1e-3, 3).deviation())
-                .isLessThanOrEqualTo(InterpolationDesign.within(1e-3, 3).deviation());
-    }
 }
