@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 final class GratingPlaneTest {
@@ -25,21 +24,6 @@ final class GratingPlaneTest {
             assertThat(pair.v()).isCloseTo(plane.u(angle) * Math.sin(plane.azimuth()), within(ROUNDING));
             assertThat(plane.thetaR(plane.u(angle))).isCloseTo(angle, within(1e-12));
         }
-    }
-
-    @Test
-    void theLightIsWhereItsAnglesSay() {
-        GratingPlane plane = new GratingPlane(Math.toRadians(75), Math.toRadians(10), Math.toRadians(100));
-        Direction expected = Direction.ofDegrees(75, 110);
-        Direction light = plane.pair(0.1).wi();
-        assertThat(light.x()).isCloseTo(expected.x(), within(ROUNDING));
-        assertThat(light.y()).isCloseTo(expected.y(), within(ROUNDING));
-    }
-
-    @Test
-    void theMirrorIsAtMinusThetaI() {
-        assertThat(new GratingPlane(Math.toRadians(75), 0, 0).u(Math.toRadians(-75)))
-                .isCloseTo(0, within(ROUNDING));
     }
 
     @Test

@@ -7,8 +7,6 @@ import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
@@ -19,7 +17,6 @@ import sunbeam.precompute.optics.HeightMap;
 /** Corrections to the thesis that no other test shows; docs/theory.md lists them all. */
 class ThesisCorrectionsTest {
     private static final double WAVELENGTH = 500e-9;
-    private static final CieTable CIE = CieTable.load();
 
     /** The windowed sum over a row equals the sum over its DFT bins with no factor but 1. */
     @Test
@@ -92,53 +89,5 @@ class ThesisCorrectionsTest {
         assertThat(missed).isCloseTo(0.026, within(0.001));
         assertThat(Math.sqrt(missed)).isCloseTo(0.16, within(0.005));
         assertThat(1 - worst * worst).isCloseTo(0.14, within(0.005));
-    }
-
-    /** Section 5.1: steps of 10 nm and more cause artifacts. */
-    @Test
-    void coarseWavelengthStepsBringTheArtefactsAndFineOnesDoNot() {
-        double coarsest = medianError(10e-9);
-        double thesis = medianError(5e-9);
-
-        // Expected 4e-1, 3e-2 and 9e-5 for the blazed grating at 10, 5 and 1 nm.
-        assertThat(coarsest).isGreaterThan(0.1);
-        assertThat(thesis).isLessThan(0.3 * coarsest);
-        assertThat(medianError(1e-9)).isLessThan(1e-3);
-    }
-
-    /** Error of X, Y, Z of a blazed grating under sunlight anywhere in its plane, against steps of 0.05 nm. */
-    private static double medianError(double step) {
-        double[] errors = new double[36];
-        for (int i = 0; i < errors.length; i++) {
-            double u = 0.05 * (i + 1);
-            double[] exact = xyz(u, 0.05e-9);
-            double[] coarse = xyz(u, step);
-            double difference = 0;
-            double length = 0;
-            for (int c = 0; c < 3; c++) {
-                difference += Math.pow(coarse[c] - exact[c], 2);
-                length += exact[c] * exact[c];
-            }
-            errors[i] = Math.sqrt(difference / length);
-        }
-        Arrays.sort(errors);
-        return errors[errors.length / 2];
-    }
-
-    private static double[] xyz(double u, double step) {
-        return WavelengthNodes.uniform(CIE, step).sum(wavelength -> blazedPower(u, wavelength));
-    }
-
-    /** Orders 0 to 12 of a ramp of 250 nm, 2.5 um long, at w = -1.5: sinc^2 times the window's Gaussian. */
-    private static double blazedPower(double u, double wavelength) {
-        CoherenceWindow sunlight = CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH);
-        double power = 0;
-        for (int order = 0; order <= 12; order++) {
-            double offset = Math.PI * (-1.5 * 250e-9 / wavelength + order);
-            double sinc = Math.abs(offset) < 1e-9 ? 1 : Math.sin(offset) / offset;
-            double distance = (u / wavelength - order / 2.5e-6) / sunlight.sigmaFrequency();
-            power += sinc * sinc * Math.exp(-distance * distance);
-        }
-        return power;
     }
 }

@@ -1,52 +1,31 @@
 package sunbeam.precompute.patch.builtin;
 
-import org.jtransforms.fft.DoubleFFT_2D;
+import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Power spectrum of a patch's heights. */
+/** Power spectrum of a patch's heights without their mean, up to the finest that diffract light. */
 final class Spectrum {
-    private final int columns;
-    private final int rows;
-    private final double[] power;
+    private final HeightSpectrum spectrum;
 
-    /** The mean is removed. The powers of all bins sum to the mean square. */
     Spectrum(HeightMap patch) {
-        columns = patch.columns();
-        rows = patch.rows();
-        double[] heights = patch.heights();
-        double mean = 0;
-        for (double height : heights) {
-            mean += height / heights.length;
-        }
-        double[] data = new double[2 * heights.length];
-        for (int i = 0; i < heights.length; i++) {
-            data[2 * i] = heights[i] - mean;
-        }
-        new DoubleFFT_2D(rows, columns).complexForward(data);
-        power = new double[heights.length];
-        for (int i = 0; i < power.length; i++) {
-            double size = heights.length;
-            power[i] = (data[2 * i] * data[2 * i] + data[2 * i + 1] * data[2 * i + 1]) / (size * size);
-        }
+        spectrum = HeightSpectrum.of(patch, HeightSpectrum.Edges.PERIODIC);
     }
 
-    /** Selects bins by their signed numbers of periods across the patch, q downwards. */
-    @FunctionalInterface
+    /** Selects bins by their signed numbers of periods across the patch, q upwards. */
     interface Bins {
         boolean contains(int p, int q);
     }
 
-    /** Receives each bin's signed numbers of periods and its mean square. */
-    @FunctionalInterface
-    interface Visitor {
+    private interface Visitor {
         void visit(int p, int q, double meanSquare);
     }
 
-    void forEach(Visitor visitor) {
-        for (int row = 0; row < rows; row++) {
-            int q = signed(row, rows);
-            for (int column = 0; column < columns; column++) {
-                visitor.visit(signed(column, columns), q, power[row * columns + column]);
+    private void forEach(Bins bins, Visitor visitor) {
+        for (int q = spectrum.bandY().first(); q <= spectrum.bandY().last(); q++) {
+            for (int p = spectrum.bandX().first(); p <= spectrum.bandX().last(); p++) {
+                if (bins.contains(p, q)) {
+                    visitor.visit(p, q, spectrum.at(p, q));
+                }
             }
         }
     }
@@ -54,30 +33,21 @@ final class Spectrum {
     /** Mean square of the heights in these bins. */
     double meanSquare(Bins bins) {
         double[] sum = new double[1];
-        forEach((p, q, meanSquare) -> sum[0] += bins.contains(p, q) ? meanSquare : 0);
+        forEach(bins, (p, q, meanSquare) -> sum[0] += meanSquare);
         return sum[0];
     }
 
     /** Mean squares of these bins by their absolute number of periods along x. */
     double[] byP(Bins bins) {
-        double[] sums = new double[columns / 2 + 1];
-        forEach((p, q, meanSquare) -> sums[Math.abs(p)] += bins.contains(p, q) ? meanSquare : 0);
+        double[] sums = new double[spectrum.bandX().last() + 1];
+        forEach(bins, (p, q, meanSquare) -> sums[Math.abs(p)] += meanSquare);
         return sums;
     }
 
     /** Mean squares of these bins by their absolute number of periods along y. */
     double[] byQ(Bins bins) {
-        double[] sums = new double[rows / 2 + 1];
-        forEach((p, q, meanSquare) -> sums[Math.abs(q)] += bins.contains(p, q) ? meanSquare : 0);
+        double[] sums = new double[spectrum.bandY().last() + 1];
+        forEach(bins, (p, q, meanSquare) -> sums[Math.abs(q)] += meanSquare);
         return sums;
-    }
-
-    /** Root of {@link #meanSquare}. */
-    double rms(Bins bins) {
-        return Math.sqrt(meanSquare(bins));
-    }
-
-    private static int signed(int bin, int size) {
-        return bin <= size / 2 ? bin : bin - size;
     }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class LengthsTest {
+class UnitsTest {
     @ParameterizedTest
     @CsvSource({
         "65um, 65e-6",
@@ -108,5 +108,36 @@ class LengthsTest {
     void roundingErrorsAreZero() {
         assertThat(Lengths.rounded(1.32e-23, 3)).isEqualTo("0 m");
         assertThat(Lengths.rounded(2e-15, 3)).isEqualTo("0.002 pm");
+    }
+
+    @Test
+    void anglesWithoutUnitAreDegrees() {
+        assertThat(Angles.parse("180")).isEqualTo(Math.PI);
+        assertThat(Angles.parse("-90deg")).isEqualTo(-Math.PI / 2);
+        assertThat(Angles.parse("90\u00b0")).isEqualTo(Math.PI / 2);
+        assertThat(Angles.parse(" 1.5 rad ")).isEqualTo(1.5);
+        assertThat(Angles.parse("4.5e1")).isEqualTo(Math.PI / 4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "deg", "x", "1d", "0x1p3", "NaN", "Infinity", "1e999", "1,5", "30 grad"})
+    void anythingElseIsNoAngle(String text) {
+        assertThatThrownBy(() -> Angles.parse(text))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining('"' + text + '"')
+                .hasMessageContaining("as in 30deg");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"100, 2, 100", "99.96, 2, 100", "131.4, 2, 130", "0.0344, 2, 0.034", "0, 3, 0"})
+    void roundedNumbersAreNoPowersOfTen(double value, int digits, String text) {
+        assertThat(Decimals.rounded(value, digits)).isEqualTo(text);
+    }
+
+    /** "1234 to 1234 nm" hid an interval of 0.2 nm. */
+    @ParameterizedTest
+    @CsvSource({"1234.04, 0.1, 1234.04", "1071, 87, 1071", "9252.6, 2850, 9300", "2500, 0, 2500.00"})
+    void aValueHasTheDigitsThatItsUncertaintyLeaves(double value, double uncertainty, String text) {
+        assertThat(Decimals.within(value, uncertainty)).isEqualTo(text);
     }
 }

@@ -3,11 +3,12 @@ package sunbeam.precompute.text;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-final class SimilarTest {
+final class TextTest {
     private static final List<String> NAMES = List.of("Height", "Weight", "Phase", "ZSensor", "X");
 
     @ParameterizedTest
@@ -21,5 +22,13 @@ final class SimilarTest {
     @ValueSource(strings = {"", "Y", "red", "Topography"})
     void anotherWordIsNearNone(String written) {
         assertThat(Similar.nearest(written, NAMES)).isEmpty();
+    }
+
+    @Test
+    void quotedTextIsCutAndHasNoControlCharacters() {
+        assertThat(Quoted.of("65 um")).isEqualTo("\"65 um\"");
+        assertThat(Quoted.of("a\nb\r\u001b[1m\u2028c")).isEqualTo("\"a?b??[1m?c\"");
+        assertThat(Quoted.of("x".repeat(60))).isEqualTo("\"" + "x".repeat(60) + "\"");
+        assertThat(Quoted.of("x".repeat(61))).isEqualTo("\"" + "x".repeat(60) + "...\"");
     }
 }
