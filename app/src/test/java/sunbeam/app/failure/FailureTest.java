@@ -22,7 +22,7 @@ final class FailureTest {
                         .stream()
                         .filter(type -> type.isAssignableTo(Throwable.class))
                         .toList();
-        assertThat(exceptions).extracting(JavaClass::getSimpleName).contains("SettingException", "ShaderException");
+        assertThat(exceptions).extracting(JavaClass::getSimpleName).contains("SettingException", "GraphicsException");
         for (JavaClass type : exceptions) {
             assertThat(Failure.codeOf(type.reflect())).as(type.getName()).isNotEqualTo(ExitCode.INTERNAL_ERROR);
         }

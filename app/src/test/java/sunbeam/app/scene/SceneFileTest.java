@@ -114,30 +114,21 @@ class SceneFileTest {
                     "mesh"               | "mush"             | line 1  | mesh          | missing
                     "rotatePatch"        | "rotatepatch"      | line 8  | rotatepatch   | unknown key
                     "30 deg"             | 30                 | line 8  | rotatePatch   | unit
-                    "30 deg"             | "30"               | line 8  | rotatePatch   | unit
                     "10 cm"              | "10 parsec"        | line 4  | camera.position | unknown unit
-                    "10 cm"              | 0.1                | line 4  | camera.position | unit
                     "diffraction": 20    | "diffraction": -1  | line 10 | weights.diffraction | out of range
                     "diffraction": 20    | "difraction": 20   | line 10 | weights.difraction | known are
                     "elaphe",            | "no.png",          | line 6  | texture       | no file
                     "elaphe",            | "../x.png",        | line 6  | texture       | folder
-                    "elaphe",            | "/etc/passwd",     | line 6  | texture       | folder
                     "tolerance": 0.01    | "tolerance": 7     | line 7  | plan.tolerance | out of range
                     "tolerance": 0.01    | "method": "magic"  | line 7  | plan.method   | magic
                     "tolerance": 0.01    | "method": "reference" | line 7 | plan.method | full, table, nmm, pq, gem
                     "tolerance": 0.01    | "method": "pq", "average": "ensemble" | line 7 | plan.average | pq
                     "tolerance": 0.01    | "method": "pq", "radius": 2 | line 7 | plan.radius | 2 belongs to method full or nmm, not pq
-                    "tolerance": 0.01    | "method": "nmm", "replicas": 3 | line 7 | plan.replicas | 3 belongs to method pq
                     "tolerance": 0.01    | "preset": "thesis"  | line 7  | plan.preset   | or use method full
-                    "tolerance": 0.01    | "spacing": "1 um"   | line 7  | plan.spacing  | belongs to method gem
                     "tolerance": 0.01    | "method": "gem", "spacing": "1 cm" | line 7 | plan.spacing | out of range
-                    "tolerance": 0.01    | "method": "pq", "replicas": 1.5 | line 7 | plan.replicas | whole number
                     "tolerance": 0.01    | "method": "full", "tolerance": 0.01, "preset": "thesis" | line 7 | plan.tolerance | preset thesis
                     "elaphe-like"        | {"file": "blaze", "width": "5 pm"} | line 3 | patch.width | 1 nm to 100 mm
-                    "elaphe-like"        | {"file": "blaze", "height": "500 mm"} | line 3 | patch.height | 1 nm to 100 mm
-                    "elaphe-like"        | {"file": "blaze", "maxHeight": "2 m"} | line 3 | patch.maxHeight | out of range
                     "exposure": 2        | "exposure": "two"  | line 9  | exposure      | auto
-                    "exposure": 2        | "exposure": 0      | line 9  | exposure      | above 0
                     "exposure": 2        | "exposure": -1     | line 9  | exposure      | -1 is out of range; give auto, or a number above 0 to 1e9
                     "tolerance": 0.01    | "terms": 0         | line 7  | plan.terms    | 0 is out of range; give 1 to 500
                     "tolerance": 0.01    | "tolerance": 1e-9  | line 7  | plan.tolerance | 1e-9 is finer than float32 can reach, which is 1e-5
@@ -146,7 +137,6 @@ class SceneFileTest {
                     "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
                     "snake"              | null               | line 2  | mesh          | text
                     "camera": {          | "camera": { "fieldOfView": "1e-300 deg", | line 4 | camera.fieldOfView | out of range
-                    "camera": {          | "camera": { "fieldOfView": "180 deg",    | line 4 | camera.fieldOfView | out of range
                     """)
     void mistakesNameLineAndKey(String found, String replacement, String line, String key, String words)
             throws IOException {

@@ -6,32 +6,37 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
 
 class BuiltInMeshesTest {
+    /** A facet tilts against the normals of its corners by half of its bend; most at a disc's edge, and at the point of the snake's snout. */
+    @ParameterizedTest
+    @CsvSource({"plane, 0.001", "sphere, 6", "cylinder, 4", "disc, 30", "snake, 79"})
+    void framesAreOrthonormalAndNormalsFaceOutwards(String name, double facetDegrees) {
+        Mesh mesh = BuiltInMeshes.create(name);
+
+        MeshChecks.assertNoDegenerateTriangle(mesh);
+        MeshChecks.assertOrthonormalFrames(mesh);
+        MeshChecks.assertNormalsFaceOutwards(mesh, Math.cos(Math.toRadians(facetDegrees)));
+    }
+
     @Test
     void aPlaneIsFlatAndItsFrameIsThatOfTheWorld() {
         Mesh plane = BuiltInMeshes.plane(2, 3);
 
-        MeshChecks.assertOrthonormalFrames(plane);
         MeshChecks.assertTangentsFollowTheTexture(plane, 1 - 1e-6);
-        MeshChecks.assertNormalsFaceOutwards(plane, 1 - 1e-6);
-        double area = 0;
-        for (int triangle = 0; triangle < plane.triangles(); triangle++) {
-            area += MeshChecks.areaNormal(plane, triangle).z / 2;
-        }
-        assertThat(area).isCloseTo(4, within(1e-6));
+        assertThat(MeshChecks.area(plane)).isCloseTo(4, within(1e-6));
         assertThat(plane.tangents()).startsWith(1, 0, 0, 1);
+        assertThat(plane.normals()).startsWith(0, 0, 1);
     }
 
     @Test
     void aCylindersMantleStandsOnTheGround() {
         Mesh cylinder = BuiltInMeshes.cylinder(0.1, 0.2, 48, 4);
 
-        MeshChecks.assertNoDegenerateTriangle(cylinder);
-        MeshChecks.assertOrthonormalFrames(cylinder);
         MeshChecks.assertTangentsFollowTheTexture(cylinder, Math.cos(Math.toRadians(4)));
-        MeshChecks.assertNormalsFaceOutwards(cylinder, Math.cos(Math.toRadians(4)));
         assertThat(cylinder.toVertexData().bounds().center().z()).isCloseTo(0.1f, within(1e-6f));
     }
 
@@ -39,9 +44,6 @@ class BuiltInMeshesTest {
     void aDiscLiesOnTheGroundAndItsTangentsFollowItsTracks() {
         Mesh disc = BuiltInMeshes.create("disc");
 
-        MeshChecks.assertNoDegenerateTriangle(disc);
-        MeshChecks.assertOrthonormalFrames(disc);
-        MeshChecks.assertNormalsFaceOutwards(disc, Math.cos(Math.toRadians(30)));
         double largest = 0;
         for (int vertex = 0; vertex < disc.vertices(); vertex++) {
             Vector3d position = MeshChecks.position(disc, vertex);
@@ -57,9 +59,6 @@ class BuiltInMeshesTest {
 
     @Test
     void builtInMeshesHaveNames() {
-        for (String name : BuiltInMeshes.names()) {
-            assertThat(BuiltInMeshes.create(name).toVertexData().triangles()).isPositive();
-        }
         assertThatThrownBy(() -> BuiltInMeshes.create("torus"))
                 .isInstanceOf(InputException.class)
                 .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder, disc");

@@ -3,7 +3,11 @@ package sunbeam.app.scene.mesh;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Base64;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import sunbeam.precompute.text.Text;
 
 /** Meshes in the formats that Sunbeam reads, written as their specifications say and by none of its code. */
@@ -18,54 +22,40 @@ public final class MeshFiles {
                         + "property float ny%nproperty float nz%nproperty uchar red%nproperty float s%nproperty float t%n"
                         + "element face %d%nproperty list uchar int vertex_indices%nend_header%n",
                 encoding, mesh.vertices(), mesh.triangles());
-        return encoding.equals("ascii") ? text(header, mesh) : binary(header, mesh, encoding.endsWith("little_endian"));
-    }
-
-    private static byte[] text(String header, Mesh mesh) {
-        StringBuilder text = new StringBuilder(header).append("7 2 -1 3\n");
+        ByteBuffer bytes = ByteBuffer.allocate(200 * (mesh.vertices() + mesh.triangles()))
+                .order(encoding.endsWith("little_endian") ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN)
+                .put(header.getBytes(StandardCharsets.US_ASCII));
+        Consumer<Number> sink = encoding.equals("ascii")
+                ? number -> bytes.put((number + "\n").getBytes(StandardCharsets.US_ASCII))
+                : number -> put(bytes, number);
+        List.of((byte) 7, (byte) 2, (short) -1, (short) 3).forEach(sink);
         for (int i = 0; i < mesh.vertices(); i++) {
             float[] p = mesh.positions();
             float[] n = mesh.normals();
             float[] uv = mesh.textureCoordinates();
-            text.append(Text.format(
-                    "%s %s %s %s %s %s 200 %s %s%n",
-                    p[3 * i],
-                    p[3 * i + 1],
-                    p[3 * i + 2],
-                    n[3 * i],
-                    n[3 * i + 1],
-                    n[3 * i + 2],
-                    uv[2 * i],
-                    uv[2 * i + 1]));
+            List.of(p[3 * i], p[3 * i + 1], (double) p[3 * i + 2]).forEach(sink);
+            List.of(n[3 * i], n[3 * i + 1], n[3 * i + 2]).forEach(sink);
+            List.of((byte) 100, uv[2 * i], uv[2 * i + 1]).forEach(sink);
         }
         for (int i = 0; i < mesh.indices().length; i += 3) {
-            text.append("3 ").append(mesh.indices()[i]).append(' ').append(mesh.indices()[i + 1]);
-            text.append(' ').append(mesh.indices()[i + 2]).append('\n');
+            sink.accept((byte) 3);
+            IntStream.range(i, i + 3).mapToObj(corner -> mesh.indices()[corner]).forEach(sink);
         }
-        return text.toString().getBytes(StandardCharsets.US_ASCII);
+        return Arrays.copyOf(bytes.array(), bytes.position());
     }
 
-    private static byte[] binary(String header, Mesh mesh, boolean little) {
-        byte[] start = header.getBytes(StandardCharsets.US_ASCII);
-        ByteBuffer bytes = ByteBuffer.allocate(start.length + 6 + 37 * mesh.vertices() + 13 * mesh.triangles())
-                .order(little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-        bytes.put(start).put((byte) 7).put((byte) 2).putShort((short) -1).putShort((short) 3);
-        for (int i = 0; i < mesh.vertices(); i++) {
-            bytes.putFloat(mesh.positions()[3 * i]).putFloat(mesh.positions()[3 * i + 1]);
-            bytes.putDouble(mesh.positions()[3 * i + 2]);
-            for (int axis = 0; axis < 3; axis++) {
-                bytes.putFloat(mesh.normals()[3 * i + axis]);
-            }
-            bytes.put((byte) 200).putFloat(mesh.textureCoordinates()[2 * i]);
-            bytes.putFloat(mesh.textureCoordinates()[2 * i + 1]);
+    private static void put(ByteBuffer bytes, Number number) {
+        if (number instanceof Byte value) {
+            bytes.put(value);
+        } else if (number instanceof Short value) {
+            bytes.putShort(value);
+        } else if (number instanceof Integer value) {
+            bytes.putInt(value);
+        } else if (number instanceof Float value) {
+            bytes.putFloat(value);
+        } else {
+            bytes.putDouble((Double) number);
         }
-        for (int i = 0; i < mesh.indices().length; i++) {
-            if (i % 3 == 0) {
-                bytes.put((byte) 3);
-            }
-            bytes.putInt(mesh.indices()[i]);
-        }
-        return bytes.array();
     }
 
     /** Binary glTF with normals, tangents and texture coordinates. */
