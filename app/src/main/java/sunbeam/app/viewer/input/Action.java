@@ -12,17 +12,27 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.KeyStroke;
 import sunbeam.app.scene.Motion;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.input.Help.Group;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.picture.Divider;
 import sunbeam.app.viewer.picture.PictureView;
-import sunbeam.app.viewer.window.FileKind;
+import sunbeam.app.viewer.window.FileActions.Kind;
 import sunbeam.app.viewer.window.Viewer;
 
 /** Key actions. Menus, key bindings, help and the table in docs/viewer.md derive from this enum. */
 enum Action {
-    TURN(Group.LIGHT, "turn the model by 2 degrees", "shift arrows", Action::turn),
-    ROLL(Group.LIGHT, "roll the model by 2 degrees", "ctrl shift LEFT, ctrl shift RIGHT", Action::roll),
-    LIGHT(Group.LIGHT, "move the light by 2 degrees", "arrows", Action::moveLight),
+    TURN(
+            Group.LIGHT,
+            "turn the model by 2 degrees",
+            "shift arrows",
+            (viewer, stroke) -> move(viewer, stroke, Drags::turned)),
+    ROLL(
+            Group.LIGHT,
+            "roll the model by 2 degrees",
+            "ctrl shift LEFT, ctrl shift RIGHT",
+            (viewer, stroke) -> move(viewer, stroke, (scene, right, up) -> Drags.rolled(scene, -right))),
+    LIGHT(Group.LIGHT, "move the light by 2 degrees", "arrows", (viewer, stroke) -> move(viewer, stroke, Drags::lit)),
     FOLLOW(
             Group.LIGHT,
             "while it is held, the light follows the mouse",
@@ -52,11 +62,11 @@ enum Action {
         Divider divider = viewer.window().picture().divider();
         divider.move(divider.share() + Action.STEP_SHARE * right(stroke));
     }),
-    LOAD_SCENE(Group.FILE, "load a scene", "ctrl O", viewer -> viewer.files().load(FileKind.SCENE)),
-    LOAD_PATCH(Group.FILE, "load a patch", "ctrl L", viewer -> viewer.files().load(FileKind.PATCH)),
-    LOAD_MESH(Group.FILE, "load a mesh", "ctrl M", viewer -> viewer.files().load(FileKind.MESH)),
+    LOAD_SCENE(Group.FILE, "load a scene", "ctrl O", viewer -> viewer.files().load(Kind.SCENE)),
+    LOAD_PATCH(Group.FILE, "load a patch", "ctrl L", viewer -> viewer.files().load(Kind.PATCH)),
+    LOAD_MESH(Group.FILE, "load a mesh", "ctrl M", viewer -> viewer.files().load(Kind.MESH)),
     LOAD_TEXTURE(
-            Group.FILE, "load a texture", "ctrl T", viewer -> viewer.files().load(FileKind.TEXTURE)),
+            Group.FILE, "load a texture", "ctrl T", viewer -> viewer.files().load(Kind.TEXTURE)),
     SAVE_SCENE(Group.FILE, "save the scene", "ctrl S", viewer -> viewer.files().saveScene()),
     SAVE_PICTURE(
             Group.FILE,
@@ -153,40 +163,19 @@ enum Action {
         this.state = state;
     }
 
-    private static void moveLight(Viewer viewer, KeyStroke stroke) {
-        viewer.model()
-                .change(scene -> scene.withLight(scene.light()
-                        .pointing(Drags.light(
-                                scene.view().camera(),
-                                scene.light().towards(),
-                                right(stroke) * STEP_RADIANS,
-                                up(stroke) * STEP_RADIANS))));
+    private interface Move {
+        Scene of(Scene scene, double right, double up);
     }
 
-    private static void turn(Viewer viewer, KeyStroke stroke) {
-        viewer.model()
-                .change(scene -> scene.withOrientation(Drags.turned(
-                        scene.view().camera(),
-                        scene.orientation(),
-                        right(stroke) * STEP_RADIANS,
-                        up(stroke) * STEP_RADIANS)));
-    }
-
-    private static void roll(Viewer viewer, KeyStroke stroke) {
-        viewer.model()
-                .change(scene -> scene.withOrientation(
-                        Drags.rolled(scene.view().camera(), scene.orientation(), -right(stroke) * STEP_RADIANS)));
+    private static void move(Viewer viewer, KeyStroke stroke, Move move) {
+        viewer.model().change(scene -> move.of(scene, right(stroke) * STEP_RADIANS, up(stroke) * STEP_RADIANS));
     }
 
     private static void pan(Viewer viewer, KeyStroke stroke) {
         PictureView picture = viewer.window().picture();
-        viewer.model()
-                .change(scene -> scene.withView(Drags.panned(
-                        scene.view(),
-                        right(stroke) * STEP_SHARE,
-                        up(stroke) * STEP_SHARE,
-                        picture.getWidth(),
-                        picture.getHeight())));
+        double right = right(stroke) * STEP_SHARE;
+        double up = up(stroke) * STEP_SHARE;
+        viewer.model().change(scene -> Drags.panned(scene, right, up, picture.getWidth(), picture.getHeight()));
     }
 
     /** Returns the horizontal step of an arrow key: 1 for right, -1 for left, 0 for others. */

@@ -16,11 +16,38 @@ import sunbeam.app.viewer.window.ViewerWindow;
  * @param description description of the effect
  */
 record Help(String input, String description) {
+    /** Group of mouse and key actions, in the order of the help. A group with a menu offers its key actions there. */
+    enum Group {
+        LIGHT("Turning and light", false),
+        CAMERA("Camera", false),
+        SKIN("Points and methods", false),
+        FILE("File", true),
+        EDIT("Edit", true),
+        VIEW("View", true),
+        HELP("Help", true);
+
+        private final String title;
+        private final boolean hasMenu;
+
+        Group(String title, boolean hasMenu) {
+            this.title = title;
+            this.hasMenu = hasMenu;
+        }
+
+        String title() {
+            return title;
+        }
+
+        boolean hasMenu() {
+            return hasMenu;
+        }
+    }
+
     static List<Help> rows(Group group) {
         return Stream.concat(
-                        Stream.of(MouseAction.values())
+                        Stream.of(MouseControls.Gesture.values())
                                 .filter(action -> action.group() == group)
-                                .map(MouseAction::help),
+                                .map(MouseControls.Gesture::help),
                         Stream.of(Action.values())
                                 .filter(action -> action.group() == group)
                                 .map(Action::help))

@@ -22,6 +22,7 @@ import javax.swing.text.JTextComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.viewer.input.Help.Group;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.viewer.window.ViewerWindow;
 

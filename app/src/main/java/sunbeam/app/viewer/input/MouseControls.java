@@ -6,11 +6,14 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import org.joml.Quaternionfc;
+import javax.swing.SwingUtilities;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.input.Help.Group;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.pick.SkinPoint;
@@ -19,8 +22,114 @@ import sunbeam.app.viewer.window.Player;
 import sunbeam.app.viewer.window.ScenePresenter;
 import sunbeam.app.viewer.window.Viewer;
 
-/** Mouse listener that applies the {@link MouseAction}s to the scene. */
+/** Mouse listener that applies the {@link Gesture}s to the scene. */
 public final class MouseControls extends MouseAdapter {
+    /**
+     * Mouse actions over the picture; handling, help and docs/viewer.md derive from this enum. The first constant that matches an event handles
+     * it.
+     */
+    enum Gesture {
+        DIVIDE(
+                Group.SKIN,
+                "drag of the line between two methods",
+                "moves it",
+                event -> isDrag(event)
+                        && event.getComponent() instanceof PictureView view
+                        && view.divider().isGrabbed(),
+                MouseControls::divide),
+        TURN(
+                Group.LIGHT,
+                "left drag",
+                "turns the model about the point under the pointer; what stands upright stays so",
+                event -> isDrag(event)
+                        && SwingUtilities.isLeftMouseButton(event)
+                        && !event.isControlDown()
+                        && !event.isShiftDown(),
+                MouseControls::turn),
+        ROLL(
+                Group.LIGHT,
+                "Ctrl + Shift + left drag",
+                "rolls the model",
+                event -> isDrag(event)
+                        && SwingUtilities.isLeftMouseButton(event)
+                        && event.isControlDown()
+                        && event.isShiftDown(),
+                MouseControls::roll),
+        LIGHT(
+                Group.LIGHT,
+                "right drag, Shift + left drag",
+                "moves the light",
+                event -> (isDrag(event)
+                                && (SwingUtilities.isRightMouseButton(event)
+                                        || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown())))
+                        || (event.getID() == MouseEvent.MOUSE_MOVED
+                                && event.getComponent() instanceof PictureView view
+                                && view.isLightHeld()),
+                MouseControls::moveLight),
+        PAN(
+                Group.CAMERA,
+                "middle drag, Ctrl + left drag",
+                "pans",
+                event -> isDrag(event)
+                        && (SwingUtilities.isMiddleMouseButton(event)
+                                || (SwingUtilities.isLeftMouseButton(event) && event.isControlDown())),
+                MouseControls::pan),
+        ZOOM(
+                Group.CAMERA,
+                "wheel",
+                "zooms to the pointer",
+                event -> event instanceof MouseWheelEvent,
+                MouseControls::zoom),
+        PICK_BESIDE(
+                Group.SKIN,
+                "Shift + double click on the skin",
+                "picks a second point beside it",
+                event -> isDoubleClick(event) && event.isShiftDown(),
+                MouseControls::pickBeside),
+        PICK(Group.SKIN, "double click on the skin", "picks the point", Gesture::isDoubleClick, MouseControls::pick);
+
+        private final Group group;
+        private final String gesture;
+        private final String description;
+
+        @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+        private final transient Predicate<MouseEvent> fits;
+
+        @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+        private final transient BiConsumer<MouseControls, MouseEvent> effect;
+
+        Gesture(
+                Group group,
+                String gesture,
+                String description,
+                Predicate<MouseEvent> fits,
+                BiConsumer<MouseControls, MouseEvent> effect) {
+            this.group = group;
+            this.gesture = gesture;
+            this.description = description;
+            this.fits = fits;
+            this.effect = effect;
+        }
+
+        private static boolean isDrag(MouseEvent event) {
+            return event.getID() == MouseEvent.MOUSE_DRAGGED;
+        }
+
+        private static boolean isDoubleClick(MouseEvent event) {
+            return event.getID() == MouseEvent.MOUSE_CLICKED
+                    && event.getClickCount() == 2
+                    && SwingUtilities.isLeftMouseButton(event);
+        }
+
+        Group group() {
+            return group;
+        }
+
+        Help help() {
+            return new Help(gesture, description);
+        }
+    }
+
     private static final double ZOOM_STEP = 1.1;
 
     private final PictureView view;
@@ -69,7 +178,7 @@ public final class MouseControls extends MouseAdapter {
         return view.divider().isAt(event.getX(), view.getWidth());
     }
 
-    void divide(MouseEvent event) {
+    private void divide(MouseEvent event) {
         view.divider().move((double) event.getX() / view.getWidth());
     }
 
@@ -94,10 +203,10 @@ public final class MouseControls extends MouseAdapter {
 
     private void act(MouseEvent event) {
         if (view.getWidth() > 0 && view.getHeight() > 0) {
-            Stream.of(MouseAction.values())
-                    .filter(action -> action.fits(event))
+            Stream.of(Gesture.values())
+                    .filter(gesture -> gesture.fits.test(event))
                     .findFirst()
-                    .ifPresent(action -> action.run(this, event));
+                    .ifPresent(gesture -> gesture.effect.accept(this, event));
         }
     }
 
@@ -106,64 +215,63 @@ public final class MouseControls extends MouseAdapter {
         return new Point((int) (event.getX() * scale), (int) (event.getY() * scale));
     }
 
-    void pick(MouseEvent event) {
+    private void pick(MouseEvent event) {
         Point pixel = pixel(event);
         presenter.pick(pixel.x, pixel.y);
     }
 
-    void pickBeside(MouseEvent event) {
+    private void pickBeside(MouseEvent event) {
         Point pixel = pixel(event);
         presenter.pickBeside(pixel.x, pixel.y);
     }
 
-    void zoom(MouseEvent event) {
+    private void zoom(MouseEvent event) {
         held = Optional.empty();
         double notches = ((MouseWheelEvent) event).getPreciseWheelRotation();
         int width = view.getWidth();
         int height = view.getHeight();
         double right = (event.getX() - 0.5 * width) / height;
         double up = 0.5 - (double) event.getY() / height;
-        model.change(scene ->
-                scene.withView(Drags.zoomed(scene.view(), Math.pow(ZOOM_STEP, notches), right, up, width, height)));
+        double factor = Math.pow(ZOOM_STEP, notches);
+        model.change(scene -> Drags.zoomed(scene, factor, right, up, width, height));
     }
 
-    void pan(MouseEvent event) {
+    private void pan(MouseEvent event) {
         int width = view.getWidth();
         int height = view.getHeight();
         double right = (double) (event.getX() - last.x) / height;
         double up = (double) (last.y - event.getY()) / height;
-        model.change(scene -> scene.withView(Drags.panned(scene.view(), right, up, width, height)));
+        model.change(scene -> Drags.panned(scene, right, up, width, height));
     }
 
-    void turn(MouseEvent event) {
+    private void turn(MouseEvent event) {
         player.stop();
-        orient(scene -> Drags.turned(scene.view().camera(), scene.orientation(), right(event), up(event)));
+        orient(scene -> Drags.turned(scene, right(event), up(event)));
     }
 
-    void roll(MouseEvent event) {
+    private void roll(MouseEvent event) {
         player.stop();
         double angle = angle(event.getPoint()) - angle(last);
-        orient(scene -> Drags.rolled(scene.view().camera(), scene.orientation(), angle));
+        orient(scene -> Drags.rolled(scene, angle));
     }
 
-    private void orient(Function<Scene, Quaternionfc> orientation) {
+    /** Applies a change of orientation and moves the camera so that the grabbed point stays at its pixel. */
+    private void orient(UnaryOperator<Scene> change) {
         model.change(scene -> {
-            Scene turned = scene.withOrientation(orientation.apply(scene));
-            return held.map(point -> following(point, turned)).orElse(turned);
+            Scene turned = change.apply(scene);
+            return held.map(point -> Drags.shifted(turned.withView(point.scene().view()), shift(point, turned)))
+                    .orElse(turned);
         });
     }
 
-    /** Moves the camera of a turned scene so that the grabbed point stays at its pixel. */
-    private static Scene following(SkinPoint grabbed, Scene turned) {
-        Vector3f shift = grabbed.in(turned).pick().position().sub(grabbed.pick().position(), new Vector3f());
-        return turned.withView(Drags.shifted(grabbed.scene().view(), shift));
+    private static Vector3f shift(SkinPoint grabbed, Scene turned) {
+        return grabbed.in(turned).pick().position().sub(grabbed.pick().position(), new Vector3f());
     }
 
-    void moveLight(MouseEvent event) {
+    private void moveLight(MouseEvent event) {
         double right = right(event);
         double up = up(event);
-        model.change(scene -> scene.withLight(scene.light()
-                .pointing(Drags.light(scene.view().camera(), scene.light().towards(), right, up))));
+        model.change(scene -> Drags.lit(scene, right, up));
     }
 
     /** Returns the angle of the last move to the right; the view's shorter side is half a turn. */

@@ -4,9 +4,9 @@ import jrtr.BoundingSphere;
 import jrtr.scene.Camera;
 import org.joml.Matrix4f;
 import org.joml.Quaternionf;
-import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Viewpoint;
 
 /** Geometry of mouse drags and wheel turns that move model, light or camera. */
@@ -19,32 +19,34 @@ public final class Drags {
     private Drags() {}
 
     /**
-     * Returns a model's orientation after a turn about its own vertical and a tilt about the picture's horizontal, so that an upright model
-     * stays upright.
+     * Turns the model about its own vertical and tilts it about the picture's horizontal, so that an upright model stays upright.
      *
      * @param right angle by which the model's front turns to the picture's right, radians
      * @param up angle by which it tilts upwards, radians
-     * @return normalized, since rounding errors add up over many drags
      */
-    public static Quaternionf turned(Camera camera, Quaternionfc orientation, double right, double up) {
+    public static Scene turned(Scene scene, double right, double up) {
+        Camera camera = scene.view().camera();
         Vector3f sight = sight(camera);
         Vector3f toRight = sight.cross(camera.up(), new Vector3f()).normalize();
-        Vector3f vertical = orientation.transform(camera.up(), new Vector3f()).normalize();
+        Vector3f vertical =
+                scene.orientation().transform(camera.up(), new Vector3f()).normalize();
         // The front of a model that hangs upside down turns the other way around its vertical.
         double turn = vertical.dot(toRight.cross(sight, new Vector3f())) < 0 ? -right : right;
-        return rotation(-up, toRight)
-                .mul(rotation(turn, vertical))
-                .mul(orientation)
-                .normalize();
+        return rotated(scene, rotation(-up, toRight).mul(rotation(turn, vertical)));
     }
 
     /**
-     * Returns a model's orientation after a roll about the line of sight.
+     * Rolls the model about the line of sight.
      *
      * @param angle counterclockwise in the picture, radians
      */
-    public static Quaternionf rolled(Camera camera, Quaternionfc orientation, double angle) {
-        return rotation(-angle, sight(camera).normalize()).mul(orientation).normalize();
+    public static Scene rolled(Scene scene, double angle) {
+        return rotated(scene, rotation(-angle, sight(scene.view().camera()).normalize()));
+    }
+
+    /** Normalizes the orientation, since rounding errors add up over many drags. */
+    private static Scene rotated(Scene scene, Quaternionf rotation) {
+        return scene.withOrientation(rotation.mul(scene.orientation()).normalize());
     }
 
     private static Quaternionf rotation(double angle, Vector3fc axis) {
@@ -58,16 +60,15 @@ public final class Drags {
     /**
      * Moves the light on a sphere around the model, in the direction of the drag.
      *
-     * @param towards unit vector to the light in world space
      * @param right angle to the picture's right, radians
      * @param up angle upwards in the picture, radians
-     * @return unit vector to the light in world space
      */
-    public static Vector3f light(Camera camera, Vector3fc towards, double right, double up) {
-        Matrix4f worldToCamera = camera.worldToCamera();
-        Vector3f seen = worldToCamera.transformDirection(towards, new Vector3f());
+    public static Scene lit(Scene scene, double right, double up) {
+        Matrix4f worldToCamera = scene.view().camera().worldToCamera();
+        Vector3f seen = worldToCamera.transformDirection(scene.light().towards(), new Vector3f());
         seen.rotateY((float) right).rotateX((float) -up);
-        return worldToCamera.invertAffine().transformDirection(seen).normalize();
+        Vector3f towards = worldToCamera.invertAffine().transformDirection(seen).normalize();
+        return scene.withLight(scene.light().pointing(towards));
     }
 
     /**
@@ -79,12 +80,12 @@ public final class Drags {
      * @param width width of the picture, in any unit
      * @param height height of the picture, in the unit of the width
      */
-    public static Viewpoint zoomed(Viewpoint view, double factor, double right, double up, int width, int height) {
-        Camera camera = view.camera();
+    public static Scene zoomed(Scene scene, double factor, double right, double up, int width, int height) {
+        Camera camera = scene.view().camera();
         float distance = camera.lookAtPoint().distance(camera.centerOfProjection());
         float allowed = (float) Math.min(FARTHEST, Math.max(NEAREST, distance * factor)) / distance;
         // Scaling about the point under the pointer leaves that point on the pointer's ray.
-        return shifted(view, across(view, right, up, width, height).mul(1 - allowed), allowed);
+        return shifted(scene, across(scene.view(), right, up, width, height).mul(1 - allowed), allowed);
     }
 
     /**
@@ -95,31 +96,33 @@ public final class Drags {
      * @param width width of the picture, in any unit
      * @param height height of the picture, in the unit of the width
      */
-    public static Viewpoint panned(Viewpoint view, double right, double up, int width, int height) {
-        return shifted(view, across(view, -right, -up, width, height));
+    public static Scene panned(Scene scene, double right, double up, int width, int height) {
+        return shifted(scene, across(scene.view(), -right, -up, width, height));
     }
 
-    /** Returns a view of the sphere's center in the same direction, at a distance at which the whole sphere is visible. */
-    public static Viewpoint framed(Viewpoint view, BoundingSphere sphere) {
+    /** Moves the camera, in the same direction, to a distance at which the whole sphere is visible. */
+    public static Scene framed(Scene scene, BoundingSphere sphere) {
+        Viewpoint view = scene.view();
         Camera camera = view.camera();
         float distance = (float) Math.min(
                 FARTHEST, Math.max(NEAREST, sphere.radius() / Math.sin(view.verticalFieldOfView() / 2)));
         Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
         Vector3f eye = back.normalize(distance).add(sphere.center());
-        return new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView());
+        return scene.withView(new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView()));
     }
 
     /** Shifts eye and target in world space. */
-    public static Viewpoint shifted(Viewpoint view, Vector3fc shift) {
-        return shifted(view, shift, 1);
+    public static Scene shifted(Scene scene, Vector3fc shift) {
+        return shifted(scene, shift, 1);
     }
 
-    private static Viewpoint shifted(Viewpoint view, Vector3fc shift, float factor) {
-        Camera camera = view.camera();
+    private static Scene shifted(Scene scene, Vector3fc shift, float factor) {
+        Camera camera = scene.view().camera();
         Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
         Vector3f lookAt = camera.lookAtPoint().add(shift, new Vector3f());
         Vector3f eye = back.mul(factor).add(lookAt);
-        return new Viewpoint(new Camera(eye, lookAt, camera.up()), view.verticalFieldOfView());
+        return scene.withView(
+                new Viewpoint(new Camera(eye, lookAt, camera.up()), scene.view().verticalFieldOfView()));
     }
 
     /** Returns the world-space vector, in the plane through the target, of an offset given in picture heights. */

@@ -36,7 +36,7 @@ public enum ControlOrigin implements Origin {
     }
 
     /** Returns a control's tooltip: effect, unit and limits of the setting, then {@code more}, a text about the control. */
-    String tip(Setting<?> setting, String more) {
+    public String tip(Setting<?> setting, String more) {
         ValueKind<?> kind = setting.kind();
         String unit = kind.form() == ValueKind.Form.QUANTITY ? "With its unit" : "Without unit";
         String values = kind.form() == ValueKind.Form.TEXT ? "No unit." : unit + ", " + kind.range() + ".";

@@ -33,7 +33,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -45,6 +45,8 @@ import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.panel.SettingRows.NameBox;
+import sunbeam.app.viewer.panel.SettingRows.ValueSlider;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
@@ -55,6 +57,7 @@ import sunbeam.precompute.setting.SettingException;
 /** Panel of controls beside the picture. Each changes one setting of the scene and shows its current value. */
 public final class ControlPanel extends JTabbedPane {
     private static final String NONE = "none";
+    private static final double WEIGHT_WITHOUT_MIRROR = 0.5;
 
     private final transient ViewerModel scenes;
     private final transient Consumer<String> problem;
@@ -73,7 +76,8 @@ public final class ControlPanel extends JTabbedPane {
     private final ValueSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
     private transient MethodPlan plan;
     private transient List<String> remarks = List.of();
-    private final transient DiffractionWeights weights = new DiffractionWeights();
+    // Weight of diffracted light of the last method with power relative to a mirror's peak; empty before another one.
+    private OptionalDouble weightByMirror = OptionalDouble.empty();
     private boolean updating;
     private double lastExposure = 1;
 
@@ -108,9 +112,7 @@ public final class ControlPanel extends JTabbedPane {
         colorTab.box(TOLERANCE, tolerance, true);
         colorTab.text(COHERENCE_LENGTH);
         colorTab.box(AVERAGE, average, false);
-        colorTab.slider(
-                ROTATE_PATCH,
-                colorTab.slider(ROTATE_PATCH, -180, 180, Math::toRadians, Math::toDegrees, SettingRows::degrees));
+        colorTab.angles(ROTATE_PATCH, -180, 180, 1);
         colorTab.text(INDEX);
         colorTab.box(ENERGY, SettingRows.words(ENERGY), false);
         colorTab.row(EXPOSURE, automatic, "Automatic: chosen from the picture.");
@@ -121,7 +123,7 @@ public final class ControlPanel extends JTabbedPane {
         colorTab.row(
                 "", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
         colorTab.onFollow(this::followExposure);
-        colorTab.slider(DIFFRACTION, colorTab.stops(DIFFRACTION, -15, 60));
+        colorTab.add(DIFFRACTION, colorTab.stops(DIFFRACTION, -15, 60));
         addScene();
         addTab("Color", onTop(colorTab));
         addTab("Scene", onTop(sceneTab));
@@ -131,29 +133,13 @@ public final class ControlPanel extends JTabbedPane {
         sceneTab.box(MESH, new NameBox(BuiltInMeshes.names()), false);
         sceneTab.box(MESH_UNIT, SettingRows.words(MESH_UNIT), false);
         sceneTab.box(TEXTURE, new NameBox(BodyTexture.names()), false);
-        sceneTab.slider(TEXTURE_WEIGHT, sceneTab.hundredths(TEXTURE_WEIGHT, 200));
+        sceneTab.hundredths(TEXTURE_WEIGHT, 200);
         sceneTab.box(SCALES, SettingRows.words(SCALES), false);
-        sceneTab.slider(
-                ROUGHNESS,
-                sceneTab.slider(
-                        ROUGHNESS,
-                        0,
-                        100,
-                        step -> Math.toRadians(step / 10),
-                        angle -> 10 * Math.toDegrees(angle),
-                        SettingRows::degrees));
-        sceneTab.slider(INTENSITY, sceneTab.stops(INTENSITY, -15, 15));
-        sceneTab.slider(
-                ANGULAR_DIAMETER,
-                sceneTab.slider(
-                        ANGULAR_DIAMETER,
-                        0,
-                        150,
-                        step -> Math.toRadians(step / 10),
-                        angle -> 10 * Math.toDegrees(angle),
-                        SettingRows::degrees));
+        sceneTab.angles(ROUGHNESS, 0, 100, 10);
+        sceneTab.add(INTENSITY, sceneTab.stops(INTENSITY, -15, 15));
+        sceneTab.angles(ANGULAR_DIAMETER, 0, 150, 10);
         sceneTab.box(GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
-        sceneTab.slider(SKY, sceneTab.hundredths(SKY, 200));
+        sceneTab.hundredths(SKY, 200);
         sceneTab.flag(SHADOWS);
         sceneTab.box(TONE, SettingRows.words(TONE), false);
     }
@@ -175,7 +161,21 @@ public final class ControlPanel extends JTabbedPane {
         Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
         // The control keeps its tolerance while the scene's method has none, so take it from the control.
         Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
-        return weights.follow(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
+        return reweighted(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
+    }
+
+    /**
+     * Returns a scene with another method with the weight of diffracted light that suits it. Most methods give power relative to a mirror's
+     * peak, so that a skin needs weights of 1e4 and more; {@code gem} does not and would be white with such a weight.
+     */
+    private Scene reweighted(Scene before, Scene after) {
+        boolean was = before.method().method().isNormalizedToMirror();
+        boolean is = after.method().method().isNormalizedToMirror();
+        if (was && !is) {
+            weightByMirror = OptionalDouble.of(before.get(DIFFRACTION));
+            return after.with(DIFFRACTION, WEIGHT_WITHOUT_MIRROR);
+        }
+        return is && !was && weightByMirror.isPresent() ? after.with(DIFFRACTION, weightByMirror.getAsDouble()) : after;
     }
 
     /** Sets the listener for the choice of a comparison method. */
@@ -192,16 +192,12 @@ public final class ControlPanel extends JTabbedPane {
 
     private void enter(Setting<?> setting, String text) {
         if (!updating) {
-            attempt(() -> change(parsed(setting, text)));
+            attempt(() -> change(scene -> scene.with(parsed(setting, text))));
         }
     }
 
     private static Choices parsed(Setting<?> setting, String text) {
         return Choices.at(ControlOrigin.INSTANCE).parsed(setting, text, ControlOrigin.INSTANCE);
-    }
-
-    private void change(Choices choices) {
-        change(scene -> scene.with(choices));
     }
 
     private void attempt(Runnable change) {
@@ -213,9 +209,9 @@ public final class ControlPanel extends JTabbedPane {
         }
     }
 
-    private void change(Function<Scene, Scene> change) {
+    private void change(UnaryOperator<Scene> change) {
         if (!updating) {
-            scenes.change(change::apply);
+            scenes.change(change);
         }
     }
 

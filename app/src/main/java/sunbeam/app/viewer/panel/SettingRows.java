@@ -1,11 +1,16 @@
 package sunbeam.app.viewer.panel;
 
+import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.io.File;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -15,11 +20,15 @@ import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
 import javax.swing.BorderFactory;
+import javax.swing.DefaultComboBoxModel;
+import javax.swing.DefaultListCellRenderer;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JSlider;
 import javax.swing.JTextField;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -81,37 +90,41 @@ final class SettingRows extends JPanel {
         followers.add(choices -> box.setSelected(choices.get(setting)));
     }
 
-    void slider(Setting<Double> setting, ValueSlider slider) {
+    /** Adds a row with the slider. */
+    void add(Setting<Double> setting, ValueSlider slider) {
         row(setting, slider, RESET);
         followers.add(choices -> slider.follow(choices.get(setting)));
     }
 
-    ValueSlider slider(
-            Setting<?> setting,
-            int low,
-            int high,
-            DoubleUnaryOperator fromSlider,
-            DoubleUnaryOperator toSlider,
-            DoubleFunction<String> text) {
-        return new ValueSlider(
-                setting.key(),
-                low,
-                high,
-                fromSlider,
-                toSlider,
-                text,
-                setting.writtenStandard().orElseThrow(),
-                typed -> entered.accept(setting, typed));
+    /** Adds a slider of weights in hundredths, from 0. */
+    void hundredths(Setting<Double> setting, int high) {
+        add(
+                setting,
+                new ValueSlider(
+                        setting,
+                        0,
+                        high,
+                        step -> step / 100,
+                        weight -> weight * 100,
+                        value -> Text.format("%.2f", value)));
     }
 
-    ValueSlider hundredths(Setting<?> setting, int high) {
-        return slider(
-                setting, 0, high, step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
+    /** Adds a slider of angles from a lowest to a highest step. */
+    void angles(Setting<Double> setting, int low, int high, int stepsPerDegree) {
+        add(
+                setting,
+                new ValueSlider(
+                        setting,
+                        low,
+                        high,
+                        step -> Math.toRadians(step / stepsPerDegree),
+                        angle -> stepsPerDegree * Math.toDegrees(angle),
+                        angle -> Text.format("%.1f", Math.toDegrees(angle))));
     }
 
     /** @param low lowest value, in thirds of a stop like {@code high}; three thirds double the factor */
     ValueSlider stops(Setting<?> setting, int low, int high) {
-        return slider(
+        return new ValueSlider(
                 setting,
                 low,
                 high,
@@ -121,10 +134,6 @@ final class SettingRows extends JPanel {
                         .round(new MathContext(3))
                         .stripTrailingZeros()
                         .toPlainString());
-    }
-
-    static String degrees(double angle) {
-        return Text.format("%.1f", Math.toDegrees(angle));
     }
 
     JLabel row(Setting<?> setting, JComponent control, String more) {
@@ -176,6 +185,97 @@ final class SettingRows extends JPanel {
     static void show(JTextField field, String text) {
         if (!field.getText().equals(text)) {
             field.setText(text);
+        }
+    }
+
+    /** Combo box of built-in names and files. Files are shown by their last path element; the box keeps its width. */
+    static final class NameBox extends JComboBox<String> {
+        /** @param names built-in names; file names are cut to about the width of the longest of these */
+        NameBox(List<String> names) {
+            names.forEach(this::addItem);
+            names.stream()
+                    .reduce((one, other) -> one.length() < other.length() ? other : one)
+                    .ifPresent(this::setPrototypeDisplayValue);
+            setRenderer(new LastPart());
+        }
+
+        void select(String name) {
+            if (name.equals(getSelectedItem())) {
+                return;
+            }
+            if (((DefaultComboBoxModel<String>) getModel()).getIndexOf(name) < 0) {
+                addItem(name);
+            }
+            setSelectedItem(name);
+        }
+
+        private static final class LastPart extends DefaultListCellRenderer {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> list, Object name, int index, boolean selected, boolean focused) {
+                String path = name == null ? "" : name.toString();
+                setToolTipText(path);
+                return super.getListCellRendererComponent(list, new File(path).getName(), index, selected, focused);
+            }
+        }
+    }
+
+    /** Slider with an editable value field. Both report changes as text; a double click resets. */
+    final class ValueSlider extends JPanel {
+        private final JSlider slider;
+        private final JTextField value = new JTextField(5);
+        private final transient DoubleUnaryOperator toSlider;
+        private final transient DoubleFunction<String> text;
+        private boolean updating;
+
+        /**
+         * @param fromSlider converts a slider position to the quantity
+         * @param toSlider converts the quantity to a slider position
+         * @param text formats the quantity as the value field shows and accepts it
+         */
+        ValueSlider(
+                Setting<?> setting,
+                int low,
+                int high,
+                DoubleUnaryOperator fromSlider,
+                DoubleUnaryOperator toSlider,
+                DoubleFunction<String> text) {
+            super(new BorderLayout(6, 0));
+            this.toSlider = toSlider;
+            this.text = text;
+            slider = new JSlider(low, high);
+            slider.setName(setting.key());
+            slider.setPreferredSize(new Dimension(110, slider.getPreferredSize().height));
+            add(slider);
+            add(value, BorderLayout.EAST);
+            slider.addChangeListener(event -> {
+                if (!updating) {
+                    entered.accept(setting, text.apply(fromSlider.applyAsDouble(slider.getValue())));
+                }
+            });
+            value.addActionListener(event -> entered.accept(setting, value.getText()));
+            slider.addMouseListener(new MouseAdapter() {
+                @Override
+                public void mouseReleased(MouseEvent event) {
+                    if (event.getClickCount() == 2) {
+                        entered.accept(setting, setting.writtenStandard().orElseThrow());
+                    }
+                }
+            });
+        }
+
+        void follow(double quantity) {
+            updating = true;
+            slider.setValue((int) Math.round(toSlider.applyAsDouble(quantity)));
+            SettingRows.show(value, text.apply(quantity));
+            updating = false;
+        }
+
+        @Override
+        public void setToolTipText(String tip) {
+            super.setToolTipText(tip);
+            slider.setToolTipText(tip);
+            value.setToolTipText(tip);
         }
     }
 }

@@ -1,21 +1,27 @@
 package sunbeam.app.viewer.pick;
 
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.text.DefaultCaret;
+import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.text.Text;
 
 /** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
 public final class PickPanel extends JPanel {
     static final int MOST = 2;
 
-    private final transient List<PickReadout> readouts = List.of(
-            new PickReadout("Double-click the skin to see its\nframe, angles, color and spectrum."),
-            new PickReadout(""));
+    private final transient List<Readout> readouts = List.of(
+            new Readout("Double-click the skin to see its\nframe, angles, color and spectrum."), new Readout(""));
     private final JLabel difference = new JLabel(" ");
     private final SpectrumPlot plot = new SpectrumPlot();
 
@@ -61,7 +67,7 @@ public final class PickPanel extends JPanel {
     }
 
     String numbers() {
-        String points = readouts.stream().map(PickReadout::numbers).collect(Collectors.joining());
+        String points = readouts.stream().map(Readout::numbers).collect(Collectors.joining());
         return (points + (differenceWords() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
     }
 
@@ -88,5 +94,85 @@ public final class PickPanel extends JPanel {
         readouts.get(point).clear();
         showDifference();
         plot.show(point, new double[0]);
+    }
+
+    /** Text of one picked point: frame, angles and color. */
+    private static final class Readout {
+        private final String hint;
+        private final JTextArea text;
+        private final JLabel color = new JLabel(" ");
+        private Color shown;
+
+        /** @param hint text shown while no point is picked; if empty, the readout is hidden instead */
+        Readout(String hint) {
+            this.hint = hint;
+            text = new JTextArea(hint, 8, 32) {
+                @Override
+                public Dimension getMaximumSize() {
+                    return new Dimension(Short.MAX_VALUE, getPreferredSize().height);
+                }
+            };
+            text.setEditable(false);
+            text.setOpaque(false);
+            // Do not scroll to each new text.
+            ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+            text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
+            text.setName("pick");
+            text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
+            color.setPreferredSize(new Dimension(60, 22));
+            color.setMaximumSize(new Dimension(Short.MAX_VALUE, 22));
+            color.setToolTipText("Color on screen, sRGB 0 to 255");
+            follow();
+        }
+
+        private void follow() {
+            text.setVisible(!text.getText().isEmpty());
+            color.setVisible(!text.getText().equals(hint));
+        }
+
+        JTextArea text() {
+            return text;
+        }
+
+        JLabel color() {
+            return color;
+        }
+
+        void show(String description) {
+            text.setText(description);
+            follow();
+        }
+
+        void showColor(int rgb) {
+            shown = new Color(rgb);
+            color.setOpaque(true);
+            color.setBackground(shown);
+            boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
+            color.setForeground(bright ? Color.BLACK : Color.WHITE);
+            color.setText(Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+        }
+
+        /** Returns the color on screen relative to the screen's white; empty until the newest picture is final. */
+        Optional<CieLab> lab() {
+            return Optional.ofNullable(shown).map(rgb -> CieLab.ofSrgb(rgb.getRGB()));
+        }
+
+        String numbers() {
+            return !text.getText().equals(hint)
+                    ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"
+                    : "";
+        }
+
+        void outdate() {
+            shown = null;
+            color.setOpaque(false);
+            color.setText(" ");
+        }
+
+        void clear() {
+            text.setText(hint);
+            follow();
+            outdate();
+        }
     }
 }

@@ -1,5 +1,6 @@
 package sunbeam.app.viewer.window;
 
+import java.awt.GridLayout;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
@@ -7,15 +8,20 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Executors;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
+import javax.swing.filechooser.FileNameExtensionFilter;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.render.FrameText;
@@ -29,12 +35,45 @@ import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.panel.PatchScaleDialog;
+import sunbeam.app.viewer.panel.ControlOrigin;
 import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /** Actions that load and save files, off the event thread. */
 public final class FileActions {
+    /** Kind of files that the viewer loads and saves, with the names and filters of its dialogs. */
+    public enum Kind {
+        SCENE("scene", "json"),
+        PATCH(
+                "patch (descriptor, image or scan)",
+                "json png jpg jpeg bmp gif tif tiff gwy gsf spm nid mi sur sdf npy x3p jpk ibw txt csv asc xyz"),
+        MESH("mesh", "obj ply glb gltf"),
+        TEXTURE("texture", "png jpg jpeg bmp gif"),
+        PICTURE("picture", "png");
+
+        private final String words;
+
+        @SuppressWarnings("ImmutableEnumChecker") // a private copy
+        private final List<String> endings;
+
+        Kind(String words, String endings) {
+            this.words = words;
+            this.endings = List.of(endings.split(" ", -1));
+        }
+
+        FileNameExtensionFilter filter() {
+            return new FileNameExtensionFilter(
+                    words + " (." + String.join(", .", endings.subList(0, Math.min(4, endings.size())))
+                            + (endings.size() > 4 ? ", ..." : "") + ")",
+                    endings.toArray(String[]::new));
+        }
+    }
+
     private final ViewerWindow window;
     private final ViewerModel model;
     private final Background background;
@@ -60,12 +99,12 @@ public final class FileActions {
         window.getRootPane().setTransferHandler(new Drop());
     }
 
-    public void load(FileKind kind) {
+    public void load(Kind kind) {
         ask(kind, JFileChooser.OPEN_DIALOG).ifPresent(file -> load(kind, file));
     }
 
-    private void load(FileKind kind, Path file) {
-        if (kind != FileKind.TEXTURE) {
+    private void load(Kind kind, Path file) {
+        if (kind != Kind.TEXTURE) {
             run(
                     () -> {
                         recent.add(file);
@@ -90,10 +129,10 @@ public final class FileActions {
     /** Loads a scene, mesh or patch; the name (meshes) or the content decides which. */
     public void load(Path file) {
         if (MeshFormat.isNamed(file)) {
-            load(FileKind.MESH, file);
+            load(Kind.MESH, file);
             return;
         }
-        run(() -> SceneReader.isScene(file), isScene -> load(isScene ? FileKind.SCENE : FileKind.PATCH, file));
+        run(() -> SceneReader.isScene(file), isScene -> load(isScene ? Kind.SCENE : Kind.PATCH, file));
     }
 
     /** Returns the scenes, patches and meshes loaded last, the newest first. */
@@ -106,7 +145,7 @@ public final class FileActions {
                 model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
                 () -> model.loaded()
                         .map(loaded -> loaded.firstPart().mesh().toVertexData().bounds())
-                        .ifPresent(bounds -> model.amend(scene -> scene.withView(Drags.framed(scene.view(), bounds)))));
+                        .ifPresent(bounds -> model.amend(scene -> Drags.framed(scene, bounds))));
     }
 
     /** Loads a patch; if that fails, the old one stays and the status line shows the reason. */
@@ -116,21 +155,54 @@ public final class FileActions {
             return;
         }
         try {
-            PatchScaleDialog.request(window, file)
-                    .ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
+            patch(file).ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
         } catch (SettingException failure) {
             window.status().message(failure.getMessage());
         }
     }
 
+    /**
+     * Returns the patch of a file; empty if the user cancels. Descriptors and scans contain their width and height scale; for an image, a
+     * dialog asks the user.
+     */
+    private Optional<PatchRequest> patch(Path file) {
+        Choices named = Choices.at(ControlOrigin.INSTANCE)
+                .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
+        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file)) {
+            return Optional.of(new PatchRequest(named));
+        }
+        JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
+        JTextField width = field(form, PatchSettings.WIDTH, "65um");
+        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT, "375nm");
+        int answer = JOptionPane.showConfirmDialog(
+                window,
+                form,
+                "Scale of " + file.getFileName(),
+                JOptionPane.OK_CANCEL_OPTION,
+                JOptionPane.PLAIN_MESSAGE);
+        return answer == JOptionPane.OK_OPTION
+                ? Optional.of(
+                        new PatchRequest(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
+                                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE)))
+                : Optional.empty();
+    }
+
+    private static JTextField field(JPanel form, Setting<Double> setting, String first) {
+        JTextField field = new JTextField(first, 10);
+        field.setToolTipText(ControlOrigin.INSTANCE.tip(setting, ""));
+        form.add(new JLabel(ControlOrigin.INSTANCE.name(setting)));
+        form.add(field);
+        return field;
+    }
+
     public void saveScene() {
         Scene scene = model.scene();
-        ask(FileKind.SCENE, JFileChooser.SAVE_DIALOG)
+        ask(Kind.SCENE, JFileChooser.SAVE_DIALOG)
                 .ifPresent(file -> save(file, () -> SceneWriter.write(file, Overwrite.REPLACE, scene)));
     }
 
     public void savePicture() {
-        ask(FileKind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
+        ask(Kind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
     }
 
     /** Saves the picture as soon as it is final. */
@@ -178,10 +250,10 @@ public final class FileActions {
         background.run(work, done, window.status()::message);
     }
 
-    private Optional<Path> ask(FileKind kind, int dialog) {
+    private Optional<Path> ask(Kind kind, int dialog) {
         boolean saves = dialog == JFileChooser.SAVE_DIALOG;
         JFileChooser chooser = new JFileChooser(folder.toFile());
-        chooser.setDialogTitle((saves ? "Save " : "Load ") + kind.words());
+        chooser.setDialogTitle((saves ? "Save " : "Load ") + kind.words);
         chooser.setDialogType(dialog);
         chooser.setFileFilter(kind.filter());
         if (chooser.showDialog(window, saves ? "Save" : "Load") != JFileChooser.APPROVE_OPTION) {
@@ -189,7 +261,8 @@ public final class FileActions {
         }
         Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
         folder = file.getParent();
-        return Optional.of(saves ? withEnding(file, kind.ending()) : file).filter(target -> !saves || mayWrite(target));
+        return Optional.of(saves ? withEnding(file, "." + kind.endings.get(0)) : file)
+                .filter(target -> !saves || mayWrite(target));
     }
 
     private boolean mayWrite(Path file) {

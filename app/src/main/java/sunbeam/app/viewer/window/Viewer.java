@@ -226,7 +226,7 @@ public final class Viewer {
 
     /** Scales the distance from the eye to the point that the camera looks at. */
     public void zoom(double factor) {
-        model.change(scene -> scene.withView(Drags.zoomed(scene.view(), factor, 0, 0, 1, 1)));
+        model.change(scene -> Drags.zoomed(scene, factor, 0, 0, 1, 1));
     }
 
     /** Returns the scene that was opened last, without later changes. */

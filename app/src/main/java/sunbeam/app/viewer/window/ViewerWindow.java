@@ -1,11 +1,19 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
+import java.awt.Image;
+import java.awt.RadialGradientPaint;
 import java.awt.Rectangle;
+import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
 import javax.swing.JComponent;
@@ -25,6 +33,12 @@ import sunbeam.app.viewer.picture.PictureView;
 public final class ViewerWindow extends JFrame {
     // Narrowest window, in Swing units, that opens with its panel beside the picture.
     private static final int NARROW = 900;
+
+    private static final Color[] ICON_COLORS = IntStream.of(
+                    0xfff4d0, 0x101418, 0x101418, 0x5030d0, 0x20a0ff, 0x30d060, 0xffe030, 0xff4020, 0x101418)
+            .mapToObj(Color::new)
+            .toArray(Color[]::new);
+    private static final float[] ICON_RADII = {0, 0.2f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1};
 
     private final ControlPanel controls;
     private final PictureView picture = new PictureView();
@@ -61,7 +75,7 @@ public final class ViewerWindow extends JFrame {
         add(status, BorderLayout.SOUTH);
         setMinimumSize(new Dimension(60, 60));
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-        setIconImages(WindowIcon.images());
+        setIconImages(Stream.of(16, 24, 32, 48, 64, 128).map(ViewerWindow::icon).toList());
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1180, screen.width), Math.min(880, screen.height));
         setLocationByPlatform(true);
@@ -76,6 +90,17 @@ public final class ViewerWindow extends JFrame {
                 }
             }
         });
+    }
+
+    /** Paints the icon: a spectrum around a light in the lower left corner. */
+    private static Image icon(int side) {
+        BufferedImage image = new BufferedImage(side, side, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D graphics = image.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setPaint(new RadialGradientPaint(0, side, 1.1f * side, ICON_RADII, ICON_COLORS));
+        graphics.fillRoundRect(0, 0, side, side, side / 4, side / 4);
+        graphics.dispose();
+        return image;
     }
 
     void fitPicture(Dimension size) {

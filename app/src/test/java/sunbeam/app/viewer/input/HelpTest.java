@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.viewer.input.Help.Group;
 
 /** The table of mouse and key actions. */
 final class HelpTest {

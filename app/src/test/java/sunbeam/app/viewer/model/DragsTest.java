@@ -7,6 +7,9 @@ import jrtr.scene.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 
 final class DragsTest {
@@ -14,29 +17,34 @@ final class DragsTest {
     private static final float ROUNDING = 1e-5f;
     private static final Camera FRONT = new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0));
     private static final Camera ABOVE = new Camera(new Vector3f(0, -5, 5), new Vector3f(), new Vector3f(0, 0, 1));
-    private static final Viewpoint VIEW = new Viewpoint(FRONT, Math.toRadians(90));
-    private static final Vector3f FROM_VIEWER = new Vector3f(0, 0, 1);
+    private static final Scene SCENE = seenFrom(FRONT).withLight(new SceneLight(new Vector3f(0, 0, 1), 1));
+
+    private static Scene seenFrom(Camera camera) {
+        return Scenes.load("disc")
+                .withView(new Viewpoint(camera, Math.toRadians(90)))
+                .withOrientation(new Quaternionf());
+    }
 
     @Test
     void dragToTheRightMovesTheFrontOfTheModelToTheRight() {
-        Vector3f front = Drags.turned(FRONT, new Quaternionf(), 0.1, 0).transform(new Vector3f(0, 0, 1));
+        Vector3f front = Drags.turned(SCENE, 0.1, 0).orientation().transform(new Vector3f(0, 0, 1));
         assertThat(front.x).isCloseTo((float) Math.sin(0.1), within(ROUNDING));
         assertThat(front.y).isCloseTo(0, within(ROUNDING));
     }
 
     @Test
     void dragUpwardsMovesTheFrontOfTheModelUp() {
-        Vector3f front = Drags.turned(FRONT, new Quaternionf(), 0, 0.1).transform(new Vector3f(0, 0, 1));
+        Vector3f front = Drags.turned(SCENE, 0, 0.1).orientation().transform(new Vector3f(0, 0, 1));
         assertThat(front.y).isCloseTo((float) Math.sin(0.1), within(ROUNDING));
         assertThat(front.x).isCloseTo(0, within(ROUNDING));
     }
 
     @Test
     void anUprightModelStaysUprightHoweverItIsTurned() {
-        Quaternionf orientation = new Quaternionf();
+        Scene scene = seenFrom(ABOVE);
         for (int drag = 0; drag < 100; drag++) {
-            orientation = Drags.turned(ABOVE, orientation, 0.3, 0.2 * Math.sin(drag));
-            Vector3f vertical = orientation.transform(new Vector3f(0, 0, 1));
+            scene = Drags.turned(scene, 0.3, 0.2 * Math.sin(drag));
+            Vector3f vertical = scene.orientation().transform(new Vector3f(0, 0, 1));
             // The picture's horizontal is x; rounding errors of float32 rotations add up over the drags.
             assertThat(vertical.x).isCloseTo(0, within(100 * ROUNDING));
         }
@@ -44,7 +52,7 @@ final class DragsTest {
 
     @Test
     void aRollTurnsCounterclockwiseInThePicture() {
-        Vector3f right = Drags.rolled(FRONT, new Quaternionf(), 0.1).transform(new Vector3f(1, 0, 0));
+        Vector3f right = Drags.rolled(SCENE, 0.1).orientation().transform(new Vector3f(1, 0, 0));
         assertThat(right.distance((float) Math.cos(0.1), (float) Math.sin(0.1), 0))
                 .isCloseTo(0, within(ROUNDING));
     }
@@ -53,22 +61,22 @@ final class DragsTest {
     void theLightGoesWhereTheMouseGoes() {
         float sine = (float) Math.sin(0.3);
         float cosine = (float) Math.cos(0.3);
-        assertThat(Drags.light(FRONT, FROM_VIEWER, 0.3, 0).distance(sine, 0, cosine))
+        assertThat(Drags.lit(SCENE, 0.3, 0).light().towards().distance(sine, 0, cosine))
                 .isCloseTo(0, within(ROUNDING));
-        assertThat(Drags.light(FRONT, FROM_VIEWER, 0, 0.3).distance(0, sine, cosine))
+        assertThat(Drags.lit(SCENE, 0, 0.3).light().towards().distance(0, sine, cosine))
                 .isCloseTo(0, within(ROUNDING));
     }
 
     @Test
     void zoomingInHalvesTheDistance() {
-        Camera camera = Drags.zoomed(VIEW, 0.5, 0, 0, 800, 600).camera();
+        Camera camera = Drags.zoomed(SCENE, 0.5, 0, 0, 800, 600).view().camera();
         assertThat(camera.centerOfProjection().distance(0, 0, 2.5f)).isCloseTo(0, within(ROUNDING));
         assertThat(camera.lookAtPoint().length()).isZero();
     }
 
     @Test
     void whatIsUnderThePointerStaysThereAtAnyDistance() {
-        Viewpoint near = Drags.zoomed(VIEW, 0.5, 0.25, -0.1, 800, 600);
+        Viewpoint near = Drags.zoomed(SCENE, 0.5, 0.25, -0.1, 800, 600).view();
         for (float depth : new float[] {-3, 0, 2}) {
             Vector3f point = new Vector3f(0.5f, -0.2f, -1).mul(5 - depth).add(0, 0, 5);
             Vector3f seen = near.camera().worldToCamera().transformPosition(point);
@@ -80,7 +88,7 @@ final class DragsTest {
     @Test
     void whatIsSeenFollowsAPan() {
         // With a field of view of 90 degrees the picture is 10 high at the target.
-        Camera camera = Drags.panned(VIEW, 0.1, 0.2, 800, 600).camera();
+        Camera camera = Drags.panned(SCENE, 0.1, 0.2, 800, 600).view().camera();
         assertThat(camera.lookAtPoint().distance(-1, -2, 0)).isCloseTo(0, within(ROUNDING));
         assertThat(camera.centerOfProjection().distance(-1, -2, 5)).isCloseTo(0, within(ROUNDING));
     }

@@ -9,7 +9,7 @@ import sunbeam.app.scene.Scenes;
 import sunbeam.precompute.setting.Choices;
 
 final class HistoryTest {
-    private final History history = new History();
+    private final ViewerModel.History history = new ViewerModel.History();
     private Scene now = scene(0);
 
     private static Scene scene(double angle) {
