@@ -14,16 +14,8 @@ final class FuzzRegressionTest {
     @Test
     void everyReaderReadsOrRefuses(TestReporter reporter) throws Exception {
         Path kept = Path.of("src/test/resources/sunbeam/app/fuzz");
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        FuzzTarget.HEAP,
-                        "-Djava.awt.headless=true",
-                        "-Dslf4j.internal.verbosity=ERROR",
-                        "-cp",
-                        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
-                        FuzzRegression.class.getName(),
-                        kept.toAbsolutePath().toString(),
-                        Integer.toString(MUTATIONS))
+        Process process = FuzzTarget.java(
+                        FuzzRegression.class.getName(), kept.toAbsolutePath().toString(), Integer.toString(MUTATIONS))
                 .redirectErrorStream(true)
                 .start();
         String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

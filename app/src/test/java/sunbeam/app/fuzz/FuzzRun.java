@@ -34,7 +34,7 @@ final class FuzzRun {
         for (byte[] seed : reader.seeds()) {
             Files.write(corpus.resolve("seed-" + number++), seed);
         }
-        Process process = new ProcessBuilder(command(reader, minutes, corpus, findings))
+        Process process = FuzzTarget.java(command(reader, minutes, corpus, findings))
                 .inheritIO()
                 .start();
         boolean ended;
@@ -50,15 +50,9 @@ final class FuzzRun {
         assertThat(process.waitFor()).isZero();
     }
 
-    private static List<String> command(FuzzedReader reader, double minutes, Path corpus, Path findings) {
+    private static String[] command(FuzzedReader reader, double minutes, Path corpus, Path findings) {
         List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                FuzzTarget.HEAP,
-                "-Djava.awt.headless=true",
-                "-Dslf4j.internal.verbosity=ERROR",
                 "-D" + FuzzTarget.READER + "=" + reader.label(),
-                "-cp",
-                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
                 "com.code_intelligence.jazzer.Jazzer",
                 "--target_class=" + FuzzTarget.class.getName(),
                 "--instrumentation_includes=sunbeam.**:de.siegmar.**:io.jhdf.**:com.sun.imageio.**",
@@ -75,7 +69,7 @@ final class FuzzRun {
         if (Files.isDirectory(kept)) {
             command.add(kept.toString());
         }
-        return command;
+        return command.toArray(String[]::new);
     }
 
     private static List<Path> files(Path folder) throws IOException {

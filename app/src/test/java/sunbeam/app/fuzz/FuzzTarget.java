@@ -6,6 +6,8 @@ import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import sunbeam.app.failure.Failure;
 
@@ -19,7 +21,6 @@ public final class FuzzTarget {
     static final String READER = "sunbeam.fuzz.reader";
 
     static final Duration MOST_TIME = Duration.ofSeconds(5);
-    static final String HEAP = "-Xmx512m";
 
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
@@ -27,6 +28,19 @@ public final class FuzzTarget {
     private final Path file;
     private long tried;
     private long read;
+
+    /** Returns a start of Java with the budget's memory and the tests' classes. */
+    static ProcessBuilder java(String... arguments) {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx512m",
+                "-Djava.awt.headless=true",
+                "-Dslf4j.internal.verbosity=ERROR",
+                "-cp",
+                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"))));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command);
+    }
 
     FuzzTarget(FuzzedReader reader, Path folder) {
         this.reader = reader;

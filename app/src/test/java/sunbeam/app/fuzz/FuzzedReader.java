@@ -34,99 +34,58 @@ import sunbeam.precompute.shader.ShaderTablesFile;
 /** Everything of Sunbeam's that reads a file which may have come from anywhere. */
 enum FuzzedReader {
     /** Images, scans and text with heights, with the scale on the command line. */
-    HEIGHTS("heights", "heights") {
-        @Override
-        void read(Path file) {
-            Choices scale = choices(file).with(PatchSettings.WIDTH, 10e-6).with(PatchSettings.MAX_HEIGHT, 300e-9);
-            PatchLoader.load(new PatchRequest(scale), HeightCache.NONE);
-        }
-    },
+    HEIGHTS(
+            "heights",
+            file -> load(choices(file).with(PatchSettings.WIDTH, 10e-6).with(PatchSettings.MAX_HEIGHT, 300e-9))),
     /** Scans that bring their own scale. */
-    SCAN("scan", "heights") {
-        @Override
-        void read(Path file) {
-            PatchLoader.load(new PatchRequest(choices(file)), HeightCache.NONE);
-        }
-    },
+    SCAN("scan", file -> load(choices(file))),
     /** Descriptors, with a good image beside them. */
-    DESCRIPTOR("patch.json", "descriptor") {
-        @Override
-        void read(Path file) throws IOException {
-            Path image = file.resolveSibling("scan.png");
-            if (!Files.exists(image)) {
-                Files.write(image, Seeds.image("png"));
-            }
-            PatchLoader.load(new PatchRequest(choices(file)), HeightCache.NONE);
-        }
-    },
-    SCENE("scene.json", "scene") {
-        @Override
-        void read(Path file) {
-            SceneReader.read(file);
-        }
-    },
-    DIRECTIONS("directions.csv", "directions") {
-        @Override
-        void read(Path file) {
-            DirectionList.read(file).pairs();
-        }
-    },
-    TABLE("table.csv", "table") {
-        @Override
-        void read(Path file) {
-            CsvTable.read(file, List.of(), List.of("x"), (column, value) -> Optional.empty());
-        }
-    },
+    DESCRIPTOR("patch.json", file -> {
+        Files.write(file.resolveSibling("scan.png"), Seeds.image("png"));
+        load(choices(file));
+    }),
+    SCENE("scene.json", SceneReader::read),
+    DIRECTIONS("directions.csv", file -> DirectionList.read(file).pairs()),
+    TABLE("table.csv", file -> CsvTable.read(file, List.of(), List.of("x"), (column, value) -> Optional.empty())),
     /** OBJ, PLY and glTF, which go by how they begin. */
-    MESH("mesh", "mesh") {
-        @Override
-        void read(Path file) {
-            MeshSource.of(file.toString()).load();
-        }
-    },
-    TEXTURE("texture", "texture") {
-        @Override
-        void read(Path file) {
-            BodyTexture.load(file.toString(), BlobCache.NONE);
-        }
-    },
-    PICTURE("picture.png", "picture") {
-        @Override
-        void read(Path file) {
-            PngText.read(file);
-        }
-    },
-    SHADER_TABLES("shader.tables", "shader-tables") {
-        @Override
-        void read(Path file) {
-            ShaderTablesFile.read(file, Seeds.KEY);
-        }
-    },
-    PAGES("one.tiles", "pages") {
-        @Override
-        void read(Path file) throws IOException {
-            new CacheFolder.Entry(file, Files.size(file), Instant.EPOCH).label();
-            BitSet pages = new BitSet();
-            pages.set(0, 8);
-            try (CachedTiles kept = Seeds.pages(file)) {
-                for (int level = 0; level < 3; level++) {
-                    kept.read(level, pages);
-                }
-                kept.keep(2, Map.of(7, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
+    MESH("mesh", file -> MeshSource.of(file.toString()).load()),
+    TEXTURE("texture", file -> BodyTexture.load(file.toString(), BlobCache.NONE)),
+    PICTURE("picture.png", PngText::read),
+    SHADER_TABLES("shader.tables", file -> ShaderTablesFile.read(file, Seeds.KEY)),
+    PAGES("one.tiles", file -> {
+        new CacheFolder.Entry(file, Files.size(file), Instant.EPOCH).label();
+        BitSet pages = new BitSet();
+        pages.set(0, 8);
+        try (CachedTiles kept = Seeds.pages(file)) {
+            for (int level = 0; level < 3; level++) {
+                kept.read(level, pages);
             }
+            kept.keep(2, Map.of(7, new byte[NumberFormat.HALF.bytes() * LevelBaking.TILE_NUMBERS]));
         }
-    };
+    });
 
     private final String fileName;
-    private final String corpus;
 
-    FuzzedReader(String fileName, String corpus) {
+    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
+    private final Reader reader;
+
+    private interface Reader {
+        void read(Path file) throws IOException;
+    }
+
+    FuzzedReader(String fileName, Reader reader) {
         this.fileName = fileName;
-        this.corpus = corpus;
+        this.reader = reader;
     }
 
     /** Reads a file, or refuses it as the program would. */
-    abstract void read(Path file) throws IOException;
+    void read(Path file) throws IOException {
+        reader.read(file);
+    }
+
+    private static void load(Choices choices) {
+        PatchLoader.load(new PatchRequest(choices), HeightCache.NONE);
+    }
 
     private static Choices choices(Path file) {
         return Choices.at(OptionOrigin.INSTANCE).with(PatchSettings.PATCH, file.toString());
@@ -148,7 +107,7 @@ enum FuzzedReader {
 
     /** Folder of the inputs that are kept, under {@code src/test/resources/sunbeam/app/fuzz}. */
     String corpus() {
-        return corpus;
+        return this == SCAN ? HEIGHTS.label() : label();
     }
 
     /** Good inputs, from which mutations start. */

@@ -109,7 +109,7 @@ record RandomCase(
     }
 
     /** What was measured. */
-    record Outcome(ErrorStatistics errors, SpectrumPlan plan, boolean said) {}
+    record Outcome(ErrorStatistics errors, SpectrumPlan plan) {}
 
     /** Compares method {@code full} with the reference on all directions that are bright enough. */
     Outcome measure(RenderContext context) {
@@ -128,7 +128,7 @@ record RandomCase(
         List<Comparison> compared = IntStream.range(0, exact.length)
                 .mapToObj(i -> new Comparison(computed(results, i), exact[i], 1))
                 .toList();
-        return new Outcome(Comparison.relative(compared), plan, !plan.warnings().isEmpty());
+        return new Outcome(Comparison.relative(compared), plan);
     }
 
     private double[] computed(List<float[]> results, int row) {

@@ -51,28 +51,20 @@ enum RandomSurface {
         double grain = random.nextDouble(0.05, 0.3);
         double middleX = random.nextDouble();
         double middleY = random.nextDouble();
-        return switch (this) {
-            case FLAT -> of(columns, rows, pitch, pitchY, (x, y) -> 0);
-            case STEP -> of(columns, rows, pitch, pitchY, (x, y) -> x < duty ? relief : 0);
-            case DUST ->
-                of(columns, rows, pitch, pitchY, (x, y) -> Math.hypot(x - middleX, y - middleY) < grain ? relief : 0);
-            case SINUSOID ->
-                of(columns, rows, pitch, pitchY, (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x));
-            case LAMELLAR -> of(columns, rows, pitch, pitchY, (x, y) -> periods * x % 1 < duty ? relief : 0);
-            case BLAZE -> of(columns, rows, pitch, pitchY, (x, y) -> relief * (periods * x % 1));
-            case FACET -> of(columns, rows, pitch, pitchY, (x, y) -> relief * (duty * x + grain * y));
-            case CHIRP ->
-                of(
-                        columns,
-                        rows,
-                        pitch,
-                        pitchY,
-                        (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x * (1 + x)));
-            case WAVES -> waves(random, columns, rows, pitch, pitchY, relief);
-            case NOISE -> of(columns, rows, pitch, pitchY, (x, y) -> random.nextDouble() * relief);
-            case ROUGH -> smoothed(of(columns, rows, pitch, pitchY, (x, y) -> random.nextDouble() * relief), 3);
-            case FAINT -> smoothed(of(columns, rows, pitch, pitchY, (x, y) -> random.nextDouble() * 5e-9), 1);
+        DoubleBinaryOperator heights = switch (this) {
+            case FLAT -> (x, y) -> 0;
+            case STEP -> (x, y) -> x < duty ? relief : 0;
+            case DUST -> (x, y) -> Math.hypot(x - middleX, y - middleY) < grain ? relief : 0;
+            case SINUSOID -> (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x);
+            case LAMELLAR -> (x, y) -> periods * x % 1 < duty ? relief : 0;
+            case BLAZE -> (x, y) -> relief * (periods * x % 1);
+            case FACET -> (x, y) -> relief * (duty * x + grain * y);
+            case CHIRP -> (x, y) -> 0.5 * relief * Math.sin(2 * Math.PI * periods * x * (1 + x));
+            case WAVES -> waves(random, relief);
+            case NOISE, ROUGH -> (x, y) -> random.nextDouble() * relief;
+            case FAINT -> (x, y) -> random.nextDouble() * 5e-9;
         };
+        return smoothed(of(columns, rows, pitch, pitchY, heights), this == ROUGH ? 3 : this == FAINT ? 1 : 0);
     }
 
     /** Two samples or more, small and large sides equally often. */
@@ -91,21 +83,20 @@ enum RandomSurface {
         return new HeightMap(columns, rows, pitch, pitchY, heights);
     }
 
-    private static HeightMap waves(
-            SplittableRandom random, int columns, int rows, double pitch, double pitchY, double relief) {
+    private static DoubleBinaryOperator waves(SplittableRandom random, double relief) {
         double[] phases = random.doubles(3, 0, 2 * Math.PI).toArray();
         int[] orders = random.ints(6, -3, 4).toArray();
-        return of(columns, rows, pitch, pitchY, (x, y) -> {
+        return (x, y) -> {
             double sum = 0;
             for (int i = 0; i < 3; i++) {
                 sum += Math.sin(2 * Math.PI * (orders[2 * i] * x + orders[2 * i + 1] * y) + phases[i]);
             }
             return relief * sum / 6;
-        });
+        };
     }
 
     /** Means of neighbors, again and again; periodic. */
-    static HeightMap smoothed(HeightMap map, int times) {
+    private static HeightMap smoothed(HeightMap map, int times) {
         int columns = map.columns();
         int rows = map.rows();
         HeightMap result = map;

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import sunbeam.app.cli.benchmark.Meter.Measurement;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputFolder;
@@ -77,9 +78,7 @@ final class BenchmarkPage {
         Measurement thesis = rows.get(0);
         StringBuilder text = new StringBuilder(Text.format("%n## %s%n%n", thesis.patch()));
         text.append(table(rows.stream().map(row -> cells(row, thesis)).toList()));
-        text.append(Text.format(
-                "%n%d covered pixels, wall clock around glFinish.%n%n",
-                thesis.timing().pixels()));
+        text.append(Text.format("%n%d covered pixels, wall clock around glFinish.%n%n", thesis.pixels()));
         rows.forEach(row -> text.append("- " + row.method() + ": " + row.plan() + "\n"));
         remarks.forEach(remark -> text.append("\n" + remark + ".\n"));
         sections.add(new Section(text.toString(), rows));
@@ -97,8 +96,8 @@ final class BenchmarkPage {
         cells.put("median", error(errors.median()));
         cells.put("95 %", error(errors.percentile95()));
         cells.put("views", Integer.toString(errors.count()));
-        cells.put("per pixel", perPixel(row.microsecondsPerPixel()));
-        cells.put("times faster", figures(row.timesFaster(thesis)));
+        cells.put("per pixel", perPixel(1e6 * row.secondsPerPixel()));
+        cells.put("times faster", figures(thesis.secondsPerPixel() / row.secondsPerPixel()));
         cells.put("making / s", figures(row.makingSeconds()));
         cells.put("MB", figures(row.bytes() * 1e-6));
         return cells;
@@ -169,7 +168,7 @@ final class BenchmarkPage {
         Axis error = Axis.logarithmic("relative error of XYZ (median)");
         Plot plot = new Plot(new Plot.Frame(patch + ": error over time", time, error, 900, 480));
         for (Measurement row : rows) {
-            double[] x = {row.microsecondsPerPixel()};
+            double[] x = {1e6 * row.secondsPerPixel()};
             double[] y = {Math.max(LEAST, row.errors().median())};
             if (row.method().equals(Contender.THESIS.name())) {
                 plot.rings(row.method(), x, y);

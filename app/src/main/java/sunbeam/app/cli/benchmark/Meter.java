@@ -2,7 +2,9 @@ package sunbeam.app.cli.benchmark;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -39,8 +41,46 @@ record Meter(RenderContext context, int size, Direction light) {
 
     private static final int MOST_FRAMES = 1000;
 
-    /** Median time of a map in seconds, and number of the disc's pixels. */
-    record Timing(double seconds, int pixels) {}
+    /**
+     * Cost and error of a method on a surface.
+     *
+     * @param method name that distinguishes the method from the others of the run
+     * @param makingSeconds seconds from the heights to the tables on the graphics card
+     * @param frameSeconds median time of a map
+     * @param pixels number of the disc's pixels in the map
+     * @param errors relative errors of X, Y, Z; without samples if not measured
+     */
+    record Measurement(
+            String patch,
+            String method,
+            String plan,
+            double makingSeconds,
+            long bytes,
+            double frameSeconds,
+            int pixels,
+            ErrorStatistics errors) {
+
+        double secondsPerPixel() {
+            return frameSeconds / pixels;
+        }
+
+        Map<String, Object> fields() {
+            Map<String, Object> fields = new LinkedHashMap<>();
+            fields.put("patch", patch);
+            fields.put("method", method);
+            fields.put("pixels", pixels);
+            fields.put("making_s", makingSeconds);
+            fields.put("frame_s", frameSeconds);
+            fields.put("pixel_s", secondsPerPixel());
+            fields.put("bytes", bytes);
+            fields.put("views", errors.count());
+            fields.put("median_error_of_xyz", errors.median());
+            fields.put("percentile_95_error_of_xyz", errors.percentile95());
+            fields.put("maximum_error_of_xyz", errors.maximum());
+            fields.put("plan", plan);
+            return fields;
+        }
+    }
 
     /**
      * Measures a method.
@@ -56,33 +96,40 @@ record Meter(RenderContext context, int size, Direction light) {
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;
-            Timing timing = time(drawn);
             ErrorStatistics errors = exact.filter(views -> method.isNormalizedToMirror())
                     .map(views -> Comparison.relative(views.compare(context, method, drawn)))
                     .orElseGet(ErrorStatistics::of);
-            return new Measurement(setup.patch().name(), name, words(plan), making, tables.bytes(), timing, errors);
+            try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, drawn, size)) {
+                return new Measurement(
+                        setup.patch().name(),
+                        name,
+                        words(plan),
+                        making,
+                        tables.bytes(),
+                        frameSeconds(renderer),
+                        renderer.coveredPixels(),
+                        errors);
+            }
         }
     }
 
-    private Timing time(UploadedTables method) {
-        try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
-            List<Double> seconds = new ArrayList<>();
-            double warm = seconds(renderer);
-            double total = 0;
-            if (warm > MOST_SECONDS) {
-                // The first frame includes the shader's compilation, which is short compared with a frame this slow.
-                seconds.add(warm);
-                total = warm;
-            }
-            while (total < LEAST_SECONDS || (seconds.size() < FRAMES && total < MOST_SECONDS)) {
-                double frame = seconds(renderer);
-                seconds.add(frame);
-                // A stopped clock would never reach the limit.
-                total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
-            }
-            Collections.sort(seconds);
-            return new Timing(seconds.get(seconds.size() / 2), renderer.coveredPixels());
+    private double frameSeconds(BrdfMapRenderer renderer) {
+        List<Double> seconds = new ArrayList<>();
+        double warm = seconds(renderer);
+        double total = 0;
+        if (warm > MOST_SECONDS) {
+            // The first frame includes the shader's compilation, which is short compared with a frame this slow.
+            seconds.add(warm);
+            total = warm;
         }
+        while (total < LEAST_SECONDS || (seconds.size() < FRAMES && total < MOST_SECONDS)) {
+            double frame = seconds(renderer);
+            seconds.add(frame);
+            // A stopped clock would never reach the limit.
+            total += Math.max(frame, LEAST_SECONDS / MOST_FRAMES);
+        }
+        Collections.sort(seconds);
+        return seconds.get(seconds.size() / 2);
     }
 
     private double seconds(BrdfMapRenderer renderer) {

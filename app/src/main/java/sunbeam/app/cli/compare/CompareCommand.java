@@ -21,7 +21,6 @@ import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.render.FrameSequence;
 import sunbeam.app.cli.render.Overlays;
-import sunbeam.app.cli.render.SceneNames;
 import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -67,7 +66,7 @@ public final class CompareCommand extends FileCommand {
     @Parameters(
             index = "1",
             paramLabel = "SCENE",
-            completionCandidates = SceneNames.class,
+            completionCandidates = SceneOverrides.Names.class,
             description = "A built-in scene (${COMPLETION-CANDIDATES}) or a scene file (.json; docs/scenes.md).")
     private String sceneName;
 

@@ -56,21 +56,15 @@ public final class MeshCommand extends FileCommand {
     private String mesh;
 
     @Mixin
-    private final MeshOptions options = new MeshOptions();
+    private final SettingOptions options = new SettingOptions(
+            List.of(MESH_UNIT, TEXTURE, SCALES),
+            Map.of(TEXTURE, "of snake elaphe, else none; for .glb", SCALES, "of snake keeled; for .glb"));
 
     @Option(
             names = "--output",
             paramLabel = "FILE",
             description = "The file to write: .obj, .ply or .glb. Default: MESH.obj in the current folder.")
     private Path output;
-
-    private static final class MeshOptions extends SettingOptions {
-        MeshOptions() {
-            super(
-                    List.of(MESH_UNIT, TEXTURE, SCALES),
-                    Map.of(TEXTURE, "of snake elaphe, else none; for .glb", SCALES, "of snake keeled; for .glb"));
-        }
-    }
 
     @Override
     public Integer call() {

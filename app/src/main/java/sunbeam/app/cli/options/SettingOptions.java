@@ -32,7 +32,7 @@ public class SettingOptions {
      *
      * @param helpTexts text of the help for each default that the command itself applies
      */
-    protected SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
+    public SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
         this(settings, false, helpTexts);
     }
 

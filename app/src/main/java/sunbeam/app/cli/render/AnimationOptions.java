@@ -1,6 +1,5 @@
 package sunbeam.app.cli.render;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import picocli.CommandLine.ITypeConverter;
@@ -9,7 +8,6 @@ import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.scene.Motion;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
 
 /** Options of an animation's motion, a picocli mixin. */
@@ -93,12 +91,6 @@ public final class AnimationOptions {
 
     String name() {
         return lightSweep != null ? "light-sweep" : "turntable";
-    }
-
-    static List<Path> files(Path folder, int frames) {
-        return IntStream.rangeClosed(1, frames)
-                .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
-                .toList();
     }
 
     void check() {

@@ -4,7 +4,6 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -26,8 +25,6 @@ import sunbeam.app.cli.options.TevOption;
 import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.files.output.OutputException;
-import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
@@ -69,14 +66,13 @@ import sunbeam.precompute.setting.Choices;
             "  sunbeam render xenopeltis --light-sweep 0:360 --frames 12"
         })
 public final class RenderCommand extends FileCommand {
-    private static final String GIF = "animation.gif";
     // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its
     // median error.
     private static final double POINT_TOLERANCE = 5e-3;
 
     @Parameters(
             paramLabel = "SCENE",
-            completionCandidates = SceneNames.class,
+            completionCandidates = SceneOverrides.Names.class,
             description = "A built-in scene (${COMPLETION-CANDIDATES}) or a scene file (.json; docs/scenes.md).")
     private String sceneName;
 
@@ -146,17 +142,20 @@ public final class RenderCommand extends FileCommand {
         }
         List<Scene> scenes = animation.isGiven() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
-        Path target = target();
-        requireNoSceneFile(scene, target);
-        checkOutputs(target, scenes.size());
+        FrameFiles files = frameFiles();
+        requireNoSceneFile(scene, files.target());
+        files.check(scenes.size());
+        if (linear != null) {
+            AtomicFile.checkWritable(linear, overwrite());
+        }
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         try (LoadingScene loading = LoadingScene.start(loader, scene);
                 RenderContext context = loading.offscreen()) {
-            return draw(context, loading, scenes, target);
+            return draw(context, loading, scenes, files);
         }
     }
 
-    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, Path target) {
+    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, FrameFiles files) {
         Scene scene = scenes.get(0);
         PrintWriter err = err();
         PrintWriter out = out(output, linear);
@@ -174,20 +173,20 @@ public final class RenderCommand extends FileCommand {
                         environment().progress())) {
             List<SceneData> parts = frames.parts();
             SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
-            List<Path> files = draw(frames, scenes, target);
+            List<Path> written = draw(frames, scenes, files);
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("scene", sceneName);
             report.put("plans", SceneData.ofRegions(parts, data -> data.method().summary()));
             frames.lit().ifPresent(lit -> report.put("lit_share", lit.share()));
             ExitCode doubt = doubt(frames, parts, err);
             if (!json.isGiven()) {
-                json.print(out, report, files);
+                json.print(out, report, written);
             }
             ExitCode certified = certify.count().isPresent()
                     ? certified(context, frames, scene, parts, json.text(out), report)
                     : ExitCode.OK;
             if (json.isGiven()) {
-                json.print(out, report, files);
+                json.print(out, report, written);
             }
             return (certified == ExitCode.OK ? doubt : certified).code();
         }
@@ -288,39 +287,14 @@ public final class RenderCommand extends FileCommand {
         }
     }
 
-    private Path target() {
-        if (!animation.isGiven()) {
-            return output != null ? output : Path.of(stem() + ".png");
-        }
-        return output != null ? output : Path.of(stem() + "-" + animation.name());
-    }
-
-    /** True if the output may be an existing file or folder; false if a taken name gets a number. */
-    private boolean mayUseExisting() {
-        return output != null || resume || overwrite() == Overwrite.REPLACE;
-    }
-
-    private Overwrite overwriteOfPictures() {
-        return mayUseExisting() || animation.isGiven() ? overwrite() : Overwrite.NUMBER;
+    private FrameFiles frameFiles() {
+        Path chosen = Path.of(stem() + (animation.isGiven() ? "-" + animation.name() : ".png"));
+        boolean mayExist = output != null || resume || overwrite() == Overwrite.REPLACE;
+        return new FrameFiles(output != null ? output : chosen, animation.isGiven(), mayExist, resume, overwrite());
     }
 
     private String stem() {
         return FileNames.stem(Path.of(sceneName));
-    }
-
-    private void checkOutputs(Path target, int frames) {
-        if (animation.isGiven()) {
-            OutputFolder.check(target);
-            if (mayUseExisting() && Files.isDirectory(target)) {
-                AtomicFile.checkWritable(target.resolve(GIF), overwriteOfAnimation());
-            }
-        }
-        if (!resume && (mayUseExisting() || !animation.isGiven())) {
-            files(target, frames).forEach(this::checkPicture);
-        }
-        if (linear != null) {
-            AtomicFile.checkWritable(linear, overwrite());
-        }
     }
 
     private static void requireNoSceneFile(Scene scene, Path target) {
@@ -329,50 +303,32 @@ public final class RenderCommand extends FileCommand {
         }
     }
 
-    private void checkPicture(Path file) {
-        if (overwriteOfPictures() == Overwrite.REFUSE && Files.exists(file)) {
-            throw new OutputException.Exists("cannot write " + file
-                    + ": it exists; add --resume to keep what is finished, or --force to replace it");
-        }
-        if (!animation.isGiven()) {
-            AtomicFile.checkWritable(file, overwriteOfPictures());
-        }
-    }
-
-    private List<Path> files(Path target, int frames) {
-        return animation.isGiven() ? AnimationOptions.files(target, frames) : List.of(target);
-    }
-
-    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
-        Path place = animation.isGiven() ? OutputFolder.claim(target, mayUseExisting()) : target;
-        List<Path> files = files(place, scenes.size());
-        Overwrite overwrite = overwriteOfPictures();
+    private List<Path> draw(FrameSequence frames, List<Scene> scenes, FrameFiles files) {
+        Path place = files.claim();
+        List<Path> pictures = files.pictures(place, scenes.size());
+        Overwrite overwrite = files.ofPictures();
         List<Boolean> missing =
-                resume ? frames.missing(scenes, files, overwrite) : Collections.nCopies(files.size(), true);
-        AtomicFile.checkWritable(files.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
+                resume ? frames.missing(scenes, pictures, overwrite) : Collections.nCopies(pictures.size(), true);
+        AtomicFile.checkWritable(pictures.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
         List<Path> written = new ArrayList<>();
         if (!animation.isGiven()) {
-            written.addAll(frames.draw(scenes, files, missing, overwrite, linear));
+            written.addAll(frames.draw(scenes, pictures, missing, overwrite, linear));
         } else {
-            Path gif = place.resolve(GIF);
-            AtomicFile.checkWritable(gif, overwriteOfAnimation());
+            Path gif = FrameFiles.gif(place);
+            AtomicFile.checkWritable(gif, files.ofGif());
             String kept = "interrupted; finished frames are kept, add --resume to draw the others";
             ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
             try {
-                frames.draw(scenes, files, missing, overwrite, null);
+                frames.draw(scenes, pictures, missing, overwrite, null);
             } finally {
                 hook.close();
             }
-            GifAnimation.write(gif, overwriteOfAnimation(), files, animation.frameRate());
+            GifAnimation.write(gif, files.ofGif(), pictures, animation.frameRate());
             written.addAll(List.of(place, gif));
         }
         if (linear != null) {
             written.add(linear);
         }
         return written;
-    }
-
-    private Overwrite overwriteOfAnimation() {
-        return resume ? Overwrite.REPLACE : overwrite();
     }
 }

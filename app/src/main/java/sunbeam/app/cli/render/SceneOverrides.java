@@ -13,11 +13,13 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
@@ -53,6 +55,14 @@ public final class SceneOverrides {
             "the scene's, ensemble where it names none");
 
     private SceneOverrides() {}
+
+    /** Names of the built-in scenes, which help texts list as {@code ${COMPLETION-CANDIDATES}}. */
+    public static final class Names implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Scenes.builtIn().iterator();
+        }
+    }
 
     private static List<Setting<?>> settings() {
         List<Setting<?>> all = new ArrayList<>(SceneSettings.OVERRIDABLE);

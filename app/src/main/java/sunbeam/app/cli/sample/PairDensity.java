@@ -1,5 +1,6 @@
 package sunbeam.app.cli.sample;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import sunbeam.precompute.optics.Direction;
@@ -100,15 +101,10 @@ final class PairDensity {
     }
 
     private int cell(double share) {
-        int below = -1;
-        int at = sums.length - 1;
-        while (at - below > 1) {
-            int middle = (below + at) >>> 1;
-            if (sums[middle] > share) {
-                at = middle;
-            } else {
-                below = middle;
-            }
+        int found = Arrays.binarySearch(sums, share);
+        int at = found < 0 ? -found - 1 : found;
+        while (sums[at] <= share) {
+            at++;
         }
         return at;
     }

@@ -77,16 +77,20 @@ class PhotographTest {
             }
             pixels.putShort((short) samples[i]);
         }
+        return png(columns, rows, 16, kind, chunk, pixels.array());
+    }
+
+    private byte[] png(int columns, int rows, int bits, int kind, byte[] chunk, byte[] pixels) throws IOException {
         byte[] header = ByteBuffer.allocate(13)
                 .putInt(columns)
                 .putInt(rows)
-                .put(new byte[] {16, (byte) kind, 0, 0, 0})
+                .put(new byte[] {(byte) bits, (byte) kind, 0, 0, 0})
                 .array();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         bytes.writeBytes(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
         bytes.writeBytes(chunk("IHDR", header));
         bytes.writeBytes(chunk);
-        bytes.writeBytes(chunk("IDAT", deflated(pixels.array())));
+        bytes.writeBytes(chunk("IDAT", deflated(pixels)));
         bytes.writeBytes(chunk("IEND", new byte[0]));
         Files.write(file, bytes.toByteArray());
         return bytes.toByteArray();
@@ -173,26 +177,11 @@ class PhotographTest {
     /** By IEC 61966-2-1 a sample of 0.5 is 0.21404 of white. A reduced pixel is the mean of light, not of samples. */
     @Test
     void lightIsLinearBeforePixelsBecomeFewer() throws IOException {
-        png(
-                2,
-                RGBA,
-                new byte[0],
-                32_768,
-                0,
-                0,
-                65_535,
-                0,
-                32_768,
-                0,
-                65_535,
-                0,
-                0,
-                32_768,
-                65_535,
-                65_535,
-                65_535,
-                65_535,
-                0);
+        int half = 32_768;
+        int one = 65_535;
+        // Red and green; blue and a transparent white.
+        int[] samples = {half, 0, 0, one, 0, half, 0, one, 0, 0, half, one, one, one, one, 0};
+        png(2, RGBA, new byte[0], samples);
         Photograph.Linear pixels = whole();
         float[] luminances = {0.2126729f, 0.7151522f, 0.0721750f};
         for (int c = 0; c < 3; c++) {
@@ -307,17 +296,7 @@ class PhotographTest {
     /** 2 MB with one bit per pixel would take minutes. */
     @Test
     void tooManyPixelsAreRefusedBeforeTheyAreDecoded() throws IOException {
-        byte[] header = ByteBuffer.allocate(13)
-                .putInt(16_384)
-                .putInt(16_384)
-                .put(new byte[] {1, 0, 0, 0, 0})
-                .array();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        bytes.writeBytes(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
-        bytes.writeBytes(chunk("IHDR", header));
-        bytes.writeBytes(chunk("IDAT", deflated(new byte[16_384 * 2049])));
-        bytes.writeBytes(chunk("IEND", new byte[0]));
-        Files.write(file, bytes.toByteArray());
+        png(16_384, 16_384, 1, GRAY, new byte[0], new byte[16_384 * 2049]);
         assertRefused("16384 x 16384 pixels; make it smaller, 160 million at most");
     }
 

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -74,35 +75,10 @@ class FiguresCommandTest {
     @Test
     void theManifestHasTheThesissFiguresInOrderEachPictureWithItsFile() {
         List<Figure> all = Figure.all();
-        assertThat(all)
-                .extracting(Figure::number)
-                .containsExactly(
-                        "2.8",
-                        "2.11",
-                        "3.1",
-                        "4.5",
-                        "4.6",
-                        "4.9",
-                        "table-4.1",
-                        "4.10",
-                        "4.11",
-                        "5.2",
-                        "5.3",
-                        "5.4",
-                        "5.5",
-                        "5.6",
-                        "5.7",
-                        "5.8",
-                        "5.9",
-                        "5.10",
-                        "5.11",
-                        "5.12",
-                        "5.13",
-                        "5.14",
-                        "5.15",
-                        "5.16",
-                        "5.17",
-                        "5.18");
+        assertThat(all.stream().map(Figure::number).collect(Collectors.joining(" ")))
+                .isEqualTo(
+                        "2.8 2.11 3.1 4.5 4.6 4.9 table-4.1 4.10 4.11 5.2 5.3 5.4 5.5 5.6 5.7 5.8 5.9 5.10 5.11 5.12 5.13"
+                                + " 5.14 5.15 5.16 5.17 5.18");
         List<Figure.Drawing> drawings =
                 all.stream().flatMap(figure -> drawings(figure).stream()).toList();
         assertThat(drawings).extracting(Figure.Drawing::file).doesNotHaveDuplicates();
@@ -110,7 +86,8 @@ class FiguresCommandTest {
                 .filteredOn(drawing -> drawing.picture().plot() == null)
                 .allSatisfy(drawing -> assertThat(String.join(" ", drawing.command()))
                         .doesNotContain("{")
-                        .contains(folder.toString()));
+                        .contains(folder.toString())
+                        .matches("(precompute|brdf-map|evaluate|inspect|render) .*"));
         assertThat(all)
                 .allSatisfy(figure ->
                         assertThat(List.of(figure.thesis(), figure.ours())).doesNotContain(""));
@@ -120,18 +97,6 @@ class FiguresCommandTest {
         assertThatThrownBy(() -> Figure.select(List.of("5.99")))
                 .isInstanceOf(UsageException.class)
                 .hasMessageStartingWith("--only 5.99: no such figure; choose from 2.8, 2.11, 3.1");
-    }
-
-    /** The commands themselves check their options; here their names are checked. */
-    @Test
-    void eachCommandOfTheManifestIsOneOfTheProgram() {
-        List<String> words = Figure.all().stream()
-                .flatMap(figure -> drawings(figure).stream())
-                .filter(drawing -> drawing.picture().plot() == null)
-                .map(drawing -> drawing.command().get(0))
-                .distinct()
-                .toList();
-        assertThat(words).containsExactlyInAnyOrder("precompute", "brdf-map", "evaluate", "inspect", "render");
     }
 
     @Test
@@ -187,12 +152,6 @@ class FiguresCommandTest {
                 .contains(
                         "5.6 differs: 95th percentile of CIEDE2000 from elaphe-1nm: elaphe-5nm 0.00, elaphe-10nm 0.00 (< 2.3, > 2.3)");
         assertThat(Files.readString(folder.resolve("index.html"))).contains("<b>Check:</b> differs: 95th percentile");
-    }
-
-    @Test
-    void aCheckWithoutItsPicturesHasNoVerdict() throws IOException {
-        Figure figure = Figure.select(List.of("5.5")).get(0);
-        assertThat(figure.verdict(drawings(figure))).isEmpty();
     }
 
     /** The program of this test writes none of the files that plots and checks of 4.5 and 5.11 read. */

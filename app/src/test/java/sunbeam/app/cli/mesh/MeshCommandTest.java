@@ -99,20 +99,4 @@ class MeshCommandTest extends CommandLineFixture {
                         "--scales keeled is for mesh snake",
                         "in meters");
     }
-
-    @Test
-    void mistakesAreOneLine() throws IOException {
-        Path bad = Files.writeString(folder.resolve("bad.obj"), "v 0 nan 0\n");
-        String output = folder.resolve("out.obj").toString();
-
-        assertThat(sunbeam("mesh", "torus", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(sunbeam("mesh", "none.obj", "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(sunbeam("mesh", bad.toString(), "--output", output)).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(err.toString().lines().toList())
-                .hasSize(3)
-                .satisfies(lines -> assertThat(lines.get(0)).contains("\"torus\"", "snake"))
-                .satisfies(lines -> assertThat(lines.get(1)).contains("none.obj: there is no such file"))
-                .satisfies(lines -> assertThat(lines.get(2)).contains("bad.obj: line 1: \"nan\""));
-        assertThat(folder.resolve("out.obj")).doesNotExist();
-    }
 }

@@ -12,12 +12,15 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.render.AnimationOptions.Sweep;
 import sunbeam.app.files.input.PngText;
@@ -48,11 +51,10 @@ class RenderCommandTest extends CommandLineFixture {
     }
 
     private int render(Path output, String... more) {
-        String[] all = new String[more.length + 6];
-        String[] first = {"render", scene.toString(), "--size", "40x30", "--output", output.toString()};
-        System.arraycopy(first, 0, all, 0, 6);
-        System.arraycopy(more, 0, all, 6, more.length);
-        return sunbeam(all);
+        return sunbeam(Stream.concat(
+                        Stream.of("render", scene.toString(), "--size", "40x30", "--output", output.toString()),
+                        Stream.of(more))
+                .toArray(String[]::new));
     }
 
     @Test
@@ -76,17 +78,6 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(PngText.read(picture).get("Plan"))
                 .as("a scene that names no method")
                 .startsWith("table:");
-        assertThat(render(picture, "--frames", "5")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(picture, "--frames", "5", "--turntable", "3")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(picture, "--frame-rate", "5")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString())
-                .contains(
-                        "--frames 5 needs --light-sweep, whose frames it counts, as in",
-                        "--turntable has its own number",
-                        "--frame-rate needs --light-sweep or --turntable");
-        assertThat(render(picture, "--certify", "0")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(picture, "--certify", "6", "--method", "nmm")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("--certify 0 is out of range", "method nmm");
     }
 
     @Test
@@ -122,19 +113,8 @@ class RenderCommandTest extends CommandLineFixture {
     @Test
     void theThesissPresetChoosesItsMethod() {
         Path picture = folder.resolve("thesis.png");
-        assertSuccess(sunbeam(
-                "render",
-                "elaphe",
-                "--mesh",
-                "plane",
-                "--patch",
-                "blaze",
-                "--preset",
-                "thesis",
-                "--size",
-                "16x12",
-                "--output",
-                picture.toString()));
+        scene = Path.of("elaphe");
+        assertSuccess(render(picture, "--mesh", "plane", "--patch", "blaze", "--preset", "thesis"));
         assertThat(PngText.read(picture)).containsEntry("Method", "full");
     }
 
@@ -182,31 +162,40 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(texture).hasBinaryContent(new byte[] {1});
     }
 
-    @Test
-    void mistakesAreUsageErrors() {
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--light-sweep 0 | '0' is not a sweep",
+                "--supersample 0 | --supersample 0 is out of range",
+                "--turntable 2 --light-sweep 0:1 | contradict each other",
+                "--exposure -1 | --exposure",
+                "--method pq | has no ensemble average, which the scene asks for; add --average coherent",
+                "--method full --spacing 1um | --spacing",
+                "--replicas 2 | --replicas",
+                "--method gem --patch elaphe-like | for example 1um",
+                "--method table --preset thesis | --preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full",
+                "--method table --coherence-length 10mm | a shorter --coherence-length, or --method full",
+                "--size 0x5 | --size",
+                "--frames 5 | --frames 5 needs --light-sweep, whose frames it counts, as in",
+                "--frames 5 --turntable 3 | --turntable has its own number",
+                "--frame-rate 5 | --frame-rate needs --light-sweep or --turntable",
+                "--certify 0 | --certify 0 is out of range",
+                "--certify 6 --method nmm --average coherent | method nmm"
+            })
+    void aMistakeIsAUsageErrorThatNamesIt(String options, String words) throws IOException {
+        Files.writeString(scene, SCENE.replace("\"method\": \"full\", ", ""));
         Path output = folder.resolve("b.png");
-        assertThat(render(output, "--light-sweep", "0")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(output, "--supersample", "0")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(output, "--turntable", "2", "--light-sweep", "0:1")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(output, "--exposure", "-1")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(output, "--method", "pq"))
-                .as("pq has no ensemble average")
-                .isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("--average coherent");
-        assertThat(render(output, "--method", "full", "--spacing", "1um")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(output, "--replicas", "2")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(render(output, "--method", "gem", "--patch", "elaphe-like")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("for example 1um");
-        assertThat(render(output, "--method", "table", "--preset", "thesis")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(sunbeam("render", "elaphe", "--coherence-length", "10mm", "--output", output.toString()))
-                .isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString())
-                .contains(
-                        "--preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full")
-                .contains("a shorter --coherence-length, or --method full");
-        assertThat(sunbeam("render", scene.toString(), "--size", "0x5")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(sunbeam("render", "elafe")).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+
+        assertThat(render(output, options.split(" "))).as(err.toString()).isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains(words).hasLineCount(1);
         assertThat(output).doesNotExist();
+    }
+
+    @Test
+    void anUnknownSceneIsUnusable() {
+        scene = Path.of("elafe");
+        assertThat(render(folder.resolve("b.png"))).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
     }
 
     /** A grating on a smooth sphere sends only specks of light into the camera. */
