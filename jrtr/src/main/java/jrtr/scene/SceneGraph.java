@@ -70,7 +70,7 @@ public record SceneGraph(Node root, View view) {
      * @throws IllegalArgumentException if the scene has more than {@link Node.Light#MOST} lights, or target, area and tile do not fit
      *     together
      */
-    public void draw(RenderContext context, PictureArea area, FloatTarget target, Tile tile) {
+    public void draw(RenderContext context, View.Area area, FloatTarget target, Tile tile) {
         if (area.part().width() != target.spec().width()
                 || area.part().height() != target.spec().height()) {
             throw new IllegalArgumentException("target '" + target.label() + "' of "
@@ -98,7 +98,7 @@ public record SceneGraph(Node root, View view) {
     }
 
     /** Returns the shapes that intersect the frustum, nearest first, so that the depth test rejects most of the hidden fragments. */
-    private List<ShapeInstance> visible(PictureArea area) {
+    private List<ShapeInstance> visible(View.Area area) {
         FrustumIntersection planes = new FrustumIntersection(view.worldToClip(area));
         Matrix4f worldToCamera = view.camera().worldToCamera();
         return shapes().stream()

@@ -1,5 +1,6 @@
 package jrtr.scene;
 
+import jrtr.Tile;
 import jrtr.gl.ShaderProgram;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
@@ -35,7 +36,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
      * Returns the matrix from camera space to clip space for a picture or a part of it: depth -1 at the near plane, 1 at the far one.
      * Pixels are square.
      */
-    Matrix4f cameraToClip(PictureArea area) {
+    Matrix4f cameraToClip(Area area) {
         float aspect = (float) area.pictureWidth() / area.pictureHeight();
         Matrix4f whole = new Matrix4f().perspective(verticalFieldOfView, Math.max(aspect, leastAspect), near, far);
         if (aspect < leastAspect) {
@@ -45,7 +46,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
     }
 
     /** Returns the matrix from world space to clip space for a picture or a part of it. */
-    public Matrix4f worldToClip(PictureArea area) {
+    public Matrix4f worldToClip(Area area) {
         return cameraToClip(area).mul(camera.worldToCamera());
     }
 
@@ -53,7 +54,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
      * Sets the uniforms of jrtr/view_rays.glsl: the direction towards the viewer in world space, not normalized, as a linear function of
      * the position in pixels from the lower left corner of the part.
      */
-    public void applyRaysTo(ShaderProgram program, PictureArea area) {
+    public void applyRaysTo(ShaderProgram program, Area area) {
         Matrix4f toClip = cameraToClip(area);
         Matrix4f toCamera = camera.worldToCamera();
         // The point (x, y, -1) in camera space has clip x = m00 x - m20 and w = 1. Its direction towards the viewer is
@@ -73,5 +74,44 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
 
     private static Vector3f row(Matrix4f worldToCamera, int row) {
         return new Vector3f(worldToCamera.get(0, row), worldToCamera.get(1, row), worldToCamera.get(2, row));
+    }
+
+    /**
+     * Part of a picture that a target shows. Pictures larger than the driver's largest target are drawn in parts.
+     *
+     * @param pictureWidth pixels per row of the whole picture
+     * @param pictureHeight rows of the whole picture
+     * @param part rectangle of the picture, of the target's size
+     */
+    public record Area(int pictureWidth, int pictureHeight, Tile part) {
+
+        public Area {
+            if (!part.fitsIn(pictureWidth, pictureHeight)) {
+                throw new IllegalArgumentException(
+                        part + " is not inside a picture of " + pictureWidth + " x " + pictureHeight);
+            }
+        }
+
+        public static Area whole(int width, int height) {
+            return new Area(width, height, Tile.whole(width, height));
+        }
+
+        boolean isWhole() {
+            return part.width() == pictureWidth && part.height() == pictureHeight;
+        }
+
+        /** Returns the part of the picture that a tile of the target shows. */
+        Area within(Tile tile) {
+            return new Area(pictureWidth, pictureHeight, part.part(tile));
+        }
+
+        Matrix4f wholeToPart() {
+            double bottom = (double) pictureHeight - part.y() - part.height();
+            double scaleX = (double) pictureWidth / part.width();
+            double scaleY = (double) pictureHeight / part.height();
+            double moveX = (pictureWidth - 2.0 * part.x() - part.width()) / part.width();
+            double moveY = (pictureHeight - 2 * bottom - part.height()) / part.height();
+            return new Matrix4f().translation((float) moveX, (float) moveY, 0).scale((float) scaleX, (float) scaleY, 1);
+        }
     }
 }

@@ -63,7 +63,7 @@ class SceneGraphTest extends InARendering {
     private void draw(SceneGraph scene, FloatTarget whole, Tile tile) {
         scene.draw(
                 rendering.context,
-                PictureArea.whole(whole.spec().width(), whole.spec().height()),
+                View.Area.whole(whole.spec().width(), whole.spec().height()),
                 whole,
                 tile);
     }
@@ -140,7 +140,7 @@ class SceneGraphTest extends InARendering {
         float[] whole = drawn(scene);
         Tile part = new Tile(33, 11, 40, 30);
         try (FloatTarget small = rendering.context.createFloatTarget("part", new FloatTarget.Spec(40, 30, 1, true))) {
-            scene.draw(rendering.context, new PictureArea(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
+            scene.draw(rendering.context, new View.Area(WIDTH, HEIGHT, part), small, Tile.whole(40, 30));
             float[] pixels = small.read(0);
 
             int different = 0;
@@ -155,8 +155,7 @@ class SceneGraphTest extends InARendering {
             assertThat(different).isLessThan(4 * 20);
             assertThatThrownBy(() -> draw(scene, small, new Tile(30, 0, 20, 5)))
                     .isInstanceOf(IllegalArgumentException.class);
-            assertThatThrownBy(
-                            () -> scene.draw(rendering.context, PictureArea.whole(41, 30), small, Tile.whole(40, 30)))
+            assertThatThrownBy(() -> scene.draw(rendering.context, View.Area.whole(41, 30), small, Tile.whole(40, 30)))
                     .isInstanceOf(IllegalArgumentException.class);
         }
     }

@@ -60,7 +60,7 @@ class TangentFrameTest extends InARendering {
         try (FloatTarget target =
                 rendering.context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
             new SceneGraph(all, new View(camera, 0.5f, 0.5f, 20))
-                    .draw(rendering.context, PictureArea.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
+                    .draw(rendering.context, View.Area.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
             return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
         }
     }

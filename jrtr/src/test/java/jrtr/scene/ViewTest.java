@@ -18,11 +18,11 @@ class ViewTest {
 
     @Test
     void aPartShowsItsPixelsOfTheWhole() {
-        PictureArea whole = PictureArea.whole(400, 300);
+        View.Area whole = View.Area.whole(400, 300);
         Tile tile = new Tile(100, 30, 50, 60);
         Vector3f point = new Vector3f(-0.6f, 0.3f, -3);
         Vector3f inWhole = VIEW.cameraToClip(whole).transformProject(new Vector3f(point));
-        Vector3f inPart = VIEW.cameraToClip(new PictureArea(400, 300, tile)).transformProject(new Vector3f(point));
+        Vector3f inPart = VIEW.cameraToClip(new View.Area(400, 300, tile)).transformProject(new Vector3f(point));
 
         // Pixels from the left and from the top, in the whole and, shifted by the tile's corner, in the part.
         float column = (inWhole.x + 1) / 2 * 400;
@@ -39,11 +39,11 @@ class ViewTest {
         Vector3f right = new Vector3f((float) Math.tan(FIELD / 2) * 4 / 3, 0, -1);
         Vector3f diagonal = new Vector3f(1, 1, -9);
 
-        assertThat(framed.cameraToClip(PictureArea.whole(800, 300)))
+        assertThat(framed.cameraToClip(View.Area.whole(800, 300)))
                 .as("wider")
-                .isEqualTo(VIEW.cameraToClip(PictureArea.whole(800, 300)));
+                .isEqualTo(VIEW.cameraToClip(View.Area.whole(800, 300)));
         for (int width : new int[] {399, 300, 3}) {
-            Matrix4f narrow = framed.cameraToClip(PictureArea.whole(width, 300));
+            Matrix4f narrow = framed.cameraToClip(View.Area.whole(width, 300));
             assertThat(narrow.transformProject(new Vector3f(right)).x).isCloseTo(1, within(1e-6f));
             Vector3f there = narrow.transformProject(new Vector3f(diagonal));
             assertThat(there.x * width).as("pixels are square").isCloseTo(there.y * 300, within(1e-4f));
@@ -60,7 +60,7 @@ class ViewTest {
 
     @Test
     void partsOutsideThePictureAreRefused() {
-        assertThatThrownBy(() -> new PictureArea(10, 10, new Tile(5, 5, 6, 5)))
+        assertThatThrownBy(() -> new View.Area(10, 10, new Tile(5, 5, 6, 5)))
                 .isInstanceOf(IllegalArgumentException.class);
     }
 

@@ -7,7 +7,7 @@ import java.util.Set;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
-import jrtr.scene.PictureArea;
+import jrtr.scene.View;
 import sunbeam.app.gpu.Shaders;
 
 /**
@@ -42,7 +42,7 @@ final class GeometryBuffers implements AutoCloseable {
         }
         // Draws the whole block at once, since the draw of each part would process all vertices.
         if (!drawn.contains(block)) {
-            PictureArea area = new PictureArea(geometry.width(), geometry.height(), block);
+            View.Area area = new View.Area(geometry.width(), geometry.height(), block);
             geometry.graph(program).draw(context, area, buffer.attributes(), Tile.whole(block.width(), block.height()));
             drawn.add(block);
             // Waits, so that geometry pass and shading pass are timed separately. Moving pictures have no time for

@@ -10,7 +10,7 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Node;
-import jrtr.scene.PictureArea;
+import jrtr.scene.View;
 import org.joml.Vector3f;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.app.scene.Scene;
@@ -32,7 +32,7 @@ final class Picking implements AutoCloseable {
                 () -> context.createFloatTarget("pick", new FloatTarget.Spec(1, 1, IMAGES, true)), program::close);
     }
 
-    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, PictureArea pixel) {
+    Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, View.Area pixel) {
         Node.Shape shape = body.shape(mesh, program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, Map.of());
         SceneGraphs.of(scene, shape).draw(context, pixel, target, Tile.whole(1, 1));
         float[][] values = new float[IMAGES][];

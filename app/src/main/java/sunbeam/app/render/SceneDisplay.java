@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneSettings;
@@ -50,7 +50,7 @@ public final class SceneDisplay {
                     DrawRequest.ofPixels(scene, columns, rows, tile, samples).coarsest());
             small.put(part.reduced(samples), tile.x(), tile.y());
         });
-        return isWhole ? OptionalDouble.of(AutoExposure.of(small.linear())) : OptionalDouble.empty();
+        return isWhole ? OptionalDouble.of(LinearPicture.exposure(small.linear())) : OptionalDouble.empty();
     }
 
     static List<DrawRequest> meterParts(Scene scene, int width, int height) {

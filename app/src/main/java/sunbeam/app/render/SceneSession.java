@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
-import jrtr.scene.PictureArea;
+import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
@@ -286,7 +286,7 @@ public final class SceneSession implements AutoCloseable {
      */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return picking.pick(
-                scene(), uploaded.mesh(), uploaded.body(), new PictureArea(width, height, new Tile(x, y, 1, 1)));
+                scene(), uploaded.mesh(), uploaded.body(), new View.Area(width, height, new Tile(x, y, 1, 1)));
     }
 
     @Override

@@ -13,7 +13,6 @@ import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Camera;
 import jrtr.scene.Node;
-import jrtr.scene.PictureArea;
 import jrtr.scene.SceneGraph;
 import jrtr.scene.View;
 import org.joml.Matrix4f;
@@ -71,7 +70,7 @@ final class Shadows implements AutoCloseable {
         Faces faces = closed ? Faces.FRONT : Faces.BOTH;
         Node.Shape shape = new Node.Shape(mesh, program.get(), Map.of(), Map.of(), faces);
         SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, shape), view);
-        graph.draw(context, PictureArea.whole(side, side), map, Tile.whole(side, side));
+        graph.draw(context, View.Area.whole(side, side), map, Tile.whole(side, side));
         shown.put(side, key);
     }
 
@@ -83,7 +82,7 @@ final class Shadows implements AutoCloseable {
         Vector3f up = Math.abs(towards.z()) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
         float angle = (float) (2 * Math.atan(reach / (distance - reach)));
         view = new View(new Camera(eye, bounds.center(), up), angle, distance - reach, distance + reach);
-        worldToShadow.set(view.worldToClip(PictureArea.whole(side, side)));
+        worldToShadow.set(view.worldToClip(View.Area.whole(side, side)));
         lift = LIFT * 2 * reach / side;
     }
 

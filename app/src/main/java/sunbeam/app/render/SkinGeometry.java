@@ -8,8 +8,8 @@ import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
 import jrtr.scene.Node;
-import jrtr.scene.PictureArea;
 import jrtr.scene.SceneGraph;
+import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
@@ -35,14 +35,14 @@ record SkinGeometry(
         int height) {
 
     void applyRaysTo(ShaderProgram program, Tile block) {
-        SceneGraphs.view(view, mesh.bounds()).applyRaysTo(program, new PictureArea(width, height, block));
+        SceneGraphs.view(view, mesh.bounds()).applyRaysTo(program, new View.Area(width, height, block));
     }
 
     /**
      * Returns the matrix from (x, y, depth) to world space: x and y in pixels from the block's lower left, depth as in the depth buffer.
      */
     Matrix4f blockToWorld(Tile block) {
-        Matrix4f toClip = SceneGraphs.view(view, mesh.bounds()).worldToClip(new PictureArea(width, height, block));
+        Matrix4f toClip = SceneGraphs.view(view, mesh.bounds()).worldToClip(new View.Area(width, height, block));
         return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
     }
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import jrtr.BoundingSphere;
-import jrtr.scene.PictureArea;
+import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,7 +42,7 @@ class FramingTest {
     /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */
     private static float[] reach(Scene scene, int width, int height) {
         Matrix4f toClip = SceneGraphs.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
-                .worldToClip(PictureArea.whole(width, height));
+                .worldToClip(View.Area.whole(width, height));
         float[] reach = new float[2];
         Vector3f point = new Vector3f();
         for (int vertex = 0; vertex < SNAKE.vertices(); vertex++) {

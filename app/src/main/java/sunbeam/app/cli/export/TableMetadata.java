@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.DiscDirections;
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.EnergyDivisor;
@@ -94,7 +93,7 @@ record TableMetadata(
                 }
             }
         }
-        return AutoExposure.of(new LinearPicture(MAP_SIDE, MAP_SIDE, xyz));
+        return LinearPicture.exposure(new LinearPicture(MAP_SIDE, MAP_SIDE, xyz));
     }
 
     Map<String, Object> fields(String quantity, String interpolation) {

@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
@@ -47,10 +46,10 @@ public final class DisplayOptions {
     /** Parses {@code --exposure} and reads the picture that it may name; called before anything is computed. */
     public Exposure parse() {
         if (isOfAll()) {
-            return AutoExposure::of;
+            return LinearPicture::exposure;
         }
         if (isOfFirst()) {
-            return pictures -> AutoExposure.of(pictures[0]);
+            return pictures -> LinearPicture.exposure(pictures[0]);
         }
         if (exposure.toLowerCase(Locale.ROOT).endsWith(".png")) {
             double recorded = recorded();

@@ -25,7 +25,7 @@ public final class VirtualTexture implements AutoCloseable {
     private final List<TileGrid> grids;
     private final Residency residency;
     private final TileSet feedback;
-    private final PrefetchSet prefetchSet;
+    private final CachedBaker.PrefetchSet prefetchSet;
     private final FootprintSample sample = new FootprintSample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
@@ -37,7 +37,7 @@ public final class VirtualTexture implements AutoCloseable {
         this.grids = baker.grids();
         this.feedback = none();
         this.requested = none();
-        this.prefetchSet = PrefetchSet.of(grids);
+        this.prefetchSet = CachedBaker.PrefetchSet.of(grids);
         this.residency = new Residency(context, levels.table().numbers(), grids);
     }
 

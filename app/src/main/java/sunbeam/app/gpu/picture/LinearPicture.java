@@ -1,6 +1,7 @@
 package sunbeam.app.gpu.picture;
 
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.DisplayTransform;
 
@@ -10,6 +11,10 @@ import sunbeam.precompute.color.DisplayTransform;
  * @param xyz {@code height * width * 3} values, row 0 on top
  */
 public record LinearPicture(int width, int height, float[] xyz) {
+    /** Display luminance to which the brighter half's mean is mapped; white is 1. Orders several times brighter are compressed. */
+    public static final double EXPOSURE_TARGET = 0.42;
+
+    private static final double DARKER = 0.5;
 
     /** Converts RGBA of a render target; alpha 0 means no surface. */
     public static LinearPicture ofRgba(int width, int height, float[] rgba) {
@@ -48,5 +53,54 @@ public record LinearPicture(int width, int height, float[] xyz) {
                 new BufferedImage(width, height, opaque ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB);
         image.getRaster().setDataElements(0, 0, width, height, argb);
         return image;
+    }
+
+    /**
+     * Returns the automatic exposure for all pictures together, a factor of linear XYZ; 1 for pictures without light. It is the same for
+     * maps, pictures of scenes, the viewer and {@code color} (docs/theory.md). Ignores pixels whose Y is NaN, infinite, zero or negative.
+     *
+     * <p>Pixels are sorted by luminance Y, and each is weighted by its lightness, the cube root of Y (CIE 1976), so that black pixels have no
+     * weight. The brightest pixels with half of the total weight are the brighter half; the exposure maps the geometric mean of their Y to
+     * {@link #EXPOSURE_TARGET}. Unlike a percentile, a mean over many pixels changes little if the picture changes little.
+     */
+    public static double exposure(LinearPicture... pictures) {
+        double[] luminances = luminances(pictures);
+        double[] roots = Arrays.stream(luminances).map(Math::cbrt).toArray();
+        double all = Arrays.stream(roots).sum();
+        if (!(all > 0)) {
+            return 1;
+        }
+        double below = 0;
+        double logarithms = 0;
+        double weights = 0;
+        for (int i = 0; i < roots.length; i++) {
+            double upTo = below + roots[i] / all;
+            double weight = upTo - Math.max(below, DARKER);
+            if (weight > 0) {
+                logarithms += weight * Math.log(luminances[i]);
+                weights += weight;
+            }
+            below = upTo;
+        }
+        return EXPOSURE_TARGET / Math.exp(logarithms / weights);
+    }
+
+    private static double[] luminances(LinearPicture... pictures) {
+        int pixels = Arrays.stream(pictures)
+                .mapToInt(picture -> picture.width() * picture.height())
+                .reduce(0, Math::addExact);
+        double[] luminances = new double[pixels];
+        int count = 0;
+        for (LinearPicture picture : pictures) {
+            for (int i = 0; i < picture.width() * picture.height(); i++) {
+                float luminance = picture.luminance(i);
+                if (luminance > 0 && Float.isFinite(luminance)) {
+                    luminances[count++] = luminance;
+                }
+            }
+        }
+        double[] sorted = Arrays.copyOf(luminances, count);
+        Arrays.sort(sorted);
+        return sorted;
     }
 }

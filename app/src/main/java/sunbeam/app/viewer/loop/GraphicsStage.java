@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.gpu.picture.AutoExposure;
+import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PatchStrokes;
 import sunbeam.app.render.Pick;
@@ -242,7 +242,7 @@ public final class GraphicsStage implements Stage {
                 .map(picture -> {
                     double exposure = exposures.of(
                             state.firstPart(),
-                            () -> AutoExposure.of(picture.reduced(1).linear()));
+                            () -> LinearPicture.exposure(picture.reduced(1).linear()));
                     double pixels = (double) state.width() * state.height() * samples() * samples();
                     double seconds = pixels * current.tiles().secondsPerPixel();
                     return new Preview(image(picture, 1, exposure), stride, true, exposure, seconds);

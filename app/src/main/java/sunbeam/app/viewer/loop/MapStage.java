@@ -15,7 +15,6 @@ import sunbeam.app.gpu.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.CancellationToken;
 import sunbeam.app.gpu.colors.VirtualTexture;
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneSession;
@@ -155,6 +154,6 @@ final class MapStage {
     }
 
     private static BufferedImage shown(LinearPicture picture) {
-        return picture.shown(new DisplayTransform(AutoExposure.of(picture), Tone.COMPRESS));
+        return picture.shown(new DisplayTransform(LinearPicture.exposure(picture), Tone.COMPRESS));
     }
 }

@@ -5,7 +5,6 @@ import static sunbeam.app.render.SceneDisplay.TABLE_SAMPLES;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.stream.IntStream;
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.SceneDisplay;
 import sunbeam.precompute.color.DisplayTransform;
@@ -48,7 +47,7 @@ final class ScreenExposure {
             }
             xyz[3 * i + 1] = (float) (sum / (TABLE_SAMPLES * TABLE_SAMPLES * display.exposure()));
         }
-        return AutoExposure.of(new LinearPicture(width, height, xyz));
+        return LinearPicture.exposure(new LinearPicture(width, height, xyz));
     }
 
     private static double luminance(int pixel, double[] factors) {

@@ -49,7 +49,7 @@ class VirtualTextureTest {
     void aTableInTheCacheIsRequestedWithoutFootprints() {
         assertThat(isRequestedWhole()).as("before any tile is baked").isFalse();
         try (CachedBaker baking = new CachedBaker(bakers())) {
-            baking.bakeAll(PrefetchSet.of(baking.grids()).prefetched());
+            baking.bakeAll(CachedBaker.PrefetchSet.of(baking.grids()).prefetched());
         }
         assertThat(isRequestedWhole()).isTrue();
     }
@@ -88,7 +88,7 @@ class VirtualTextureTest {
     }
 
     private static void bakeCoarsest(CachedBaker baker) {
-        TileSet coarsest = PrefetchSet.of(baker.grids()).coarsest();
+        TileSet coarsest = CachedBaker.PrefetchSet.of(baker.grids()).coarsest();
         assertThat(coarsest.isEmpty()).isFalse();
         baker.bakeAll(coarsest);
     }

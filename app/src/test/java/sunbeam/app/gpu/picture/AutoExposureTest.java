@@ -26,7 +26,7 @@ class AutoExposureTest {
     }
 
     private static double exposure(double... luminances) {
-        return AutoExposure.of(picture(luminances));
+        return LinearPicture.exposure(picture(luminances));
     }
 
     /** Spread over two decades, as diffracted light is, in no order. */
@@ -50,10 +50,10 @@ class AutoExposureTest {
     @ValueSource(doubles = {1e-30, 1e-6, 0.7, 3e5, 1e30})
     void anEvenPictureIsDrawnAtTheTarget(double luminance) {
         assertThat(exposure(repeated(50, luminance)) * luminance)
-                .isCloseTo(AutoExposure.TARGET, within(AutoExposure.TARGET * ROUNDING));
+                .isCloseTo(LinearPicture.EXPOSURE_TARGET, within(LinearPicture.EXPOSURE_TARGET * ROUNDING));
         assertThat(exposure(luminance) * luminance)
                 .as("one pixel")
-                .isCloseTo(AutoExposure.TARGET, within(AutoExposure.TARGET * ROUNDING));
+                .isCloseTo(LinearPicture.EXPOSURE_TARGET, within(LinearPicture.EXPOSURE_TARGET * ROUNDING));
     }
 
     @Test
@@ -61,7 +61,7 @@ class AutoExposureTest {
         double[] luminances = diffraction(5000);
         double[] sorted = Arrays.stream(luminances).sorted().toArray();
 
-        double well = AutoExposure.TARGET / exposure(luminances);
+        double well = LinearPicture.EXPOSURE_TARGET / exposure(luminances);
 
         // Half of the lightness lies below this rank of a distribution that is even in log Y: the share of lightness
         // below rank r is (100^(r/3) - 1) / (100^(1/3) - 1).
@@ -82,7 +82,8 @@ class AutoExposureTest {
         // 0.5 % of the picture, over a ground 1e9 times darker.
         double[] order = repeated(50, 0.1);
 
-        assertThat(exposure(joined(order, repeated(9950, 1e-10))) * 0.1).isCloseTo(AutoExposure.TARGET, within(0.01));
+        assertThat(exposure(joined(order, repeated(9950, 1e-10))) * 0.1)
+                .isCloseTo(LinearPicture.EXPOSURE_TARGET, within(0.01));
     }
 
     @Test
@@ -91,7 +92,7 @@ class AutoExposureTest {
         assertThat(exposure(repeated(20, Double.NaN))).as("no surface").isEqualTo(1);
         assertThat(exposure(repeated(20, -1e-9))).as("rounded below zero").isEqualTo(1);
         assertThat(exposure()).as("no pixel").isEqualTo(1);
-        assertThat(AutoExposure.of()).as("no picture").isEqualTo(1);
+        assertThat(LinearPicture.exposure()).as("no picture").isEqualTo(1);
     }
 
     @Test

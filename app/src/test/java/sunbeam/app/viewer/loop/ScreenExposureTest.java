@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.gpu.picture.AutoExposure;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
@@ -39,7 +38,7 @@ class ScreenExposureTest {
             image.setRGB(i % SIDE, Math.floorDiv(i, SIDE), BACKGROUND);
         }
         // Half a step of 8 bits is 2 % of the light of a pixel ten times as bright as white, which is compressed.
-        double exact = AutoExposure.of(picture());
+        double exact = LinearPicture.exposure(picture());
         assertThat(ScreenExposure.of(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
     }
 }
