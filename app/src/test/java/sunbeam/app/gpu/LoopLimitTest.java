@@ -69,9 +69,7 @@ class LoopLimitTest extends InAContext {
                 planned.expansion(),
                 planned.range().bandX(surface.map().width(), radius + 1),
                 planned.range().bandY(surface.map().height(), radius + 1),
-                AREA.window(),
-                AREA.origin(),
-                AREA.average(),
+                AREA,
                 sampling);
         ShaderTables tables =
                 sampling.tables(plan, plan.fourierTable(surface.levels(), done -> {}), MethodUse.COLOR, surface.cie());

@@ -39,8 +39,7 @@ public record ColorTable(
     private static final double SHALLOWEST = 0.5;
 
     // Least standard deviation of slopes in a table: tan 1 degree. The power spectra of smaller ones, with the square
-    // of their reciprocal,
-    // take more than 1 GB.
+    // of their reciprocal, take more than 1 GB.
     private static final double LEAST_SLOPES = 0.01745;
 
     /** Largest |w|: light and view along the normal. */

@@ -66,8 +66,7 @@ public final class LevelBaking {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
         // Tiles are sorted by angle around the grid's center, so that a batch is a wedge: few of the rays of (u, v)
-        // along which bakers
-        // compute cross two batches.
+        // along which bakers compute cross two batches.
         BitSet missing = new BitSet();
         missingTexels.keySet().forEach(missing::set);
         int[] byAngle = grid.byAngle(missing).toArray();

@@ -13,9 +13,8 @@ import sunbeam.precompute.numerics.Lagrange;
 public record CoefficientTable(double minimumPhase, double maximumPhase, double[][] values) {
 
     // Error of the parabolas for functions of bandwidth 1 and magnitude 1, per radian of the range of phases: a third
-    // of
-    // float32's rounding of the phase and of the coefficients. Weak orders, small differences of large terms, see both
-    // errors.
+    // of float32's rounding of the phase and of the coefficients. Weak orders, small differences of large terms, see
+    // both errors.
     private static final double LARGEST_ERROR = 2e-8;
     // The parabola through three samples errs by step^3 / PARABOLA.
     private static final double PARABOLA = 16;

@@ -14,10 +14,8 @@ import sunbeam.precompute.patch.HeightLevels;
  */
 record HeightRule(double[] heights, double[] shares) {
     // Length of an interval of heights, as the difference of the phase zeta times scaled height over it at the largest
-    // zeta, radians. The
-    // squared error of an expansion is a function of bandwidth 1 of that phase; the rule's mean of it errs by at most 2
-    // (INTERVAL / 4)^(2
-    // NODES) / (2 NODES)! = 3e-24.
+    // zeta, radians. The squared error of an expansion is a function of bandwidth 1 of that phase; the rule's mean of
+    // it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
     private static final double INTERVAL = 4;
     private static final int NODES = 12;
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.expansion;
 
+import java.util.Arrays;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
@@ -22,9 +23,8 @@ public final class LowRankExpansion implements Expansion {
     private final double error;
     // [term][node]
     private final double[][] functions;
-    // [term][j]: coefficients of the Chebyshev polynomials of degree 2 j, and of degree 2 j + 1.
-    private final double[][] even;
-    private final double[][] odd;
+    // [term][degree]: coefficients of the Chebyshev polynomials.
+    private final double[][] series;
 
     private LowRankExpansion(
             HeightLevels heights,
@@ -55,9 +55,9 @@ public final class LowRankExpansion implements Expansion {
                 functions[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
             }
         }
-        double[][] series = chebyshevSeries();
-        this.even = everySecond(series, 0);
-        this.odd = everySecond(series, 1);
+        double[][] full = chebyshevSeries();
+        int length = significantLength(full);
+        this.series = Arrays.stream(full).map(one -> Arrays.copyOf(one, length)).toArray(double[][]::new);
     }
 
     /** Returns the expansion with the fewest terms whose root mean square error over heights and phases is within a tolerance. */
@@ -133,21 +133,10 @@ public final class LowRankExpansion implements Expansion {
         return values;
     }
 
-    private static double[][] everySecond(double[][] series, int first) {
-        int count = Math.max(1, (significantLength(series) + 1 - first) / 2);
-        double[][] result = new double[series.length][count];
-        for (int n = 0; n < series.length; n++) {
-            for (int j = 0; j < count && 2 * j + first < series[n].length; j++) {
-                result[n][j] = series[n][2 * j + first];
-            }
-        }
-        return result;
-    }
-
-    /** Up to the last significant coefficient of any term. */
+    /** Up to the last significant coefficient of any term; at least two. */
     private static int significantLength(double[][] series) {
         double largest = 0;
-        int length = 1;
+        int length = 2;
         for (double[] one : series) {
             for (double coefficient : one) {
                 largest = Math.max(largest, Math.abs(coefficient));
@@ -185,26 +174,30 @@ public final class LowRankExpansion implements Expansion {
     @Override
     public double realBasis(int n, double s) {
         double y = 2 * s * s - 1;
-        return clenshaw(even[n], y, y);
+        return clenshaw(series[n], 0, y, y);
     }
 
     /** Sums the odd Chebyshev polynomials, the imaginary part: C_2j+1(s) = s V_j(y), V_j of the third kind (DLMF 18.5.3). */
     @Override
     public double imaginaryBasis(int n, double s) {
         double y = 2 * s * s - 1;
-        return s * clenshaw(odd[n], y, 2 * y - 1);
+        return s * clenshaw(series[n], 1, y, 2 * y - 1);
     }
 
-    /** Sums c_j p_j by Clenshaw's recurrence, for polynomials with p_0 = 1, p_1 = {@code first} and p_j+1 = 2 y p_j - p_j-1. */
-    private static double clenshaw(double[] coefficients, double y, double first) {
+    /**
+     * Sums c_j p_j by Clenshaw's recurrence, for polynomials with p_0 = 1, p_1 = {@code first} and p_j+1 = 2 y p_j - p_j-1.
+     *
+     * @param parity 0 for every even coefficient, 1 for every odd one
+     */
+    private static double clenshaw(double[] coefficients, int parity, double y, double first) {
         double next = 0;
         double afterNext = 0;
-        for (int j = coefficients.length - 1; j >= 1; j--) {
-            double value = 2 * y * next - afterNext + coefficients[j];
+        for (int k = (coefficients.length - 1 - parity) / 2 * 2 + parity; k > parity; k -= 2) {
+            double value = 2 * y * next - afterNext + coefficients[k];
             afterNext = next;
             next = value;
         }
-        return first * next - afterNext + coefficients[0];
+        return first * next - afterNext + coefficients[parity];
     }
 
     @Override

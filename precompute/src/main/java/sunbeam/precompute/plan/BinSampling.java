@@ -110,7 +110,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     static ShaderTables.Builder binTables(
             String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
-        plan.average().defineIn(tables);
+        plan.area().average().defineIn(tables);
         addTerms(tables, plan, table);
         addExpansion(tables, table);
         boolean floor = neighborhood.anchor() == Neighborhood.Anchor.FLOOR;
@@ -137,7 +137,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     private static void addTerms(ShaderTables.Builder tables, SpectrumPlan plan, FourierTable table) {
         tables.array(TableArray.computed(
                         terms(table.bandX(), table.bandY(), table.terms()),
-                        n -> interleaved(table.amplitudes(n, n + 1, plan.origin()))))
+                        n -> interleaved(table.amplitudes(n, n + 1, plan.area().origin()))))
                 .integers("tableFirst", table.bandX().first(), table.bandY().first());
     }
 

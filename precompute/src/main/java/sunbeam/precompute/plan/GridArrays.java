@@ -117,7 +117,8 @@ final class GridArrays {
     void addTo(ShaderTables.Builder tables, FourierTable table, MethodUse use) {
         if (coherent) {
             CoefficientTable coefficients = CoefficientTable.sampled(table.expansion());
-            Fields amplitudes = (first, end) -> table.amplitudes(first / 2, end / 2, plan.origin());
+            Fields amplitudes = (first, end) ->
+                    table.amplitudes(first / 2, end / 2, plan.area().origin());
             addTo(tables, table, coefficients, 2 * table.terms(), amplitudes, use);
         } else {
             PowerSpectrum spectrum = PowerSpectrum.of(table, sampling.budget().powerBasis());

@@ -98,7 +98,9 @@ public record GridSampling(
     }
 
     private static List<Average> averages(SpectrumPlan plan, MethodUse use) {
-        return use == MethodUse.SPECTRAL ? List.of(Average.COHERENT, Average.ENSEMBLE) : List.of(plan.average());
+        return use == MethodUse.SPECTRAL
+                ? List.of(Average.COHERENT, Average.ENSEMBLE)
+                : List.of(plan.area().average());
     }
 
     /** Single wavelengths have no columns to cross. */
@@ -146,7 +148,7 @@ public record GridSampling(
             return serving.tables(plan, table, use, cie);
         }
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
-        plan.average().defineIn(tables);
+        plan.area().average().defineIn(tables);
         SpectrumArrays.define(tables, true, table.terms());
         KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
         tables.define("COHERENT_TEXELS", 0)

@@ -69,9 +69,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                     expansion,
                     range.bandX(map.width(), around.marginX()),
                     range.bandY(map.height(), around.marginY()),
-                    area.window(),
-                    area.origin(),
-                    area.average(),
+                    area,
                     sampling);
             if (PlanChecks.excess(plan, map.rows(), heapLimit, mostSteps).isEmpty()) {
                 return plan;
@@ -126,16 +124,13 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
     private record Samplings(
             HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
         // Fewest wavelengths of a direction: 40 steps of 1 / lambda, 5 nm in the blue, 8 nm in the green, resolve the
-        // color
-        // matching functions and D65. At the standard tolerance as measured.
+        // color matching functions and D65. At the standard tolerance as measured.
         private static final int FEWEST_NODES = 40;
         private static final int NODES_AT_STANDARD = 60;
         private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
         // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to
-        // 1.1 %
-        // per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change: at
-        // most
-        // three tolerances.
+        // 1.1 % per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change:
+        // at most three tolerances.
         private static final double CORNER_LENGTH = 4e-6;
         // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has
         // taps. Rays that cross the columns more steeply than at 45 degrees skip some.
@@ -143,8 +138,8 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         // Wavelengths per period of the interference between top and bottom of the relief.
         private static final double NODES_PER_FRINGE = 6;
         // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare:
-        // interpolation
-        // errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin aside.
+        // interpolation errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin
+        // aside.
         private static final double RESOLVED_SIGMA_BINS = 0.4;
 
         private HeightMap map() {
@@ -215,8 +210,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
 
         private GridSampling grid(InterpolationDesign design) {
             // Columns are crossed at up to sqrt(2) of their distance. An order's power along the ray has deviation
-            // sigma /
-            // sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
+            // sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
             double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
             double deviation = window().sigmaFrequency() / Math.sqrt(2);
             double uncut = window().sigmaFrequency() / perStep;

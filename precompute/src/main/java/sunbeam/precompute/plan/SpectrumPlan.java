@@ -28,7 +28,6 @@ import sunbeam.precompute.units.Lengths;
  * @param tolerance promised relative error; empty for the thesis's choices, which promise none
  * @param range directions that can occur
  * @param bandX bins along x to compute and store
- * @param origin sample under the window's maximum
  */
 public record SpectrumPlan(
         Optional<Double> tolerance,
@@ -36,9 +35,7 @@ public record SpectrumPlan(
         Expansion expansion,
         Band bandX,
         Band bandY,
-        CoherenceWindow window,
-        WindowOrigin origin,
-        Average average,
+        GaussianArea area,
         Sampling sampling) {
     // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured.
     private static final double TYPICAL_ROUNDING = 0.1;
@@ -67,15 +64,17 @@ public record SpectrumPlan(
                 expansion,
                 bandX.widened((int) Math.ceil(margin * width)),
                 bandY.widened((int) Math.ceil(margin * height)),
-                window,
-                origin,
-                average,
+                area,
                 sampling);
+    }
+
+    public CoherenceWindow window() {
+        return area.window();
     }
 
     /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light. */
     public double specularReach() {
-        return window.specularReach(CieTable.MAXIMUM_WAVELENGTH);
+        return window().specularReach(CieTable.MAXIMUM_WAVELENGTH);
     }
 
     /** Returns a text that determines the tables of one patch; different numbers have different texts. */
@@ -86,9 +85,7 @@ public record SpectrumPlan(
                 bandX.toString(),
                 bandY.toString(),
                 range.toString(),
-                window.toString(),
-                origin.toString(),
-                average.toString(),
+                area.toString(),
                 sampling.toString());
     }
 
@@ -96,7 +93,10 @@ public record SpectrumPlan(
     public String summary() {
         return Text.format(
                 "%s, coherence length %s, %s average, %s",
-                promise(), Lengths.format(window.coherenceLength()), ValueKind.name(average), sampling.summary(range));
+                promise(),
+                Lengths.format(window().coherenceLength()),
+                ValueKind.name(area.average()),
+                sampling.summary(range));
     }
 
     private String promise() {
@@ -162,7 +162,7 @@ public record SpectrumPlan(
                                 + " %s: the spectrum of a coherence length of %s is narrower than float32"
                                 + " resolves; give a shorter one, or single wavelengths ('reflectance'), which have"
                                 + " double precision",
-                        reachable, Decimals.format(promised), Lengths.format(window.coherenceLength()))));
+                        reachable, Decimals.format(promised), Lengths.format(window().coherenceLength()))));
             }
         });
         return lines;
@@ -174,7 +174,7 @@ public record SpectrumPlan(
      */
     private double reachable() {
         double farthest = range.longestUv() / CieTable.MINIMUM_WAVELENGTH;
-        return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / window.sigmaFrequency();
+        return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / window().sigmaFrequency();
     }
 
     /** Returns one line about memory on the graphics card. */
@@ -200,9 +200,9 @@ public record SpectrumPlan(
                 expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
         lines.add(Text.format(
                 "window: coherence length %s, its spectrum has a deviation of %.4g cycles per meter, centered on the %s",
-                Lengths.format(window.coherenceLength()),
-                window.sigmaFrequency(),
-                origin == WindowOrigin.CORNER ? "corner" : "patch's center"));
+                Lengths.format(window().coherenceLength()),
+                window().sigmaFrequency(),
+                area.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"));
         lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
         return lines;
     }

@@ -151,14 +151,10 @@ public final class GaussianPyramid {
         return planes.size();
     }
 
-    /** Returns the fractional index of the plane of a sigma_f, clamped. */
-    double place(double sigmaFrequency) {
-        double place = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
-        return Math.max(0, Math.min(planes.size() - 1, place));
-    }
-
-    /** Returns the first of the {@link #TAPS} planes around a fractional index, and computes their Lagrange weights. */
-    int taps(double place, float[] weights) {
+    /** Returns the first of the {@link #TAPS} planes around a sigma_f, and computes their Lagrange weights. */
+    int taps(double sigmaFrequency, float[] weights) {
+        double fraction = Math.log(sigmaFrequency / planes.get(0).sigmaFrequency) / Math.log(RATIO);
+        double place = Math.max(0, Math.min(planes.size() - 1, fraction));
         int first = Math.max(0, Math.min((int) place - 1, planes.size() - TAPS));
         for (int tap = 0; tap < TAPS; tap++) {
             weights[tap] = (float) Lagrange.weight(place - first, tap, TAPS);

@@ -1,19 +1,23 @@
 package sunbeam.precompute.radial;
 
+import java.util.Arrays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.colortable.BakeToken;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
+    private static final int COLORS = 3;
+    private static final int MARGIN = QuinticSpline.MARGIN;
+    // Most rays that share one blurred spectrum; their working set fits a core's cache.
+    private static final int BATCH_RAYS = 64;
     // Pairs of sectors let two cores share the work; smaller sectors would waste time on margin rays.
     private static final int RAYS_PER_SECTOR_PAIR = 400;
     // Step of ln lambda; resolves the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
     // Step between positions, in ln |(u, v)|, at a tolerance of 1, for light with a smooth spectrum: colors vary along
-    // a
-    // ray only as fast as the color matching functions do, however sharp orders are. Splines err most beside an order
-    // that
-    // the end of the visible band cuts.
+    // a ray only as fast as the color matching functions do, however sharp orders are. Splines err most beside an order
+    // that the end of the visible band cuts.
     private static final double WIDEST_SMOOTH = 0.01424;
     // Exponent p: this step is proportional to tolerance^p.
     private static final double STEP_EXPONENT = 0.1;
@@ -98,7 +102,7 @@ final class LogRadialBand {
         }
 
         int count() {
-            return 2 * QuinticSpline.MARGIN + 2 + (int) Math.ceil(Math.log(2) / step());
+            return 2 * MARGIN + 2 + (int) Math.ceil(Math.log(2) / step());
         }
 
         private int length() {
@@ -106,22 +110,18 @@ final class LogRadialBand {
         }
     }
 
-    LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
+    private LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
         return new LogPolarConvolution(
                 start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
     }
 
     /** ln |(u, v)| of the first position. */
     private double start() {
-        return Math.log(low) - QuinticSpline.MARGIN * positionStep;
+        return Math.log(low) - MARGIN * positionStep;
     }
 
     double low() {
         return low;
-    }
-
-    int rays() {
-        return rays;
     }
 
     int sectors() {
@@ -129,11 +129,11 @@ final class LogRadialBand {
     }
 
     /** For {@code sectors()}, the number of rays. */
-    int firstRay(int sector) {
+    private int firstRay(int sector) {
         return (int) ((long) rays * sector / sectors);
     }
 
-    double ray(double u, double v) {
+    private double ray(double u, double v) {
         double turns = Math.atan2(v, u) / (2 * Math.PI);
         return (turns < 0 ? turns + 1 : turns) * rays;
     }
@@ -150,7 +150,136 @@ final class LogRadialBand {
         return at;
     }
 
-    double onRay(double radius) {
+    private double onRay(double radius) {
         return (Math.log(radius) - start()) / positionStep;
+    }
+
+    Tile tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
+        return new Tile(sector, powers, slices);
+    }
+
+    /** Rays of one sector, which evaluates colors on them and interpolates samples between them. */
+    final class Tile {
+        private final WindowedSpectrum powers;
+        private final DepthInterpolation slices;
+        private final LogPolarConvolution convolution;
+        private final int firstRay;
+        private final int tileRays;
+
+        private Tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
+            this.powers = powers;
+            this.slices = slices;
+            this.convolution = convolution(powers, slices.depths());
+            this.firstRay = firstRay(sector) - MARGIN;
+            this.tileRays = firstRay(sector + 1) + MARGIN + 1 - firstRay;
+        }
+
+        float[] bake(float[] uvw, BakeToken token) {
+            float[][] planes = planes(token);
+            float[] xyz = new float[uvw.length];
+            double[] alongRay = new double[QuinticSpline.TAPS];
+            double[] acrossRays = new double[QuinticSpline.TAPS];
+            double[] sum = new double[COLORS];
+            int corner = 0;
+            for (int at = 0; at < uvw.length; at += COLORS) {
+                if (at == 0 || uvw[at] != uvw[at - COLORS] || uvw[at + 1] != uvw[at - COLORS + 1]) {
+                    corner = locate(uvw[at], uvw[at + 1], alongRay, acrossRays);
+                }
+                double depth = Math.abs(uvw[at + 2]);
+                int first = slices.firstTap(depth);
+                Arrays.fill(sum, 0);
+                for (int tap = 0; tap < slices.taps(); tap++) {
+                    double weight = slices.weight(depth, first, tap);
+                    for (int c = 0; c < COLORS; c++) {
+                        double root = interpolated(planes[COLORS * (first + tap) + c], corner, acrossRays, alongRay);
+                        sum[c] += weight * root * root;
+                    }
+                }
+                for (int c = 0; c < COLORS; c++) {
+                    // The polynomial in w may be negative between dark slices.
+                    xyz[at + c] = (float) Math.max(0, sum[c]);
+                }
+            }
+            return xyz;
+        }
+
+        /** Computes the spline weights and returns the index of the first coefficient. */
+        private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
+            double place = onRay(Math.sqrt(u * u + v * v));
+            double ray = ray(u, v) - firstRay;
+            // Both numbers are positive, so that a cast rounds down.
+            int along = (int) place;
+            int across = (int) ray;
+            QuinticSpline.weights(place - along, alongRay);
+            QuinticSpline.weights(ray - across, acrossRays);
+            return (along - 2) * tileRays + across - 2;
+        }
+
+        /** Sums six values per row, unrolled: the C1 compiler does not unroll, and this runs millions of times. */
+        private double interpolated(float[] plane, int corner, double[] inRow, double[] acrossRows) {
+            double first = inRow[0];
+            double second = inRow[1];
+            double third = inRow[2];
+            double fourth = inRow[3];
+            double fifth = inRow[4];
+            double sixth = inRow[5];
+            double sum = 0;
+            int at = corner;
+            for (int row = 0; row < QuinticSpline.TAPS; row++) {
+                sum += acrossRows[row]
+                        * (first * plane[at]
+                                + second * plane[at + 1]
+                                + third * plane[at + 2]
+                                + fourth * plane[at + 3]
+                                + fifth * plane[at + 4]
+                                + sixth * plane[at + 5]);
+                at += tileRays;
+            }
+            return sum;
+        }
+
+        /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z) of each slice, {@code [slice * 3 + color][position * tileRays + ray]}. */
+        private float[][] planes(BakeToken token) {
+            float[][] planes = new float[COLORS * slices.depths().length][tileRays * positions.count()];
+            LogPolarConvolution.Line line = convolution.line(powers.stride());
+            int next;
+            for (int i = 0; i < tileRays; i = next) {
+                next = endOfBatch(i);
+                RayBatch batch = powers.batch(angle(i), angle(next - 1), convolution.knots());
+                for (int ray = i; ray < next; ray++) {
+                    line.colors(batch, angle(ray), planes, ray * positions.count());
+                    token.step(0);
+                }
+            }
+            for (int i = 0; i < planes.length; i++) {
+                planes[i] = spline(planes[i]);
+            }
+            return planes;
+        }
+
+        /** A batch ends where rays are closer to the other axis, 90 degrees away, or too many. */
+        private int endOfBatch(int first) {
+            boolean alongX = WindowedSpectrum.isAlongX(angle(first));
+            int end = first + 1;
+            while (end < Math.min(tileRays, first + BATCH_RAYS)
+                    && WindowedSpectrum.isAlongX(angle(end)) == alongX
+                    && angle(end) - angle(first) < Math.PI / 2) {
+                end++;
+            }
+            return end;
+        }
+
+        /** Counterclockwise from the x axis, in radians; negative for margin rays before ray 0 of the band. */
+        private double angle(int ray) {
+            return 2 * Math.PI * (firstRay + ray) / rays;
+        }
+
+        private float[] spline(float[] plane) {
+            for (int i = 0; i < plane.length; i++) {
+                // The truncated sum of terms may be slightly negative in dark directions.
+                plane[i] = (float) Math.sqrt(Math.max(0, plane[i]));
+            }
+            return QuinticSpline.coefficients(plane, tileRays, positions.count());
+        }
     }
 }

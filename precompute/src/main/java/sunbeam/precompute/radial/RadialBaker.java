@@ -137,12 +137,12 @@ public final class RadialBaker implements ColorBaker {
         return xyz;
     }
 
-    private PolarTile tile(int number, DepthInterpolation slices) {
+    private LogRadialBand.Tile tile(int number, DepthInterpolation slices) {
         int band = 0;
         while (number >= firstTiles[band + 1]) {
             band++;
         }
-        return new PolarTile(bands.get(band), number - firstTiles[band], powers, slices);
+        return bands.get(band).tile(number - firstTiles[band], powers, slices);
     }
 
     /** If a task fails, waits for the running ones and throws the failure. */

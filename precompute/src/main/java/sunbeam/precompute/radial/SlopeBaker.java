@@ -106,7 +106,7 @@ public final class SlopeBaker implements ColorBaker {
         for (int i = 0; i < nodes.count(); i++) {
             double wavelength = nodes.wavelengths()[i];
             double[] coefficients = spectrum.coefficients(wavelength, depth);
-            planes[i] = pyramid.taps(pyramid.place(sigmaFrequency(table, level, depth, wavelength)), weights);
+            planes[i] = pyramid.taps(sigmaFrequency(table, level, depth, wavelength), weights);
             for (int tap = 0; tap < GaussianPyramid.TAPS; tap++) {
                 for (int m = 0; m < coefficients.length; m++) {
                     factors[i][tap * pyramid.stride() + m] = (float) (weights[tap] * coefficients[m]);

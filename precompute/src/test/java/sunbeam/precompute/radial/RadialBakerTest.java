@@ -128,8 +128,8 @@ class RadialBakerTest {
             places[i + 1] *= (float) (0.004 / radius);
         }
         double[] errors = errors(map, area, spectrum(map, ENSEMBLE, area, tolerance), places, 0.0029);
-        // Measured 2e-6, 1.7e-5 and 1.9e-5.
-        // Dark places between orders (1e-6 of them), where omitted terms of the power count; measured 7.8 at 5e-3.
+        // Measured 2e-6, 1.7e-5 and 1.9e-5. Dark places between orders (1e-6 of them), where omitted terms of the power
+        // count; measured 7.8 at 5e-3.
         check(errors, tolerance / 10, 9 * tolerance);
     }
 

@@ -73,8 +73,7 @@ class SlopeBakerTest {
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
                 // Cubic polynomials between windows and quadratic splines between frequencies: a thousandth each where
-                // it
-                // is bright, half a percent on flanks.
+                // it is bright, half a percent on flanks.
                 assertThat((double) found[c]).isCloseTo(mean[c], within(0.007 * Math.max(mean[1], mean[c])));
             }
         }
