@@ -248,11 +248,8 @@ public final class SceneSettings {
     }
 
     private static OptionalDouble parseExposure(String text) {
-        if (text.strip().equals(AUTOMATIC)) {
-            return OptionalDouble.empty();
-        }
         OptionalDouble factor = Decimals.parse(text);
-        if (factor.isEmpty()) {
+        if (factor.isEmpty() && !text.strip().equals(AUTOMATIC)) {
             throw new IllegalArgumentException(Quoted.of(text) + " is neither auto nor a number above 0");
         }
         return factor;

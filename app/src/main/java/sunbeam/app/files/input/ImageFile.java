@@ -75,7 +75,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
                 return reader;
             }
         }
-        throw new InputException(what + " " + file + " is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
+        throw wrong(file, "is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
     }
 
     private BufferedImage read(Path file, ImageReader reader, ImageInputStream stream, long heapBytes)
@@ -90,7 +90,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
                     .filter(warning -> MISSING.matcher(warning).find())
                     .findFirst();
             if (missing.isPresent()) {
-                throw new InputException(what + " " + file + " is damaged (" + missing.get() + "); export it again");
+                throw wrong(file, "is damaged (" + missing.get() + "); export it again");
             }
             return image;
         } catch (InputException refused) {
@@ -103,35 +103,46 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
         }
     }
 
+    private InputException wrong(Path file, String problem) {
+        return new InputException(what + " " + file + " " + problem);
+    }
+
     private void requireSize(Path file, ImageReader reader, long heapBytes) throws IOException {
         int width = reader.getWidth(0);
         int height = reader.getHeight(0);
         if (width < 1 || height < 1 || width > largestSide || height > largestSide) {
-            throw new InputException(what + " " + file + " has " + width + " x " + height + " pixels; make it at most "
-                    + largestSide + " x " + largestSide);
+            throw wrong(
+                    file,
+                    "has " + width + " x " + height + " pixels; make it at most " + largestSide + " x " + largestSide);
         }
         if ((long) width * height > mostPixels) {
-            throw new InputException(what + " " + file + " has " + width + " x " + height + " pixels; make it smaller, "
-                    + mostPixels / 1_000_000 + " million at most");
+            throw wrong(
+                    file,
+                    "has " + width + " x " + height + " pixels; make it smaller, " + mostPixels / 1_000_000
+                            + " million at most");
         }
         // A reader takes memory for a whole tile, which may be larger than the picture.
         long pixels = Math.max((long) width * height, (long) reader.getTileWidth(0) * reader.getTileHeight(0));
         if (pixels > mostPixels) {
-            throw new InputException(what + " " + file + " has tiles of " + reader.getTileWidth(0) + " x "
-                    + reader.getTileHeight(0) + " pixels; save it without tiles");
+            throw wrong(
+                    file,
+                    "has tiles of " + reader.getTileWidth(0) + " x " + reader.getTileHeight(0)
+                            + " pixels; save it without tiles");
         }
         Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
         if (!types.hasNext()) {
-            throw new InputException(what + " " + file + " has pixels of an unknown kind; convert it to PNG or JPEG");
+            throw wrong(file, "has pixels of an unknown kind; convert it to PNG or JPEG");
         }
         SampleModel model = types.next().getSampleModel();
         long bytesPerPixel =
                 (long) model.getNumDataElements() * DataBuffer.getDataTypeSize(model.getDataType()) / Byte.SIZE
                         + workingBytes;
         if (pixels > heapBytes / bytesPerPixel) {
-            throw new InputException(what + " " + file + " has " + width + " x " + height
-                    + " pixels, too many for Java's memory; make it smaller, or give more with"
-                    + " SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * (heapBytes >> 20) + "m");
+            throw wrong(
+                    file,
+                    "has " + width + " x " + height
+                            + " pixels, too many for Java's memory; make it smaller, or give more with"
+                            + " SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * (heapBytes >> 20) + "m");
         }
     }
 }

@@ -47,8 +47,6 @@ public final class HeatMap {
     private final Values values;
     private final DefaultXYDataset curves = new DefaultXYDataset();
     private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
-    private final DefaultXYDataset rims = new DefaultXYDataset();
-    private final XYLineAndShapeRenderer rimRenderer = new XYLineAndShapeRenderer(true, false);
 
     /**
      * Title, axis labels and size in pixels.
@@ -106,18 +104,17 @@ public final class HeatMap {
      * cells.
      */
     public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
-        add(name, x, y, rgb, dashed ? DASHED : SOLID);
+        add(name, x, y, rgb, dashed ? DASHED : SOLID, true);
         return this;
     }
 
     /** Adds a curve between two dotted ones, with one entry in the legend. A point at which one of the three is NaN is left out. */
     public HeatMap interval(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
         for (double[] side : List.of(oneSide, otherSide)) {
-            int index =
-                    add(name + curves.getSeriesCount(), x, atCommonPoints(side, y, oneSide, otherSide), rgb, DOTTED);
-            renderer.setSeriesVisibleInLegend(index, false);
+            String sideName = name + curves.getSeriesCount();
+            add(sideName, x, atCommonPoints(side, y, oneSide, otherSide), rgb, DOTTED, false);
         }
-        add(name, x, atCommonPoints(y, oneSide, otherSide), rgb, SOLID);
+        add(name, x, atCommonPoints(y, oneSide, otherSide), rgb, SOLID, true);
         return this;
     }
 
@@ -131,16 +128,17 @@ public final class HeatMap {
         return values;
     }
 
-    private int add(String name, double[] x, double[] y, int rgb, float[] dashes) {
+    private void add(String name, double[] x, double[] y, int rgb, float[] dashes, boolean inLegend) {
+        series(name + " rim", x, y, Color.BLACK, stroke(CURVE_WIDTH + 2 * RIM_WIDTH, dashes), false);
+        series(name, x, y, new Color(rgb), stroke(CURVE_WIDTH, dashes), inLegend);
+    }
+
+    private void series(String name, double[] x, double[] y, Color color, BasicStroke stroke, boolean inLegend) {
         int index = curves.getSeriesCount();
         curves.addSeries(name, new double[][] {x, y});
-        renderer.setSeriesPaint(index, new Color(rgb));
-        renderer.setSeriesStroke(index, stroke(CURVE_WIDTH, dashes));
-        rims.addSeries(name, new double[][] {x, y});
-        rimRenderer.setSeriesPaint(index, Color.BLACK);
-        rimRenderer.setSeriesStroke(index, stroke(CURVE_WIDTH + 2 * RIM_WIDTH, dashes));
-        rimRenderer.setSeriesVisibleInLegend(index, false);
-        return index;
+        renderer.setSeriesPaint(index, color);
+        renderer.setSeriesStroke(index, stroke);
+        renderer.setSeriesVisibleInLegend(index, inLegend);
     }
 
     private static BasicStroke stroke(float width, float[] dashes) {
@@ -195,13 +193,10 @@ public final class HeatMap {
         plot.setRangeGridlinesVisible(false);
         plot.setDataset(curves);
         plot.setRenderer(renderer);
-        plot.setDataset(1, rims);
-        plot.setRenderer(1, rimRenderer);
-        // JFreeChart draws datasets last to first: curves lie on their rims.
+        // Curves lie on their rims, which are added before them.
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         // Without this setting, each segment begins with a dash of its own.
         renderer.setDrawSeriesLineAsPath(true);
-        rimRenderer.setDrawSeriesLineAsPath(true);
         renderer.setLegendLine(new Line2D.Double(-16, 0, 16, 0));
         plot.setBackgroundImage(cells());
         plot.setBackgroundImageAlpha(1);

@@ -31,6 +31,13 @@ record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
             GL_UNSIGNED_INT, SampleType.UNSIGNED_32,
             GL_FLOAT, SampleType.FLOAT_32);
 
+    /** Type of numbers, and their place in a buffer view. */
+    private record Place(Integer componentType, Integer view, Integer offset) {
+        static Place of(Accessor accessor) {
+            return new Place(accessor.getComponentType(), accessor.getBufferView(), accessor.getByteOffset());
+        }
+    }
+
     /** Returns the number of elements, at most three times {@link RawMeshBuilder#MOST_ELEMENTS}: the corners of that many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
@@ -49,13 +56,7 @@ record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
         int count = count(index);
         double[] values = accessor.getBufferView() == null
                 ? new double[components * count]
-                : numbers(
-                        index,
-                        accessor.getComponentType(),
-                        accessor.getBufferView(),
-                        accessor.getByteOffset(),
-                        components,
-                        count);
+                : numbers(index, Place.of(accessor), components, count);
         if (accessor.getSparse() != null) {
             substitute(index, accessor, values, components);
         }
@@ -72,15 +73,10 @@ record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
         if (count == null || count < 1 || count > elements || places == null || contents == null) {
             throw wrong(index, "has sparse values that cannot be understood; export it again");
         }
-        double[] at =
-                numbers(index, places.getComponentType(), places.getBufferView(), places.getByteOffset(), 1, count);
-        double[] numbers = numbers(
-                index,
-                accessor.getComponentType(),
-                contents.getBufferView(),
-                contents.getByteOffset(),
-                components,
-                count);
+        Place place = new Place(places.getComponentType(), places.getBufferView(), places.getByteOffset());
+        double[] at = numbers(index, place, 1, count);
+        Place content = new Place(accessor.getComponentType(), contents.getBufferView(), contents.getByteOffset());
+        double[] numbers = numbers(index, content, components, count);
         for (int i = 0; i < count; i++) {
             if (!(at[i] >= 0 && at[i] < elements)) {
                 throw wrong(index, "has a sparse value for element " + (long) at[i] + "; export it again");
@@ -110,13 +106,11 @@ record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
     }
 
     /** Returns the numbers of a buffer view, element by element. The index is that of the accessor, for messages. */
-    private double[] numbers(
-            Integer index, Integer componentType, Integer viewIndex, Integer offset, int components, int count)
-            throws IOException {
-        BufferView view = buffers.entry(gltf.getBufferViews(), viewIndex, "buffer view");
+    private double[] numbers(Integer index, Place place, int components, int count) throws IOException {
+        BufferView view = buffers.entry(gltf.getBufferViews(), place.view, "buffer view");
         ByteBuffer all = buffers.view(view);
-        SampleType type = componentType == null ? null : TYPES.get(componentType);
-        int first = offset == null ? 0 : offset;
+        SampleType type = place.componentType == null ? null : TYPES.get(place.componentType);
+        int first = place.offset == null ? 0 : place.offset;
         int bytes = type == null ? 0 : type.size() * components;
         int stride = view.getByteStride() == null ? bytes : view.getByteStride();
         long end = first + (long) stride * (count - 1) + bytes;
