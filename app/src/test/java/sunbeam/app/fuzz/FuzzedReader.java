@@ -9,10 +9,8 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.CacheFolder;
-import sunbeam.app.files.input.CsvTable;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.scene.SceneReader;
@@ -46,7 +44,6 @@ enum FuzzedReader {
     }),
     SCENE("scene.json", SceneReader::read),
     DIRECTIONS("directions.csv", file -> DirectionList.read(file).pairs()),
-    TABLE("table.csv", file -> CsvTable.read(file, List.of(), List.of("x"), (column, value) -> Optional.empty())),
     /** OBJ, PLY and glTF, which go by how they begin. */
     MESH("mesh", file -> MeshSource.of(file.toString()).load()),
     TEXTURE("texture", file -> BodyTexture.load(file.toString(), BlobCache.NONE)),
@@ -132,7 +129,6 @@ enum FuzzedReader {
                     """));
             case DIRECTIONS ->
                 List.of(text("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,10,180,550\n\"30\",1e1,-0.0,5,400\n"));
-            case TABLE -> List.of(text("name,x,\"a \"\"b\"\"\"\none,1,x\n\"t,w\no\",2,y\n"));
             case MESH ->
                 List.of(
                         MeshFiles.ply(BuiltInMeshes.create("plane"), "ascii"),

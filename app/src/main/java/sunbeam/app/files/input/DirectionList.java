@@ -1,19 +1,35 @@
 package sunbeam.app.files.input;
 
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.CsvRecord;
+import de.siegmar.fastcsv.reader.CsvRecordHandler;
+import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
+import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.units.Decimals;
 
 /**
- * List of pairs of directions from a CSV file, all with a wavelength or all without.
+ * List of pairs of directions from comma-separated text with a header row, all with a wavelength or all without. Other columns are skipped
+ * and may hold anything. Fields may be quoted (RFC 4180). Blank lines are ignored. A file may have at most 10 million rows of at most 65,536
+ * characters.
  *
- * @param table columns theta_i, phi_i, theta_r, phi_r in degrees and optionally wavelength in nm
+ * @param columns theta_i, phi_i, theta_r, phi_r and optionally wavelength
+ * @param rows values of each row, at least one: angles in degrees, wavelength in nm
  * @param turnDegrees rotation of the patch about the normal in degrees, counterclockwise as seen from outside
  */
-public record DirectionList(CsvTable table, double turnDegrees) {
+public record DirectionList(List<String> columns, List<double[]> rows, double turnDegrees) {
     private static final List<String> ANGLES = List.of("theta_i", "phi_i", "theta_r", "phi_r");
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is infinite.
@@ -21,13 +37,127 @@ public record DirectionList(CsvTable table, double turnDegrees) {
     /** Largest azimuth in degrees: a hundred turns, as for the light's azimuth. */
     private static final int LARGEST_PHI = 36_000;
 
+    private static final int MOST_ROWS = 10_000_000;
+    private static final int LONGEST_ROW = 1 << 16;
+
     /**
      * Reads the directions.
      *
      * @throws InputException if the file cannot be used; the message names line, column and value
      */
     public static DirectionList read(Path file) {
-        return new DirectionList(CsvTable.read(file, ANGLES, List.of(WAVELENGTH), DirectionList::complaint), 0);
+        if (Files.isDirectory(file)) {
+            throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
+        }
+        return InputException.naming(file, () -> read(Files.newInputStream(file)));
+    }
+
+    private static DirectionList read(InputStream stream) throws IOException {
+        try (CsvReader<CsvRecord> reader = reader(stream)) {
+            Iterator<CsvRecord> records = reader.stream()
+                    .filter(record ->
+                            record.getFieldCount() > 1 || !record.getField(0).isBlank())
+                    .iterator();
+            if (!records.hasNext()) {
+                throw new InputException("it is empty; its first line must name the columns");
+            }
+            List<String> header =
+                    records.next().getFields().stream().map(String::strip).toList();
+            List<String> columns = columns(header);
+            return new DirectionList(columns, rows(records, header, columns), 0);
+        } catch (CsvParseException broken) {
+            throw new InputException(broken.getMessage() + "; is this a table?", broken);
+        } catch (UncheckedIOException failure) {
+            throw failure.getCause();
+        }
+    }
+
+    /**
+     * Returns a reader in which malformed bytes become replacement characters. They are harmless in skipped columns, and no numbers in the
+     * others.
+     */
+    private static CsvReader<CsvRecord> reader(InputStream stream) {
+        return CsvReader.builder()
+                .detectBomHeader(true)
+                .allowUnclosedQuote(false)
+                // readRows() counts fields, so that its message can name the expected count.
+                .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
+                .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
+                .maxBufferSize(2 * LONGEST_ROW)
+                .build(
+                        CsvRecordHandler.of(limits -> limits.maxFields(LONGEST_ROW)
+                                .maxFieldSize(LONGEST_ROW)
+                                .maxRecordSize(LONGEST_ROW)),
+                        stream,
+                        StandardCharsets.UTF_8);
+    }
+
+    /** Returns the columns of the list in a header; each of them may stand there only once. */
+    private static List<String> columns(List<String> header) {
+        List<String> columns = new ArrayList<>(ANGLES);
+        if (header.contains(WAVELENGTH)) {
+            columns.add(WAVELENGTH);
+        }
+        for (String name : columns) {
+            if (!header.contains(name)) {
+                String remedy = header.size() == 1 && header.get(0).matches(".*[;\\t].*")
+                        ? "; separate columns by commas, not by semicolons or tabs, and write decimals with points"
+                        : "; needed: " + String.join(",", ANGLES);
+                throw new InputException(
+                        "it has no column " + name + ", only " + abbreviated(String.join(",", header)) + remedy);
+            }
+            if (header.indexOf(name) != header.lastIndexOf(name)) {
+                throw new InputException("it has two columns " + name + "; remove one");
+            }
+        }
+        return columns;
+    }
+
+    private static List<double[]> rows(Iterator<CsvRecord> records, List<String> header, List<String> columns) {
+        List<double[]> rows = new ArrayList<>();
+        while (records.hasNext()) {
+            CsvRecord record = records.next();
+            String place = "line " + record.getStartingLineNumber();
+            if (rows.size() == MOST_ROWS) {
+                throw new InputException("more than " + MOST_ROWS + " rows; split it");
+            }
+            if (record.getFieldCount() != header.size()) {
+                throw new InputException(
+                        place + ": " + record.getFieldCount() + " fields, but the header has " + header.size());
+            }
+            rows.add(columns.stream()
+                    .mapToDouble(name ->
+                            number(place + ", column " + name + ": ", name, record.getField(header.indexOf(name))))
+                    .toArray());
+        }
+        if (rows.isEmpty()) {
+            throw new InputException("it has a header but no row");
+        }
+        return rows;
+    }
+
+    private static double number(String place, String column, String field) {
+        double value = Decimals.parse(field)
+                .orElseThrow(() -> new InputException(place + "'" + abbreviated(field) + "' is not a finite number"));
+        if (column.startsWith("theta")) {
+            String remedy = " degrees; on the other side of the normal phi differs by 180";
+            requireWithin(place, value, 0, LARGEST_THETA, "0.." + LARGEST_THETA + remedy);
+        } else if (column.startsWith("phi")) {
+            requireWithin(place, value, -LARGEST_PHI, LARGEST_PHI, "-" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees");
+        } else {
+            requireWithin(place, value, 380 - 1e-6, 780 + 1e-6, "380..780 nm");
+        }
+        return value;
+    }
+
+    private static void requireWithin(String place, double value, double least, double most, String words) {
+        if (!(value >= least && value <= most)) {
+            throw new InputException(place + value + " must lie in " + words);
+        }
+    }
+
+    private static String abbreviated(String text) {
+        return text.length() <= 80 ? text : text.substring(0, 80) + "...";
     }
 
     /**
@@ -36,52 +166,31 @@ public record DirectionList(CsvTable table, double turnDegrees) {
      * @param radians rotation in radians, counterclockwise as seen from outside
      */
     public DirectionList seenByTurned(double radians) {
-        return new DirectionList(table, turnDegrees + Math.toDegrees(radians));
-    }
-
-    private static Optional<String> complaint(String column, double value) {
-        if (column.startsWith("theta")) {
-            return within(
-                    value,
-                    0,
-                    LARGEST_THETA,
-                    "0.." + LARGEST_THETA + " degrees; on the other side of the normal phi differs by 180");
-        }
-        return column.startsWith("phi")
-                ? within(value, -LARGEST_PHI, LARGEST_PHI, "-" + LARGEST_PHI + ".." + LARGEST_PHI + " degrees")
-                : within(value, 380 - 1e-6, 780 + 1e-6, "380..780 nm");
-    }
-
-    private static Optional<String> within(double value, double least, double most, String words) {
-        return value >= least && value <= most ? Optional.empty() : Optional.of("must lie in " + words);
-    }
-
-    public List<String> columns() {
-        return table.columns();
+        return new DirectionList(columns, rows, turnDegrees + Math.toDegrees(radians));
     }
 
     public int size() {
-        return table.rows().size();
+        return rows.size();
     }
 
     public boolean spectral() {
-        return table.columns().contains(WAVELENGTH);
+        return columns.contains(WAVELENGTH);
     }
 
     /** Returns a row of the file: angles in degrees and, in a spectral list, the wavelength in nanometers. */
     public double[] row(int index) {
-        return table.rows().get(index).clone();
+        return rows.get(index).clone();
     }
 
     public DirectionPair pair(int index) {
-        double[] cells = table.rows().get(index);
+        double[] cells = rows.get(index);
         return new DirectionPair(
                 Direction.ofDegrees(cells[0], cells[1] - turnDegrees),
                 Direction.ofDegrees(cells[2], cells[3] - turnDegrees));
     }
 
     public double wavelength(int index) {
-        return table.rows().get(index)[4] * 1e-9;
+        return rows.get(index)[4] * 1e-9;
     }
 
     public List<DirectionPair> pairs() {
