@@ -54,10 +54,10 @@ public final class UploadedTables implements AutoCloseable {
 
     private static FloatTexture.Spec spec(ArrayLayout layout) {
         FloatTexture.Format format = format(layout.channels());
-        FloatTexture.Spec spec = layout.kind() == ArrayLayout.Kind.LAYERED
+        FloatTexture.Spec spec = layout.layered()
                 ? FloatTexture.Spec.array(layout.width(), layout.height(), layout.layers(), format)
                 : FloatTexture.Spec.flat(layout.width(), layout.height(), format);
-        return layout.reading() == ArrayLayout.Reading.LINEAR ? spec.with(FloatTexture.Filter.LINEAR) : spec;
+        return layout.filtered() ? spec.with(FloatTexture.Filter.LINEAR) : spec;
     }
 
     private static FloatTexture.Format format(int channels) {

@@ -139,13 +139,7 @@ public final class EnergyDivisor {
         static HeightMap middle(HeightMap map) {
             int columns = Math.min(MOST_SAMPLES, map.columns());
             int rows = Math.min(MOST_SAMPLES, map.rows());
-            int left = (map.columns() - columns) / 2;
-            int top = (map.rows() - rows) / 2;
-            double[] heights = new double[columns * rows];
-            for (int i = 0; i < heights.length; i++) {
-                heights[i] = map.at(left + i % columns, top + i / columns);
-            }
-            return new HeightMap(columns, rows, map.pitchX(), map.pitchY(), heights);
+            return map.part((map.columns() - columns) / 2, (map.rows() - rows) / 2, columns, rows);
         }
 
         /** Returns a warning if the ratio exceeds {@link #LARGEST}, else empty. */

@@ -1,5 +1,7 @@
 package sunbeam.precompute.analysis;
 
+import java.util.Optional;
+import java.util.function.IntPredicate;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.optics.HeightMap;
@@ -88,6 +90,17 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
 
     int binY(int place) {
         return bandY.first() + place / bandX.count();
+    }
+
+    /** Returns the place of the highest accepted bin, among one of each opposite pair; empty if all are 0. */
+    Optional<Integer> highest(IntPredicate accepted) {
+        int best = -1;
+        for (int place = power.length / 2 + 1; place < power.length; place++) {
+            if (power[place] > (best < 0 ? 0 : power[best]) && accepted.test(place)) {
+                best = place;
+            }
+        }
+        return best < 0 ? Optional.empty() : Optional.of(best);
     }
 
     SpatialFrequency frequency(int place) {

@@ -65,19 +65,10 @@ final class RepeatedPeriod {
     }
 
     private Optional<Family> strongest(List<Family> before) {
-        double[] power = spectrum.power();
-        int best = -1;
-        for (int i = power.length / 2 + 1; i < power.length; i++) {
-            if (power[i] > (best < 0 ? 0 : power[best]) && which.test(spectrum.frequency(i))) {
-                int place = i;
-                boolean isNew =
-                        before.stream().noneMatch(family -> family.holds(spectrum.binX(place), spectrum.binY(place)));
-                best = isNew ? i : best;
-            }
-        }
-        return best < 0
-                ? Optional.empty()
-                : Optional.of(family(spectrum.binX(best), spectrum.binY(best), spectrum.frequency(best)));
+        return spectrum.highest(place -> which.test(spectrum.frequency(place))
+                        && before.stream()
+                                .noneMatch(family -> family.holds(spectrum.binX(place), spectrum.binY(place))))
+                .map(place -> family(spectrum.binX(place), spectrum.binY(place), spectrum.frequency(place)));
     }
 
     /** The bin may be an overtone: its family is that of the highest frequency whose overtones include all strong multiples. */

@@ -53,15 +53,8 @@ final class WaveSearch {
 
     /** Returns the highest line that both predicates accept, refined by parabolas through neighboring bins. */
     Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
-        double[] power = spectrum.power();
-        int best = -1;
-        for (int i = power.length / 2 + 1; i < power.length; i++) {
-            if (power[i] > (best < 0 ? 0 : power[best])) {
-                SpatialFrequency frequency = spectrum.frequency(i);
-                best = which.test(frequency) && also.test(frequency) ? i : best;
-            }
-        }
-        return best < 0 ? Optional.empty() : Optional.of(refined(best));
+        Predicate<SpatialFrequency> both = which.and(also);
+        return spectrum.highest(place -> both.test(spectrum.frequency(place))).map(this::refined);
     }
 
     private SpatialFrequency refined(int place) {

@@ -53,7 +53,7 @@ public record CieLab(double lightness, double a, double b) {
         double h1 = hue(a1, b);
         double h2 = hue(a2, other.b());
         boolean gray = c1 * c2 == 0;
-        double hueStep = gray ? 0 : turnOf(h2 - h1);
+        double hueStep = gray ? 0 : Math.IEEEremainder(h2 - h1, 360);
 
         // (8), (9), (11)
         double lightnessDifference = other.lightness() - lightness;
@@ -64,7 +64,7 @@ public record CieLab(double lightness, double a, double b) {
         double chroma = 0.5 * (c1 + c2);
         double hue = gray ? h1 + h2 : within360(h1 + 0.5 * hueStep);
 
-        double chromaTerm = chromaDifference / chromaScale(chroma);
+        double chromaTerm = chromaDifference / (1 + 0.045 * chroma);
         double hueTerm = hueDifference / hueScale(chroma, hue);
         return Math.sqrt(square(lightnessDifference / lightnessScale(meanLightness))
                 + square(chromaTerm)
@@ -92,20 +92,10 @@ public record CieLab(double lightness, double a, double b) {
         return degrees < 0 ? degrees + 360 : degrees >= 360 ? degrees - 360 : degrees;
     }
 
-    /** Angle in -180..180, (10). */
-    private static double turnOf(double degrees) {
-        return degrees > 180 ? degrees - 360 : degrees < -180 ? degrees + 360 : degrees;
-    }
-
     /** S_L, (16). */
     private static double lightnessScale(double lightness) {
         double fromMiddle = square(lightness - 50);
         return 1 + 0.015 * fromMiddle / Math.sqrt(20 + fromMiddle);
-    }
-
-    /** S_C, (17). */
-    private static double chromaScale(double chroma) {
-        return 1 + 0.045 * chroma;
     }
 
     /** S_H with T, (15) and (18). */

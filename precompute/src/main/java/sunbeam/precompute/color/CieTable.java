@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
 import sunbeam.precompute.files.Sha256;
 
 /**
@@ -89,7 +90,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
             }
         }
         return new CieTable(
-                weighted, integral(weighted), light.name() + ", observer " + observer.label, light.isSmooth());
+                weighted, integral(weighted, 1), light.name() + ", observer " + observer.label, light.isSmooth());
     }
 
     /** Returns the table for a light through a filter; {@link WavelengthBand#VISIBLE} filters nothing. */
@@ -118,24 +119,17 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
 
     /** Returns the shortest wavelength with light, in meters. */
     public double shortestWavelength() {
-        int first = 0;
-        while (isDark(first)) {
-            first++;
-        }
-        return MINIMUM_WAVELENGTH + Math.max(0, first - 1) * 1e-9;
+        return MINIMUM_WAVELENGTH + Math.max(0, lit().min().orElseThrow() - 1) * 1e-9;
     }
 
     /** Returns the longest wavelength with light, in meters. */
     public double longestWavelength() {
-        int last = weighted.length - 1;
-        while (isDark(last)) {
-            last--;
-        }
-        return MINIMUM_WAVELENGTH + Math.min(weighted.length - 1, last + 1) * 1e-9;
+        return MINIMUM_WAVELENGTH + Math.min(weighted.length - 1, lit().max().orElseThrow() + 1) * 1e-9;
     }
 
-    private boolean isDark(int index) {
-        return Arrays.stream(weighted[index]).allMatch(value -> value == 0);
+    private IntStream lit() {
+        return IntStream.range(0, weighted.length)
+                .filter(i -> Arrays.stream(weighted[i]).anyMatch(value -> value != 0));
     }
 
     /** Returns the SHA-256 of all values. */
@@ -161,22 +155,18 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return new CieTable(product, integralOfY, description, isSmooth);
     }
 
-    private static double integral(double[][] weighted) {
+    private static double integral(double[][] weighted, int channel) {
         double sum = 0;
         for (int i = 0; i + 1 < weighted.length; i++) {
-            sum += 0.5 * (weighted[i][1] + weighted[i + 1][1]);
+            sum += 0.5e-9 * (weighted[i][channel] + weighted[i + 1][channel]);
         }
-        return sum * 1e-9;
+        return sum;
     }
 
     /** Returns X, Y, Z of the light over the band; Y is 1 without a factor of {@link #times}. */
     public double[] white() {
-        double[] sums = new double[3];
-        for (int c = 0; c < 3; c++) {
-            for (int i = 0; i + 1 < weighted.length; i++) {
-                sums[c] += 0.5e-9 * (weighted[i][c] + weighted[i + 1][c]);
-            }
-        }
-        return new double[] {sums[0] / integralOfY, sums[1] / integralOfY, sums[2] / integralOfY};
+        return IntStream.range(0, 3)
+                .mapToDouble(c -> integral(weighted, c) / integralOfY)
+                .toArray();
     }
 }

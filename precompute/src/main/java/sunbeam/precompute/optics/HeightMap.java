@@ -2,6 +2,7 @@ package sunbeam.precompute.optics;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.function.DoubleUnaryOperator;
 import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.text.Text;
@@ -21,7 +22,7 @@ public final class HeightMap {
     private final double pitchX;
     private final double pitchY;
     private final double[] heights;
-    private Range range;
+    private volatile DoubleSummaryStatistics range;
     private String digest;
 
     /**
@@ -60,6 +61,16 @@ public final class HeightMap {
     /** Returns a map of the same grid that takes over an array of other heights. */
     public HeightMap with(double[] others) {
         return new HeightMap(columns, rows, pitchX, pitchY, others);
+    }
+
+    /** Returns a rectangle of this map. */
+    public HeightMap part(int firstColumn, int firstRow, int partColumns, int partRows) {
+        double[] part = new double[partColumns * partRows];
+        for (int row = 0; row < partRows; row++) {
+            int from = (firstRow + row) * columns + firstColumn;
+            System.arraycopy(heights, from, part, row * partColumns, partColumns);
+        }
+        return new HeightMap(partColumns, partRows, pitchX, pitchY, part);
     }
 
     public HeightMap map(DoubleUnaryOperator function) {
@@ -103,46 +114,27 @@ public final class HeightMap {
 
     /** Returns the lowest height in meters, ignoring missing samples; NaN when all are missing. */
     public double minimum() {
-        return range().low();
+        return range().getCount() == 0 ? Double.NaN : range().getMin();
     }
 
     public double maximum() {
-        return range().high();
+        return range().getCount() == 0 ? Double.NaN : range().getMax();
     }
 
     public double relief() {
-        return range().high() - range().low();
+        return maximum() - minimum();
     }
 
     /** True if no sample is missing. */
     public boolean isComplete() {
-        return range().complete();
+        return range().getCount() == heights.length;
     }
 
-    private record Range(double low, double high, boolean complete) {
-        static Range of(double[] heights) {
-            double low = Double.POSITIVE_INFINITY;
-            double high = Double.NEGATIVE_INFINITY;
-            boolean complete = true;
-            for (double height : heights) {
-                complete &= Double.isFinite(height);
-                // False for NaN.
-                if (height < low && height > Double.NEGATIVE_INFINITY) {
-                    low = height;
-                }
-                if (height > high && height < Double.POSITIVE_INFINITY) {
-                    high = height;
-                }
-            }
-            return low <= high ? new Range(low, high, complete) : new Range(Double.NaN, Double.NaN, complete);
-        }
-    }
-
-    /** Concurrent threads may compute it twice with the same result. */
-    private Range range() {
-        Range known = range;
+    /** Statistics of the samples that are not missing. Concurrent threads may compute them twice with the same result. */
+    private DoubleSummaryStatistics range() {
+        DoubleSummaryStatistics known = range;
         if (known == null) {
-            known = Range.of(heights);
+            known = Arrays.stream(heights).filter(Double::isFinite).summaryStatistics();
             range = known;
         }
         return known;

@@ -108,14 +108,11 @@ public record Crop(double left, double right, double bottom, double top) {
     /** Returns the cropped heights; throws as {@link #samples}. */
     public HeightMap apply(HeightMap field) {
         Samples samples = samples(field);
-        int columns = samples.endColumn - samples.firstColumn;
-        int rows = samples.endRow - samples.firstRow;
-        double[] heights = new double[columns * rows];
-        for (int row = 0; row < rows; row++) {
-            int from = (samples.firstRow + row) * field.columns() + samples.firstColumn;
-            System.arraycopy(field.heights(), from, heights, row * columns, columns);
-        }
-        return new HeightMap(columns, rows, field.pitchX(), field.pitchY(), heights);
+        return field.part(
+                samples.firstColumn,
+                samples.firstRow,
+                samples.endColumn - samples.firstColumn,
+                samples.endRow - samples.firstRow);
     }
 
     /** Index of the first sample whose center lies at or beyond a position from the lower left corner, meters. */

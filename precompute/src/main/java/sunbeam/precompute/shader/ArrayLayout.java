@@ -7,30 +7,17 @@ import sunbeam.precompute.text.Text;
  *
  * @param sampler name of the shader's sampler
  * @param layers 1 for a flat array
+ * @param layered whether the sampler is a {@code sampler2DArray}, else a {@code sampler2D}
  * @param channels floats per texel: 1, 2 or 4
+ * @param filtered whether the shader reads between texels, linearly; else it fetches single texels
  */
-public record ArrayLayout(String sampler, int width, int height, int layers, Kind kind, int channels, Reading reading) {
-
-    /** Type of the sampler. */
-    public enum Kind {
-        /** {@code sampler2D}, one layer. */
-        FLAT,
-        /** {@code sampler2DArray}. */
-        LAYERED
-    }
-
-    /** Filter between texels. */
-    public enum Reading {
-        /** None: single texels are fetched. */
-        TEXELS,
-        LINEAR
-    }
-
+public record ArrayLayout(
+        String sampler, int width, int height, int layers, boolean layered, int channels, boolean filtered) {
     public ArrayLayout {
-        if (width < 1 || height < 1 || layers < 1 || (kind == Kind.FLAT && layers != 1)) {
+        if (width < 1 || height < 1 || layers < 1 || (!layered && layers != 1)) {
             throw new IllegalArgumentException(Text.format(
-                    "array '%s' of %d x %d x %d, %s: each side must be at least 1, and FLAT needs 1 layer",
-                    sampler, width, height, layers, kind));
+                    "array '%s' of %d x %d x %d: each side must be at least 1, and a flat array needs 1 layer",
+                    sampler, width, height, layers));
         }
         if (channels != 1 && channels != 2 && channels != 4) {
             throw new IllegalArgumentException(
@@ -39,15 +26,15 @@ public record ArrayLayout(String sampler, int width, int height, int layers, Kin
     }
 
     public static ArrayLayout flat(String sampler, int width, int height, int channels) {
-        return new ArrayLayout(sampler, width, height, 1, Kind.FLAT, channels, Reading.TEXELS);
+        return new ArrayLayout(sampler, width, height, 1, false, channels, false);
     }
 
     public static ArrayLayout layered(String sampler, int width, int height, int layers, int channels) {
-        return new ArrayLayout(sampler, width, height, layers, Kind.LAYERED, channels, Reading.TEXELS);
+        return new ArrayLayout(sampler, width, height, layers, true, channels, false);
     }
 
     public ArrayLayout linear() {
-        return new ArrayLayout(sampler, width, height, layers, kind, channels, Reading.LINEAR);
+        return new ArrayLayout(sampler, width, height, layers, layered, channels, true);
     }
 
     public int floatsPerLayer() {

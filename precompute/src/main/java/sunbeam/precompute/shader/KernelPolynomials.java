@@ -74,10 +74,6 @@ public record KernelPolynomials(double[][] coefficients) {
         return sum;
     }
 
-    double coefficient(int tap, int power) {
-        return coefficients[tap][power];
-    }
-
     int taps() {
         return coefficients.length;
     }

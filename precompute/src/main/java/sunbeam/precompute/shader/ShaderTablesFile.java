@@ -36,7 +36,7 @@ import sunbeam.precompute.files.InputException;
  */
 public final class ShaderTablesFile {
     /** Part of every key. Raise it whenever the program changes the tables that it makes for a plan. */
-    public static final int VERSION = 19;
+    public static final int VERSION = 20;
 
     private static final long MAGIC = 0x53554e4245414d31L;
     private static final int PREFIX = Long.BYTES + 2 * Integer.BYTES;

@@ -47,7 +47,7 @@ class KernelPolynomialsTest {
     private static float inFloats(KernelPolynomials polynomials, int tap, float place) {
         float sum = 0;
         for (int power = polynomials.powers() - 1; power >= 0; power--) {
-            sum = sum * place + (float) polynomials.coefficient(tap, power);
+            sum = sum * place + (float) polynomials.coefficients()[tap][power];
         }
         return sum;
     }

@@ -158,9 +158,9 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         int count = rows.length;
         double least = CLOSEST * SIDE / count;
         double[] lines = new double[2 * count + 1];
-        lines[0] = rows[0].line(place);
+        lines[0] = rows[0].line()[place];
         for (int i = 1; i < count; i++) {
-            lines[i] = Math.max(rows[i].line(place), lines[i - 1] + least);
+            lines[i] = Math.max(rows[i].line()[place], lines[i - 1] + least);
         }
         lines[count] = lines[0] + SIDE;
         for (int i = count - 1; i > 0; i--) {
@@ -180,13 +180,14 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         double height = 0;
         if (cover > 0) {
             height += cover
-                    * (shape.top(strip.upper().phi(place), t) + strip.upper().lift(place));
+                    * (shape.top(FingerRow.at(strip.upper().phi(), place), t)
+                            + FingerRow.at(strip.upper().lift(), place));
         }
         if (cover < 1) {
             double placeBelow = place(x - layout.lean() * (down + strip.lengthBelow()));
             double notch = shape.notch(shape.length() * strip.length() - down);
-            double under = shape.under(strip.lower().phi(placeBelow), t)
-                    + strip.lower().lift(placeBelow);
+            double under = shape.under(FingerRow.at(strip.lower().phi(), placeBelow), t)
+                    + FingerRow.at(strip.lower().lift(), placeBelow);
             height += (1 - cover) * (under - notch);
         }
         return height;
@@ -196,8 +197,8 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     private double cover(FingerRow row, double place, double down, double length) {
         double margin = EDGE_MARGIN * shape.edgeWidth();
         double finger = shape.length() * length - 2 * margin;
-        double steepness = Math.hypot(1, finger * row.edgeSlope(place));
-        double distance = (down - margin - finger * row.edge(place)) / steepness;
+        double steepness = Math.hypot(1, finger * FingerRow.at(row.edgeSlope(), place));
+        double distance = (down - margin - finger * FingerRow.at(row.edge(), place)) / steepness;
         double z = distance / margin;
         if (Math.abs(z) >= 1) {
             return z > 0 ? 1 : 0;

@@ -49,7 +49,7 @@ record RowLayout(
             for (int i = 0; i < places; i++) {
                 line[i] += starts[row];
             }
-            placed[row] = new FingerRow(
+            placed[row] = FingerRow.of(
                     centers[row],
                     normals(centers[row].length, tipSpread, noise),
                     normals(centers[row].length, heightSpread, noise),
@@ -146,26 +146,29 @@ record RowLayout(
         return smooth;
     }
 
-    /** One row of a {@link FingerSkin}, tabulated along x over one period. A {@code place} is a fractional index into the tables. */
-    static final class FingerRow {
-        private final double[] line;
-        private final double[] phi;
-        private final double[] lift;
-        private final double[] edge;
-        private final double[] edgeSlope;
-
+    /**
+     * One row of a {@link FingerSkin}, tabulated along x over one period.
+     *
+     * @param line distance from the patch's top to the line through the tips, meters
+     * @param phi 0 on the ridge of a finger, 1 midway to its neighbor
+     * @param lift offset of the height, meters
+     * @param edge see {@link FingerShape#edge}
+     * @param edgeSlope absolute slope of the edge along x, per meter
+     */
+    record FingerRow(double[] line, double[] phi, double[] lift, double[] edge, double[] edgeSlope) {
         /**
          * @param centers x of each finger's ridge in meters, ascending within [0, side), at least two
          * @param tips distance of each tip below the row's line, meters
          * @param lifts random offset of the height of each finger, meters
-         * @param line distance from the patch's top to the row's line, meters, one per table entry
+         * @param rowLine distance from the patch's top to the row's line, meters, one per table entry
          */
-        FingerRow(double[] centers, double[] tips, double[] lifts, double[] line, double side, FingerShape shape) {
-            int size = line.length;
-            this.line = new double[size];
-            phi = new double[size];
-            lift = new double[size];
-            edge = new double[size];
+        static FingerRow of(
+                double[] centers, double[] tips, double[] lifts, double[] rowLine, double side, FingerShape shape) {
+            int size = rowLine.length;
+            double[] line = new double[size];
+            double[] phi = new double[size];
+            double[] lift = new double[size];
+            double[] edge = new double[size];
             int next = 0;
             for (int i = 0; i < size; i++) {
                 double x = i * side / size;
@@ -175,38 +178,16 @@ record RowLayout(
                 int left = Math.floorMod(next - 1, centers.length);
                 int right = next % centers.length;
                 double part = distance(centers[left], x, side) / distance(centers[left], centers[right], side);
-                this.line[i] = line[i] + (1 - part) * tips[left] + part * tips[right];
+                line[i] = rowLine[i] + (1 - part) * tips[left] + part * tips[right];
                 lift[i] = (1 - part) * lifts[left] + part * lifts[right];
                 phi[i] = part < 0.5 ? 2 * part : 2 - 2 * part;
                 edge[i] = shape.edge(phi[i]);
             }
-            edgeSlope = slope(edge, side);
+            return new FingerRow(line, phi, lift, edge, slope(edge, side));
         }
 
-        /** Returns the distance from the patch's top to the line through the tips, meters. */
-        double line(int place) {
-            return line[place];
-        }
-
-        /** Returns phi: 0 on the ridge of a finger, 1 midway to its neighbor. */
-        double phi(double place) {
-            return at(phi, place);
-        }
-
-        double lift(double place) {
-            return at(lift, place);
-        }
-
-        double edge(double place) {
-            return at(edge, place);
-        }
-
-        /** Absolute slope of {@link #edge} along x, per meter. */
-        double edgeSlope(double place) {
-            return at(edgeSlope, place);
-        }
-
-        private static double at(double[] table, double place) {
+        /** Returns a table's value at a fractional index. */
+        static double at(double[] table, double place) {
             int left = (int) place;
             double part = place - left;
             int size = table.length;
