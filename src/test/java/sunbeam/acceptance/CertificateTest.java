@@ -8,19 +8,12 @@ import org.junit.jupiter.api.Test;
 
 /** {@code --certify} on pictures that the real shaders draw. */
 final class CertificateTest extends InWorkplace {
-    /** Draws a map of odd size, which has a row of pixels at v = 0, where the grating's orders lie. */
-    private SunbeamResult map(String... options) throws Exception {
-        String[] common = {"brdf-map", "--patch", "blaze", "--size", "33", "--output", "map.png", "--certify", "40"};
-        String[] all = new String[common.length + options.length];
-        System.arraycopy(common, 0, all, 0, common.length);
-        System.arraycopy(options, 0, all, common.length, options.length);
-        return workplace.here(all);
-    }
+    // A map of odd size has a row of pixels at v = 0, where the grating's orders lie.
+    private static final String MAP = "brdf-map --patch blaze --size 33 --output map.png --certify 40 ";
 
     @Test
     void aPlannedPictureKeepsItsToleranceAndSaysSo() throws Exception {
-        SunbeamResult result = map("--tolerance", "1e-3");
-        assertThat(result.exitCode()).as(result::toString).isZero();
+        SunbeamResult result = workplace.succeedHere(MAP + "--tolerance 1e-3");
         assertThat(result.stdout()).contains("certificate: 40 random pixels");
         String png = Files.readString(workplace.resolve("map.png"), StandardCharsets.ISO_8859_1);
         assertThat(png).contains("Certificate").contains("relative error of XYZ median");
@@ -28,7 +21,7 @@ final class CertificateTest extends InWorkplace {
 
     @Test
     void aPictureFromOneTermMissesItsToleranceInOneLine() throws Exception {
-        SunbeamResult result = map("--expansion", "taylor", "--terms", "1");
+        SunbeamResult result = workplace.here(MAP + "--expansion taylor --terms 1");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
         assertThat(result.stderr().lines().filter(line -> line.contains("missed")))
                 .as(result::toString)
@@ -37,43 +30,30 @@ final class CertificateTest extends InWorkplace {
         assertThat(workplace.resolve("map.png")).exists();
     }
 
-    /** Evaluates rows in and beside the first orders of a grating of 2.5 um. */
-    private SunbeamResult reflectance(String... options) throws Exception {
-        Files.writeString(
-                workplace.resolve("in.csv"),
-                "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,12.7,0,550\n0,0,12.8,180,550\n0,0,0.1,90,500\n30,0,30,180,640\n",
-                StandardCharsets.UTF_8);
-        String[] common = {
-            "reflectance", "--patch", "sinusoid", "--directions", "in.csv", "--output", "out.csv", "--certify", "4"
-        };
-        String[] all = new String[common.length + options.length];
-        System.arraycopy(common, 0, all, 0, common.length);
-        System.arraycopy(options, 0, all, common.length, options.length);
-        return workplace.here(all);
+    private SunbeamResult reflectance(String rows, String options) throws Exception {
+        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r" + rows);
+        return workplace.here("reflectance --directions in.csv --output out.csv --certify 4 --patch " + options);
     }
 
+    /** Rows in and beside the first orders of a grating of 2.5 um. */
     @Test
     void aTableStatesTheErrorOfItsPowers() throws Exception {
-        SunbeamResult result = reflectance();
+        SunbeamResult result = reflectance(
+                ",wavelength\n0,0,12.7,0,550\n0,0,12.8,180,550\n0,0,0.1,90,500\n30,0,30,180,640\n", "sinusoid");
         assertThat(result.exitCode()).as(result::toString).isZero();
         assertThat(result.stdout()).contains("certificate: all 4 rows").contains("relative error of power");
     }
 
     @Test
     void darkDirectionsCertifyNothing() throws Exception {
-        Files.writeString(
-                workplace.resolve("dark.csv"),
-                "theta_i,phi_i,theta_r,phi_r\n0,0,40,45\n0,0,50,45\n",
-                StandardCharsets.UTF_8);
-        SunbeamResult result = workplace.here(
-                "reflectance", "--patch", "blaze", "--directions", "dark.csv", "--output", "out.csv", "--certify", "4");
+        SunbeamResult result = reflectance("\n0,0,40,45\n0,0,50,45\n", "blaze");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(3);
         assertThat(result.stderr()).contains("the tolerance is not certified");
     }
 
     @Test
     void aTableHasNoPowerOfWavelengthsAndSaysSoBeforeItLoads() throws Exception {
-        SunbeamResult result = reflectance("--method", "table");
+        SunbeamResult result = reflectance(",wavelength\n0,0,12.7,0,550\n", "sinusoid --method table");
         assertThat(result.exitCode()).as(result::toString).isEqualTo(2);
         assertThat(result.stderr())
                 .contains("--method table has colors, but no power")

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
@@ -12,17 +11,13 @@ import java.awt.image.DataBuffer;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Runs {@code compare} on photographs made of a scene's light with known exposure and noise. */
-class CompareTest {
+class CompareTest extends InOneWorkplace {
     private static final String SCENE = """
             {
               "mesh": "sphere",
@@ -46,25 +41,12 @@ class CompareTest {
 
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
 
-    @TempDir
-    static Path root;
-
-    private static Workplace workplace;
     private static NpyImage light;
 
     @BeforeAll
     static void draw() throws IOException {
-        workplace = Workplace.in(root);
         Files.writeString(workplace.resolve("scene.json"), SCENE);
-        workplace.succeedHere(
-                "render",
-                place("scene.json"),
-                "--size",
-                WIDTH + "x" + HEIGHT,
-                "--linear",
-                "scene.npy",
-                "--output",
-                "scene.png");
+        workplace.succeedHere("render scene.json --size 64x48 --linear scene.npy --output scene.png");
         light = NpyImage.read(workplace.resolve("scene.npy"), WIDTH);
     }
 
@@ -111,28 +93,15 @@ class CompareTest {
                 workplace.resolve(name).toFile());
     }
 
-    private static SunbeamResult start(String photo, String... more) throws IOException {
-        List<String> all = new ArrayList<>(
-                List.of("compare", place(photo), place("scene.json"), "--json", "--output", photo + "-compared.png"));
-        all.addAll(List.of(more));
-        return workplace.here(all.toArray(String[]::new));
-    }
-
-    private static String place(String name) {
-        return workplace.resolve(name).toString();
-    }
-
-    private static JsonNode compare(String photo, String... more) throws IOException {
-        SunbeamResult result = start(photo, more);
-        assertThat(result.exitCode()).as("%s", result).isZero();
-        return new ObjectMapper().readTree(result.stdout());
+    private static String command(String photo, String more) {
+        return "compare " + photo + " scene.json --json --output " + photo + "-compared.png" + more;
     }
 
     /** The only errors are rounding to 16 bits (1e-5 of light) and the matrix's four digits (1e-4). */
     @Test
     void theScenesOwnLightIsFoundAgain() throws IOException {
         photograph("clean.png", CompareTest::scene);
-        JsonNode report = compare("clean.png");
+        JsonNode report = workplace.json(command("clean.png", ""));
         assertThat(report.get("exposure").asDouble()).isCloseTo(EXPOSURE, within(2e-4 * EXPOSURE));
         assertThat(report.get("ciede2000_median").asDouble()).isLessThan(0.05);
         assertThat(report.get("luminance_correlation").asDouble()).isGreaterThan(0.9999);
@@ -147,7 +116,7 @@ class CompareTest {
     void noiseMovesTheExposureByItsOwnErrorAlone() throws IOException {
         Random random = new Random(1);
         photograph("noisy.png", (row, column, c) -> scene(row, column, c) + NOISE * random.nextGaussian());
-        JsonNode report = compare("noisy.png");
+        JsonNode report = workplace.json(command("noisy.png", ""));
         double squares = 0;
         for (int row = 0; row < HEIGHT; row++) {
             for (int column = WIDTH / 4; column < WIDTH; column++) {
@@ -169,7 +138,7 @@ class CompareTest {
     @Test
     void glintsThatTheSceneLacksDoNotDecideTheExposure() throws IOException {
         photograph("glints.png", (row, column, c) -> (7 * row + 3 * column) % 10 == 0 ? 0.95 : scene(row, column, c));
-        assertThat(compare("glints.png").get("exposure").asDouble()).isCloseTo(EXPOSURE, within(0.02 * EXPOSURE));
+        assertThat(workplace.json(command("glints.png", "")).get("exposure").asDouble()).isCloseTo(EXPOSURE, within(0.02 * EXPOSURE));
     }
 
     /**
@@ -178,23 +147,16 @@ class CompareTest {
      */
     @Test
     void aSphereDrawnByAnotherProgramIsTheScenes() throws IOException {
-        Path scene = Files.writeString(workplace.resolve("sphere.json"), """
+        Files.writeString(workplace.resolve("sphere.json"), """
                 { "mesh": "sphere", "patch": "elaphe-like", "texture": "none",
                   "camera": { "position": ["0 cm", "-80 cm", "56 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"], "fieldOfView": "13 deg" },
                   "light": { "direction": [0.3, -0.5, 0.8] },
                   "plan": { "method": "table", "coherenceLength": "8 um" },
                   "weights": { "diffraction": %s, "texture": 0 } }
                 """.formatted(17 * Math.pow(65 / 8.0, 2)));
-        SunbeamResult result = workplace.succeedHere(
-                "compare",
-                Sunbeam.repository()
-                        .resolve("src/test/resources/mitsuba-sphere.png")
-                        .toString(),
-                scene.toString(),
-                "--json",
-                "--output",
-                workplace.resolve("sphere.png").toString());
-        JsonNode report = new ObjectMapper().readTree(result.stdout());
+        JsonNode report = workplace.json(
+                "compare %s sphere.json --json --output sphere.png",
+                Sunbeam.repository().resolve("src/test/resources/mitsuba-sphere.png"));
         // Both tables have a tolerance of 0.01; Sunbeam takes four samples per pixel.
         assertThat(report.get("exposure").asDouble()).isCloseTo(1, within(0.02));
         // An error of 0.01 of light is at most 0.5 of lightness; most of the sphere is dark.
@@ -208,12 +170,10 @@ class CompareTest {
     void blackPicturesThatAgreeAreNoResult() throws IOException {
         String grating = SCENE.replace("blaze", "sinusoid")
                 .replace("\"diffraction\": 30, \"texture\": 0.6, \"ambient\": 0.3", "\"texture\": 0, \"ambient\": 0");
-        String scene =
-                Files.writeString(workplace.resolve("specks.json"), grating).toString();
-        String photo = place("specks.png");
-        workplace.here("render", scene, "--size", "160x120", "--tone", "clip", "--output", photo);
+        Files.writeString(workplace.resolve("specks.json"), grating);
+        workplace.here("render specks.json --size 160x120 --tone clip --output specks.png");
 
-        SunbeamResult result = workplace.here("compare", photo, scene, "--output", place("specks-compared.png"));
+        SunbeamResult result = workplace.here("compare specks.png specks.json --output specks-compared.png");
 
         assertThat(result.exitCode()).as("%s", result).isEqualTo(3);
         assertThat(result.stdout()).containsPattern("lit: [0-4](\\.\\d+)? % of \\d+ pixels");
@@ -225,17 +185,17 @@ class CompareTest {
         photograph("plain.png", CompareTest::scene);
         photograph("white.png", (row, column, c) -> 1);
         Complaint.assertThatIt(
-                start("plain.png", "--size", "40x40"),
+                workplace.here(command("plain.png", " --size 40x40")),
                 Complaint.USAGE,
                 "--size 40x40 has another ratio of sides than the photograph, 64x48; give 40x30");
         Complaint.assertThatIt(
-                start("plain.png", "--size", "80x60"),
+                workplace.here(command("plain.png", " --size 80x60")),
                 Complaint.USAGE,
                 "--size 80x60 is larger than the photograph, 64x48");
-        Complaint.assertThatIt(start("none.png"), Complaint.UNUSABLE_INPUT, "photograph none.png cannot be read");
-        Complaint.assertThatIt(start("white.png"), Complaint.UNUSABLE_INPUT, "clipped wherever the mesh is");
+        Complaint.assertThatIt(workplace.here(command("none.png", "")), Complaint.UNUSABLE_INPUT, "photograph none.png cannot be read");
+        Complaint.assertThatIt(workplace.here(command("white.png", "")), Complaint.UNUSABLE_INPUT, "clipped wherever the mesh is");
         assertThat(workplace.resolve("white.png-compared.png")).doesNotExist();
-        assertThat(compare("plain.png", "--size", "32x24").get("photograph").asText())
+        assertThat(workplace.json(command("plain.png", " --size 32x24")).get("photograph").asText())
                 .isEqualTo("plain.png, 64x48 reduced to 32x24");
         assertThat(ImageIO.read(workplace.resolve("plain.png-compared.png").toFile())
                         .getWidth())

@@ -5,10 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import sunbeam.precompute.errors.Comparison;
+import sunbeam.precompute.errors.ErrorStatistics;
 
-/** Comma-separated numbers under a header, read and written without the program's own code. */
+/** Comma-separated numbers under a header. */
 public record CsvFile(List<String> header, List<double[]> rows) {
 
     public static CsvFile read(Path file) throws IOException {
@@ -21,6 +25,14 @@ public record CsvFile(List<String> header, List<double[]> rows) {
                                 .mapToDouble(Double::parseDouble)
                                 .toArray())
                         .toList());
+    }
+
+    /** Returns rows of four angles, or of four angles and a wavelength in nanometers. */
+    public static CsvFile ofDirections(List<double[]> rows) {
+        return new CsvFile(
+                List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength")
+                        .subList(0, rows.get(0).length),
+                rows);
     }
 
     /** Returns the first rows. */
@@ -38,6 +50,25 @@ public record CsvFile(List<String> header, List<double[]> rows) {
         return this;
     }
 
+    /**
+     * Returns the errors of these rows: the largest difference of the columns relative to the largest exact value, where there is light.
+     *
+     * @param exact rows of the same directions
+     * @param nameInExact function from a column's name to its name there
+     */
+    public ErrorStatistics errors(CsvFile exact, UnaryOperator<String> nameInExact, String... columns) {
+        return Comparison.relative(IntStream.range(0, exact.size())
+                .mapToObj(row -> new Comparison(
+                        Stream.of(columns)
+                                .mapToDouble(column -> at(row, column))
+                                .toArray(),
+                        Stream.of(columns)
+                                .mapToDouble(column -> exact.at(row, nameInExact.apply(column)))
+                                .toArray(),
+                        1))
+                .toList());
+    }
+
     public int size() {
         return rows.size();
     }
@@ -48,5 +79,12 @@ public record CsvFile(List<String> header, List<double[]> rows) {
             throw new AssertionError("no column " + column + " among " + header);
         }
         return rows.get(row)[index];
+    }
+
+    /** Returns X, Y, Z of a row as relative radiance. */
+    public double[] radiance(int row) {
+        return Stream.of("X", "Y", "Z")
+                .mapToDouble(column -> at(row, "gain") * at(row, column))
+                .toArray();
     }
 }

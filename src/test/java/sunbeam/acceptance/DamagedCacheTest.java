@@ -9,21 +9,15 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** A damaged table in the cache is detected, reported in one line and made again, and the map is right. */
-class DamagedCacheTest {
-    @TempDir
-    static Path root;
-
-    private static Workplace workplace;
+class DamagedCacheTest extends InOneWorkplace {
     private static Path table;
     private static byte[] goodTable;
     private static byte[] goodMap;
 
     @BeforeAll
     static void makeATable() throws Exception {
-        workplace = Workplace.in(root);
         assertThat(map("first").complaints()).isEmpty();
         assertThat(workplace.tables()).hasSize(1);
         table = workplace.tables().get(0);
@@ -33,31 +27,28 @@ class DamagedCacheTest {
 
     @Test
     void aTruncatedTable() throws Exception {
-        Files.write(table, Arrays.copyOf(goodTable, goodTable.length / 2));
-
-        assertMadeAgain("truncated: " + goodTable.length / 2 + " bytes left of " + goodTable.length);
+        assertMadeAgain(
+                Arrays.copyOf(goodTable, goodTable.length / 2),
+                "truncated: " + goodTable.length / 2 + " bytes left of " + goodTable.length);
     }
 
     @Test
     void aTableWithAFlippedBit() throws Exception {
         byte[] flipped = goodTable.clone();
         flipped[flipped.length / 2] ^= 0x10;
-        Files.write(table, flipped);
-
-        assertMadeAgain("its checksum does not fit: the file was altered or damaged");
+        assertMadeAgain(flipped, "its checksum does not fit: the file was altered or damaged");
     }
 
     @Test
     void aTableOfAnotherVersion() throws Exception {
-        byte[] other = goodTable.clone();
-        // Overwrite the number after the signature of eight bytes.
-        ByteBuffer.wrap(other).putInt(8, 99);
-        Files.write(table, other);
-
-        assertMadeAgain("tables of version 99, this Sunbeam reads version ");
+        // The number after the signature of eight bytes.
+        byte[] other = ByteBuffer.wrap(goodTable.clone()).putInt(8, 99).array();
+        assertMadeAgain(other, "tables of version 99, this Sunbeam reads version ");
     }
 
-    private static void assertMadeAgain(String reason) throws Exception {
+    private static void assertMadeAgain(byte[] damaged, String reason) throws Exception {
+        Files.write(table, damaged);
+
         SunbeamResult result = map("again");
 
         assertThat(result.complaints())
@@ -70,8 +61,6 @@ class DamagedCacheTest {
     }
 
     private static SunbeamResult map(String name) throws IOException {
-        String commandLine =
-                "brdf-map --patch blaze --size 9 --force --output " + name + ".png --linear " + name + ".npy";
-        return workplace.succeedHere(commandLine.split(" ", -1));
+        return workplace.succeedHere("brdf-map --patch blaze --size 9 --force --output %s.png --linear %s.npy", name, name);
     }
 }

@@ -21,7 +21,7 @@ class EightAtOnceTest extends InWorkplace {
         try {
             for (int i = 0; i < PROGRAMS; i++) {
                 programs.add(workplace
-                        .command("brdf-map", "--patch", "lamellar", "--size", "16")
+                        .command("brdf-map --patch lamellar --size 16")
                         .start());
             }
             Set<String> outputs = new TreeSet<>();

@@ -5,37 +5,30 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.jhdf.HdfFile;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Exported arrays of colors and spectral bands hold the values of {@code reflectance}. */
-class ExportArrayTest extends InWorkplace {
+class ExportArrayTest extends InOneWorkplace {
     private static final String SURFACE = "--coherence-length 10um --theta-max 60";
     private static final String BANDS = "--channels spectral --bands 5 --wavelengths 500nm..600nm --tolerance 0.01 ";
 
-    @TempDir
-    static Path once;
-
-    private static Workplace made;
-
     @BeforeAll
     static void export() throws IOException {
-        made = Workplace.in(once);
-        made.succeedHere(words("export blaze --format npz --output bands.npz --samples 2 " + BANDS + SURFACE));
-        made.succeedHere(words("export blaze --format npz --output a.npz --samples 0 --illuminant A " + SURFACE));
+        workplace.succeedHere("export blaze --format npz --output bands.npz --samples 2 " + BANDS + SURFACE);
+        workplace.succeedHere("export blaze --format npz --output a.npz --samples 0 --illuminant A " + SURFACE);
     }
 
     private record Place(int slice, int row, int column) {}
 
     @Test
     void aBandHoldsTheMeanOfPowerUnderItsTriangle() throws Exception {
-        workplace = made;
         NpzFile file = NpzFile.read(workplace.resolve("bands.npz"));
         assertThat(file.metadata().get("wavelengths_m").toString()).isEqualTo("[5.0E-7,5.25E-7,5.5E-7,5.75E-7,6.0E-7]");
         assertThat(file.channels()).isEqualTo(5);
@@ -83,30 +76,28 @@ class ExportArrayTest extends InWorkplace {
         // Light and view are symmetric about the half vector.
         double half = Math.sqrt(u * u + v * v + w * w) / 2;
         double aside = Math.sqrt(Math.max(0, 1 - half * half)) / Math.hypot(u, v);
-        String light = angles(-u / 2 + aside * v, -v / 2 - aside * u, -w / 2);
-        String view = angles(-u / 2 - aside * v, -v / 2 + aside * u, -w / 2);
-        StringBuilder rows = new StringBuilder("theta_i,phi_i,theta_r,phi_r,wavelength\n");
+        double[] light = angles(-u / 2 + aside * v, -v / 2 - aside * u, -w / 2);
+        double[] view = angles(-u / 2 - aside * v, -v / 2 + aside * u, -w / 2);
+        List<double[]> rows = new ArrayList<>();
         for (int nanometers = first; nanometers <= last; nanometers++) {
-            rows.append(light + "," + view + "," + nanometers + "\n");
+            rows.add(new double[] {light[0], light[1], view[0], view[1], nanometers});
         }
-        Files.writeString(workplace.resolve("in.csv"), rows);
-        workplace.succeedHere(words("reflectance --patch blaze --average ensemble --directions in.csv --output out.csv"
-                + " --force --coherence-length 10um"));
-        List<String> lines = Files.readAllLines(workplace.resolve("out.csv"));
-        int column = List.of(lines.get(0).split(",", -1)).indexOf("power");
-        return lines.stream()
-                .skip(1)
-                .mapToDouble(line -> Double.parseDouble(line.split(",", -1)[column]))
+        CsvFile powers = workplace.reflectance(
+                "blaze",
+                CsvFile.ofDirections(rows),
+                "--average ensemble --coherence-length 10um");
+        return IntStream.range(0, powers.size())
+                .mapToDouble(row -> powers.at(row, "power"))
                 .toArray();
     }
 
-    private static String angles(double x, double y, double z) {
-        return Math.toDegrees(Math.acos(z)) + "," + Math.toDegrees(Math.atan2(y, x));
+    private static double[] angles(double x, double y, double z) {
+        return new double[] {Math.toDegrees(Math.acos(z)), Math.toDegrees(Math.atan2(y, x))};
     }
 
     @Test
     void aTableIsUnderItsLight() throws IOException {
-        NpzFile file = NpzFile.read(made.resolve("a.npz"));
+        NpzFile file = NpzFile.read(workplace.resolve("a.npz"));
         assertThat(file.metadata().get("illuminant").asText()).isEqualTo("A");
         double[] mirror = new double[3];
         for (int c = 0; c < 3; c++) {
@@ -129,10 +120,10 @@ class ExportArrayTest extends InWorkplace {
                 .stripTrailing()
                 .stripIndent();
 
-        OtherPrograms.python(made.folder(), "-c", lines.replace("colors.", "bands."));
+        OtherPrograms.python(workplace.folder(), "-c", lines.replace("colors.", "bands."));
 
-        NpzFile archive = NpzFile.read(made.resolve("bands.npz"));
-        try (HdfFile file = new HdfFile(made.resolve("bands.h5"))) {
+        NpzFile archive = NpzFile.read(workplace.resolve("bands.npz"));
+        try (HdfFile file = new HdfFile(workplace.resolve("bands.h5"))) {
             float[][][][] colors = (float[][][][]) file.getDatasetByPath("C").getData();
             assertThat(colors[1][2][3][4]).isEqualTo(archive.color(1, 2, 3, 4));
             assertThat(colors[0][0][0]).hasSize(5);
@@ -142,32 +133,21 @@ class ExportArrayTest extends InWorkplace {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "export blaze --format npz --output b.h5 | --output",
-                "export blaze --format hdf5 --output b.h5 | hdf5",
-                "export blaze --format npz --output b.npz --channels spectral --bands 500 | --bands 500",
-                "export blaze --format npz --output b.npz --channels spectral --illuminant A | --illuminant",
-                "export blaze --format npz --output b.npz --bands 20 | --bands",
-                "export blaze --format npz --output b.npz --channels spectral --wavelengths 532nm | --bands",
-                "export blaze --format osl --output b --bands 20 | --bands"
-            })
-    void whatAnArrayCannotHoldIsToldInALine(String commandLine, String named) throws Exception {
-        Complaint.assertThatIt(workplace.here(words(commandLine)), Complaint.USAGE, named);
-        assertThat(workplace.files()).isEmpty();
+    @CsvSource({"npz, 1B, --size 1 B", "html, 1kB, --size 1.0 kB", "bsdf, 10kB, --size"})
+    void aSizeThatHoldsNoTableIsToldInALine(String format, String size, String named) throws Exception {
+        Complaint.assertThatIt(
+                workplace.here("export blaze --format %s --output none.%s --size %s", format, format, size),
+                Complaint.USAGE,
+                named);
+        assertThat(workplace.resolve("none." + format)).doesNotExist();
     }
 
     @Test
     void aDiskWithoutRoomIsToldBeforeTheWork() throws Exception {
         assertThat(workplace
-                        .here(words("export none.gwy --format npz --output b.npz --size 9000TB"))
+                        .here("export none.gwy --format npz --output none.npz --size 9000TB")
                         .stderr())
                 .contains("9000.0 TB", "are free");
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    private static String[] words(String commandLine) {
-        return commandLine.split(" ", -1);
+        assertThat(workplace.resolve("none.npz")).doesNotExist();
     }
 }

@@ -2,10 +2,9 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 /** Reads an exported tensor file in Mitsuba. */
 class ExportMaterialTest extends InWorkplace {
@@ -15,23 +14,23 @@ class ExportMaterialTest extends InWorkplace {
     @Test
     void mitsubaReflectsWhatReflectanceSays() throws Exception {
         OtherPrograms.requireMitsuba();
-        SunbeamResult made = workplace.here(words("export blaze --output b.bsdf " + SMALL));
+        SunbeamResult made = workplace.here("export blaze --output b.bsdf " + SMALL);
         String length = made.stdout().replaceAll("(?s).*coherence length ([0-9.]+) um .*", "$1");
-        StringBuilder rows = new StringBuilder("theta_i,phi_i,theta_r,phi_r,wavelength\n");
+        List<double[]> rows = new ArrayList<>();
         for (int i = 0; i < 60; i++) {
             // Around the plane of the orders.
-            rows.append(i + "," + 7 * i % 20 + "," + 11 * i % 60 + "," + (i % 2 == 0 ? 180 : 5) + "," + (450 + 3 * i)
-                    + "\n");
+            rows.add(new double[] {i, 7 * i % 20, 11 * i % 60, i % 2 == 0 ? 180 : 5, 450 + 3 * i});
         }
-        Files.writeString(workplace.resolve("in.csv"), rows);
-        workplace.succeedHere(words("reflectance --patch blaze --average ensemble --directions in.csv --output out.csv"
-                + " --coherence-length " + length + "um"));
+        workplace.reflectance(
+                "blaze",
+                CsvFile.ofDirections(rows),
+                "--average ensemble --coherence-length " + length + "um");
 
         String said = OtherPrograms.python(workplace.folder(), "-c", """
                 import csv, numpy as np, mitsuba as mi
                 mi.set_variant('llvm_ad_spectral')
                 bsdf = mi.load_dict({'type': 'measured', 'filename': 'b.bsdf'})
-                rows = list(csv.DictReader(open('out.csv')))
+                rows = list(csv.DictReader(open('reflectance.csv')))
                 col = {n: np.array([float(r[n]) for r in rows]) for n in rows[0]}
                 def vector(t, p):
                     t, p = np.radians(col[t]), np.radians(col[p])
@@ -47,23 +46,5 @@ class ExportMaterialTest extends InWorkplace {
         // Median error of a file of 12 MB.
         assertThat(Double.parseDouble(said.strip())).isLessThan(0.25);
         assertThat(made.stdout()).contains("error of power as it is read");
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "export blaze --format bsdf --output b.brdf | --output",
-                "export blaze --format bsdf --output b.bsdf --channels xyz | --channels",
-                "export blaze --format bsdf --output b.bsdf --illuminant A | --illuminant",
-                "export blaze --format bsdf --output b.bsdf --size 10kB | --size"
-            })
-    void whatAMaterialCannotHoldIsToldInALine(String commandLine, String named) throws Exception {
-        Complaint.assertThatIt(workplace.here(words(commandLine)), Complaint.USAGE, named);
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    private static String[] words(String commandLine) {
-        return commandLine.split(" ", -1);
     }
 }

@@ -12,30 +12,23 @@ import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Materials for Mitsuba and Cycles made of exported tables. */
-class ExportRendererTest {
+class ExportRendererTest extends InOneWorkplace {
     private static final String SURFACE = "--samples 0 --coherence-length 16um";
-
-    @TempDir
-    static Path once;
-
-    private static Workplace workplace;
 
     @BeforeAll
     static void export() throws IOException {
-        workplace = Workplace.in(once);
-        workplace.succeedHere(words("export blaze --format osl --output osl --size 5MB " + SURFACE));
+        workplace.succeedHere("export blaze --format osl --output osl --size 5MB " + SURFACE);
     }
 
     /** The script fails if samples do not have their density (level 0.01), light is lost, or NumPy reads other colors. */
     @Test
     void mitsubaDrawsDirectionsFromTheTable() throws Exception {
         OtherPrograms.requireMitsuba();
-        workplace.succeedHere(words("export blaze --format npz --output b.npz --samples 0 --size 5MB"));
+        workplace.succeedHere("export blaze --format npz --output b.npz --samples 0 --size 5MB");
 
-        assertThat(OtherPrograms.python(workplace.folder(), example("mitsuba_bsdf.py"), "b.npz"))
+        assertThat(OtherPrograms.python(workplace.folder(), Sunbeam.example("mitsuba_bsdf.py"), "b.npz"))
                 .containsPattern("5 degrees: chi-square p 0\\.\\d+; white furnace");
     }
 
@@ -56,7 +49,7 @@ class ExportRendererTest {
         OtherPrograms.requirePython("bpy");
 
         String said = OtherPrograms.python(
-                workplace.folder(), example("blender_material.py"), "osl", "spheres.png", "48", "64");
+                workplace.folder(), Sunbeam.example("blender_material.py"), "osl", "spheres.png", "48", "64");
 
         Matcher light =
                 Pattern.compile("drawn ([0-9.e-]+), as a color ([0-9.e-]+)").matcher(said);
@@ -67,13 +60,5 @@ class ExportRendererTest {
         assertThat(Double.parseDouble(light.group(1))).isCloseTo(color, Offset.offset(0.2 * color));
         assertThat(ImageIO.read(workplace.resolve("spheres.png").toFile()).getWidth())
                 .isEqualTo(2 * 48);
-    }
-
-    private static String example(String name) {
-        return Sunbeam.repository().resolve("docs/examples/" + name).toString();
-    }
-
-    private static String[] words(String commandLine) {
-        return commandLine.split(" ", -1);
     }
 }

@@ -12,44 +12,33 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.zip.ZipFile;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.color.CieLab;
-import sunbeam.precompute.color.Srgb;
 
 /** Exported tables, read by other programs, hold the values of {@code reflectance}. */
-class ExportTest extends InWorkplace {
+class ExportTest extends InOneWorkplace {
     private static final String SURFACE = "--coherence-length 16um";
-
-    /** Folder with one export of each format, which several tests read. */
-    @TempDir
-    static Path once;
-
-    private static Workplace made;
 
     @BeforeAll
     static void export() throws IOException {
-        made = Workplace.in(once);
-        made.succeedHere(words("export blaze --format npz --output b.npz --samples 4 --tolerance 0.01 " + SURFACE));
-        made.succeedHere(words("export blaze --format html --output b.html --samples 0 " + SURFACE));
-        made.succeedHere(words("export blaze --format glsl --output b --samples 0 " + SURFACE));
+        workplace.succeedHere("export blaze --format npz --output b.npz --samples 4 --tolerance 0.01 " + SURFACE);
+        workplace.succeedHere("export blaze --format html --output b.html --samples 0 " + SURFACE);
+        workplace.succeedHere("export blaze --format glsl --output b --samples 0 " + SURFACE);
     }
 
     @Test
     void anArchiveSaysWhatItHoldsAndHowFarItIsFromTheReference() throws Exception {
-        workplace = made;
 
-        JsonNode metadata = archived("b.npz");
+        JsonNode metadata = NpzFile.read(workplace.resolve("b.npz")).metadata();
         assertThat(metadata.path("patch").asText()).isEqualTo("blaze");
         assertThat(metadata.path("coherence_length_m").asDouble()).isCloseTo(16e-6, offset());
         assertThat(metadata.path("power_scale").asDouble()).isEqualTo(1);
@@ -62,75 +51,41 @@ class ExportTest extends InWorkplace {
     @Test
     void numPyReadsTheColorsThatReflectanceTells() throws Exception {
         OtherPrograms.requirePython("numpy");
-        workplace = made;
-        StringBuilder rows = new StringBuilder("theta_i,phi_i,theta_r,phi_r\n");
-        for (int i = 0; i < 24; i++) {
-            rows.append(3 * i + ",0," + 2 * i + ",178\n");
-        }
-        Files.writeString(workplace.resolve("in.csv"), rows);
-        workplace.succeedHere(
-                words("reflectance --patch blaze --average ensemble --directions in.csv --output out.csv " + SURFACE));
+        List<double[]> rows = IntStream.range(0, 24)
+                .mapToObj(i -> new double[] {3 * i, 0, 2 * i, 178})
+                .toList();
+        workplace.reflectance("blaze", CsvFile.ofDirections(rows), "--average ensemble " + SURFACE);
 
-        String said = OtherPrograms.python(workplace.folder(), example("read_export.py"), "b.npz", "out.csv");
+        String said = OtherPrograms.python(workplace.folder(), Sunbeam.example("read_export.py"), "b.npz", "reflectance.csv");
 
         assertThat(Double.parseDouble(said.replaceAll("median ([^,]*),.*\\s*", "$1")))
                 .isBetween(0.0, 0.01);
     }
 
-    private static String example(String name) {
-        return Sunbeam.repository().resolve("docs/examples/" + name).toString();
-    }
-
     @Test
     void aSizeMakesOrdersWiderAndTheirMeanLower() throws Exception {
-        workplace.succeedHere(words("export blaze --format npz --output b.npz --samples 0 --size 2MB"));
+        workplace.succeedHere("export blaze --format npz --output small.npz --samples 0 --size 2MB");
 
-        JsonNode metadata = archived("b.npz");
+        JsonNode metadata = NpzFile.read(workplace.resolve("small.npz")).metadata();
         double length = metadata.path("coherence_length_m").asDouble();
         assertThat(length).isLessThan(65e-6);
         assertThat(metadata.path("power_scale").asDouble()).isCloseTo(Math.pow(length / 65e-6, 2), offset());
-        assertThat(Files.size(workplace.resolve("b.npz"))).isLessThan(2_000_000);
+        assertThat(Files.size(workplace.resolve("small.npz"))).isLessThan(2_000_000);
     }
 
     private static Offset<Double> offset() {
         return Offset.offset(1e-9);
     }
 
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "export blaze --format npz --output b.csv | --output",
-                "export blaze --format npz --output b.npz --size 1B | --size 1 B",
-                "export blaze --format npz --output b.npz --size many | --size",
-                "export blaze --format npz --output b.npz --theta-max 91 | --theta-max",
-                "export blaze --format tiff --output b.npz | --format",
-                "export blaze --format npz --output b.npz --channels rgb | --channels",
-                "export blaze --format html --output b.html --channels rec709 | --channels",
-                "export blaze --format html --output b.html --size 1kB | --size 1.0 kB"
-            })
-    void whatCannotBeIsToldInALine(String commandLine, String named) throws Exception {
-        Complaint.assertThatIt(workplace.here(words(commandLine)), Complaint.USAGE, named);
-        assertThat(workplace.files()).isEmpty();
-    }
-
-    @Test
-    void aFileThatExistsStays() throws Exception {
-        Files.writeString(workplace.resolve("b.npz"), "mine");
-
-        Complaint.assertThatItExists(workplace.here(words("export none.gwy --format npz --output b.npz")), "b.npz");
-        assertThat(workplace.resolve("b.npz")).hasContent("mine");
-    }
-
     @Test
     void aPageDrawsTheMapThatBrdfMapDraws() throws Exception {
         OtherPrograms.requireChromium();
-        workplace = made;
         String page = Files.readString(workplace.resolve("b.html"));
         JsonNode table = new ObjectMapper().readTree(between(page, "id=\"table\">", "</script>"));
         workplace.succeedHere(
-                words("brdf-map --patch blaze --theta-i 30 --size 400 --tolerance 0.01 --no-annotate --output map.png"
-                        + " --exposure " + table.path("exposure").asText() + " --coherence-length 16um"));
+                "brdf-map --patch blaze --theta-i 30 --size 400 --tolerance 0.01 --no-annotate --output map.png"
+                        + " --exposure %s --coherence-length 16um",
+                table.path("exposure").asText());
 
         OtherPrograms.chromium(
                 workplace.folder(), "--window-size=800,400", "--screenshot=page.png", url("b.html#bare&theta=30"));
@@ -150,18 +105,14 @@ class ExportTest extends InWorkplace {
     @Test
     void aNarrowScreenStacksThePictures() throws Exception {
         OtherPrograms.requireChromium();
-        workplace = made;
 
         assertThat(OtherPrograms.chromium(workplace.folder(), "--window-size=520,900", "--dump-dom", url("b.html")))
                 .contains("<span id=\"first\">Above</span>", "role=\"img\"");
-        assertThat(OtherPrograms.chromium(workplace.folder(), "--window-size=1000,700", "--dump-dom", url("b.html")))
-                .contains("<span id=\"first\">Left</span>");
     }
 
     @Test
     void aBrowserWithoutWebGlIsToldSo() throws Exception {
         OtherPrograms.requireChromium();
-        workplace = made;
 
         assertThat(OtherPrograms.chromium(workplace.folder(), "--disable-3d-apis", "--dump-dom", url("b.html")))
                 .contains("has no WebGL 2");
@@ -170,11 +121,11 @@ class ExportTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource({"glsl, vec3 sunbeam(vec3 wi", "hlsl, float3 sunbeam(Texture2DArray", "wgsl, fn sunbeam(sunbeamTable"})
     void aFolderForEnginesHasTheFunctionInEachLanguage(String ending, String declaration) {
-        assertThat(made.resolve("b/sunbeam." + ending))
+        assertThat(workplace.resolve("b/sunbeam." + ending))
                 .content()
                 .contains(declaration)
                 .doesNotContainPattern("@[A-Z_]+@");
-        assertThat(made.resolve("b/sunbeam.md"))
+        assertThat(workplace.resolve("b/sunbeam.md"))
                 .content()
                 .contains("sunbeam." + ending)
                 .doesNotContainPattern("@[A-Z_]+@");
@@ -183,7 +134,6 @@ class ExportTest extends InWorkplace {
     /** Reads KTX 2.0 by its specification: a coarser level is the mean of the finest. */
     @Test
     void aTextureHasLevelsOfWiderOrders() throws Exception {
-        workplace = made;
 
         assertThat(workplace.resolve("b")).isDirectoryContaining("glob:**/sunbeam.glsl");
         ByteBuffer file = ByteBuffer.wrap(Files.readAllBytes(workplace.resolve("b/sunbeam.ktx2")))
@@ -196,8 +146,7 @@ class ExportTest extends InWorkplace {
         for (int c = 0; c < 3; c++) {
             assertThat(coarser[c]).isCloseTo(finest[c], Offset.offset(0.02 * finest[c]));
         }
-        JsonNode metadata =
-                new ObjectMapper().readTree(workplace.resolve("b/sunbeam.json").toFile());
+        JsonNode metadata = workplace.readJson("b/sunbeam.json");
         assertThat(metadata.path("axes").path(2).path("count").asInt()).isEqualTo(file.getInt(20));
         assertThat(metadata.path("error")
                         .path("beside_sums_over_wavelengths")
@@ -224,7 +173,6 @@ class ExportTest extends InWorkplace {
     @Test
     void openExrReadsTheSlices() throws Exception {
         OtherPrograms.requirePython("OpenEXR");
-        workplace = made;
 
         String said = OtherPrograms.python(
                 workplace.folder(),
@@ -232,9 +180,7 @@ class ExportTest extends InWorkplace {
                 "import OpenEXR; part = OpenEXR.File('b/sunbeam.exr').parts[0];"
                         + " pixels = part.channels['RGB'].pixels; print(*pixels.shape, pixels.max())");
 
-        JsonNode axes = new ObjectMapper()
-                .readTree(workplace.resolve("b/sunbeam.json").toFile())
-                .path("axes");
+        JsonNode axes = workplace.readJson("b/sunbeam.json").path("axes");
         String[] shape = said.strip().split(" ", -1);
         assertThat(Integer.parseInt(shape[0]))
                 .isEqualTo(axes.path(0).path("count").asInt()
@@ -248,7 +194,7 @@ class ExportTest extends InWorkplace {
     void openExrReadsALinearMapAsNumPyDoes() throws Exception {
         OtherPrograms.requirePython("OpenEXR, numpy");
         for (String file : List.of("map.exr", "map.npy")) {
-            workplace.here(words("brdf-map --patch blaze --size 33 --force --output map.png --linear " + file));
+            workplace.here("brdf-map --patch blaze --size 33 --force --output map.png --linear " + file);
         }
 
         String said = OtherPrograms.python(
@@ -268,7 +214,6 @@ class ExportTest extends InWorkplace {
     @Test
     void aPageUsesTheFunctionAndTheTexture() throws Exception {
         OtherPrograms.requireChromium();
-        workplace = made;
         HttpServer server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
         server.createContext("/", exchange -> {
             byte[] bytes = Files.readAllBytes(
@@ -297,16 +242,6 @@ class ExportTest extends InWorkplace {
         assertThat(colored).as("colored places along the orders").isBetween(10, 500);
     }
 
-    @Test
-    void aFolderWithFilesOfItsKindStays() throws Exception {
-        Files.createDirectory(workplace.resolve("b"));
-        Files.writeString(workplace.resolve("b/sunbeam.exr"), "mine");
-
-        Complaint.assertThatItExists(
-                workplace.here(words("export none.gwy --format glsl --output b")), "b/sunbeam.exr");
-        assertThat(workplace.resolve("b/sunbeam.exr")).hasContent("mine");
-    }
-
     private static String between(String text, String before, String after) {
         int from = text.indexOf(before) + before.length();
         return text.substring(from, text.indexOf(after, from));
@@ -319,9 +254,9 @@ class ExportTest extends InWorkplace {
         List<Double> differences = new ArrayList<>();
         for (int y = 0; y < one.getHeight(); y++) {
             for (int x = 0; x < one.getWidth(); x++) {
-                CieLab lab = lab(one.getRGB(x, y));
+                CieLab lab = CieLab.ofSrgb(one.getRGB(x, y));
                 if (lab.lightness() > 1) {
-                    differences.add(lab.difference(lab(other.getRGB(x, y))));
+                    differences.add(lab.difference(CieLab.ofSrgb(other.getRGB(x, y))));
                 }
             }
         }
@@ -329,22 +264,7 @@ class ExportTest extends InWorkplace {
         return differences;
     }
 
-    private static CieLab lab(int rgb) {
-        double[] xyz = Srgb.xyz(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
-        return CieLab.ofXyz(xyz[0], xyz[1], xyz[2]);
-    }
-
     private String url(String name) {
         return workplace.folder().toUri() + name;
-    }
-
-    private static String[] words(String commandLine) {
-        return commandLine.split(" ", -1);
-    }
-
-    private JsonNode archived(String name) throws IOException {
-        try (ZipFile zip = new ZipFile(workplace.resolve(name).toFile())) {
-            return new ObjectMapper().readTree(zip.getInputStream(zip.getEntry("metadata.json")));
-        }
     }
 }

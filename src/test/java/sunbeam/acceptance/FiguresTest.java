@@ -3,37 +3,20 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Compares figures drawn by the manifest's commands with exact values. */
-class FiguresTest {
-    private static final double LEAST_POWER = 1e-9;
+class FiguresTest extends InOneWorkplace {
     private static final int ANGLES = 501;
-
-    @TempDir
-    static Path root;
-
-    private static Workplace workplace;
-
-    @BeforeAll
-    static void layOut() throws Exception {
-        workplace = Workplace.in(root);
-    }
 
     @Test
     void fiveChecksOfTheThesissClaimsAgree() throws Exception {
         String verdicts = workplace
-                .succeedHere("figures", "--output", "agree", "--size", "48", "--only", "2.8,3.1,4.5,5.4,5.10")
+                .succeedHere("figures --output agree --size 48 --only 2.8,3.1,4.5,5.4,5.10")
                 .stdout();
 
         assertThat(verdicts)
@@ -48,28 +31,15 @@ class FiguresTest {
     /** A symmetric wave has no bright side, unlike a blaze. */
     @Test
     void aSurfaceThatIsNoBlazeFailsTheCheckOfBlaze() throws Exception {
-        BufferedImage wave = new BufferedImage(100, 100, BufferedImage.TYPE_BYTE_GRAY);
-        for (int i = 0; i < 10_000; i++) {
-            int height = (int) Math.round(127.5 * (1 + Math.sin(2 * Math.PI * (i % 100) / 100)));
-            wave.getRaster().setSample(i % 100, i / 100, 0, height);
-        }
         Path patches = Files.createDirectory(workplace.resolve("waves"));
-        ImageIO.write(wave, "png", patches.resolve("wave.png").toFile());
+        Images.gray(patches.resolve("wave.png"), 100, 100, (column, row) ->
+                (int) Math.round(127.5 * (1 + Math.sin(2 * Math.PI * column / 100))));
         Files.writeString(
                 patches.resolve("blaze.json"),
                 "{\"heights\": \"wave.png\", \"width\": \"2.5 um\", \"maxHeight\": \"200 nm\"}");
 
         String verdicts = workplace
-                .succeedHere(
-                        "figures",
-                        "--output",
-                        "differ",
-                        "--patches",
-                        patches.toString(),
-                        "--size",
-                        "48",
-                        "--only",
-                        "5.4")
+                .succeedHere("figures --output differ --patches waves --size 48 --only 5.4")
                 .stdout();
 
         assertThat(verdicts).contains("5.4 differs: share of light on the left: blaze-full 0.5");
@@ -101,12 +71,11 @@ class FiguresTest {
     }
 
     private static CsvFile response(int replicas) throws Exception {
-        String options =
-                "--patch lamellar --method pq --theta-i 0 --azimuth 0 --wavelengths 500:500:1 --angles -25:25:0.1";
-        List<String> words = new ArrayList<>(List.of(options.split(" ", -1)));
-        words.addAll(List.of("--replicas", Integer.toString(replicas), "--output", "q" + replicas));
-        words.add(0, "evaluate");
-        workplace.succeedHere(words.toArray(String[]::new));
+        workplace.succeedHere(
+                "evaluate --patch lamellar --method pq --theta-i 0 --azimuth 0 --wavelengths 500:500:1"
+                        + " --angles -25:25:0.1 --replicas %s --output q%s",
+                replicas,
+                replicas);
         return CsvFile.read(workplace.resolve("q" + replicas + ".csv"));
     }
 
@@ -115,9 +84,9 @@ class FiguresTest {
     void elevenTaylorTermsAreTooFewForElapheAndFortyEnough() throws Exception {
         // The phase is up to 6.2 at 380 nm: x^11 / 11! is 13, x^40 / 40! 6e-16; float32 leaves 1e-5 of a sum of such
         // terms.
-        assertThat(error(0.95, "power", "power", "elaphe", "--expansion", "taylor", "--terms", "11"))
+        assertThat(error("power", "elaphe", "--expansion taylor --terms 11", "power"))
                 .isGreaterThan(5e-3);
-        assertThat(error(0.95, "power", "power", "elaphe", "--expansion", "taylor", "--terms", "40"))
+        assertThat(error("power", "elaphe", "--expansion taylor --terms 40", "power"))
                 .isLessThan(1e-3);
     }
 
@@ -125,21 +94,17 @@ class FiguresTest {
     @Test
     void stepsOfTenNanometersMissOrdersOfBlazeAndOfOneDoNot() throws Exception {
         // 0.045 measured.
-        assertThat(error(0.95, "xyz", "Y", "blaze", "--wavelength-step", "10nm"))
+        assertThat(error("xyz", "blaze", "--wavelength-step 10nm", "Y"))
                 .isGreaterThan(0.02);
-        assertThat(error(0.95, "xyz", "Y", "blaze", "--wavelength-step", "1nm")).isLessThan(1e-3);
+        assertThat(error("xyz", "blaze", "--wavelength-step 1nm", "Y")).isLessThan(1e-3);
     }
 
-    /** Returns a quantile of the relative errors of bright rows. */
-    private static double error(double quantile, String kind, String column, String patch, String... options)
-            throws Exception {
+    /** Returns the 95th percentile of the relative errors of bright rows. */
+    private static double error(String kind, String patch, String options, String column) throws Exception {
         CsvFile exact = SharedData.reference(kind, patch);
-        CsvFile ours = Reflectance.of(workplace, SharedData.patch(patch).toString(), exact, options);
-        double[] errors = IntStream.range(0, exact.size())
-                .filter(row -> exact.at(row, column) > LEAST_POWER)
-                .mapToDouble(row -> Math.abs(ours.at(row, column) / exact.at(row, column) - 1))
-                .sorted()
-                .toArray();
-        return errors[(int) (quantile * (errors.length - 1))];
+        return workplace
+                .reflectance(SharedData.patch(patch), exact, options)
+                .errors(exact, name -> name, column)
+                .percentile95();
     }
 }

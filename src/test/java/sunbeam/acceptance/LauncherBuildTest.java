@@ -8,26 +8,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The launcher's build and its failures. */
-class LauncherBuildTest {
-    private static final int SET_UP_FAILED = 7;
-
-    @TempDir
-    Path folder;
-
-    private LauncherSandbox sandbox;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        sandbox = LauncherSandbox.in(folder);
-    }
-
+class LauncherBuildTest extends InSandbox {
     @Test
     void buildsAtTheFirstStartOnlyAndSaysSo() throws Exception {
         SunbeamResult first = sandbox.command("inspect").run();
@@ -38,24 +24,23 @@ class LauncherBuildTest {
         assertThat(sandbox.builds()).isEqualTo(1);
     }
 
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
+    @Test
+    void buildsAgainAfterAChangeOfWhatTheBuildReads() throws Exception {
+        int builds = 0;
+        for (String source : List.of(
                 "pom.xml",
                 "app/pom.xml",
                 "precompute/src/main/java/Precompute.java",
                 "jrtr/src/main/java/New.java",
                 "shaders/full.frag",
-                "data/color.csv"
-            })
-    void buildsAgainAfterAChangeOfWhatTheBuildReads(String source) throws Exception {
+                "data/color.csv")) {
+            Files.writeString(sandbox.repository().resolve(source), "changed");
+            sandbox.command("inspect").run();
+            builds++;
+            assertThat(sandbox.builds()).as(source).isEqualTo(builds);
+        }
         sandbox.command("inspect").run();
-
-        Files.writeString(sandbox.repository().resolve(source), "changed");
-        sandbox.command("inspect").run();
-        sandbox.command("inspect").run();
-
-        assertThat(sandbox.builds()).isEqualTo(2);
+        assertThat(sandbox.builds()).as("without a change").isEqualTo(builds);
     }
 
     @Test

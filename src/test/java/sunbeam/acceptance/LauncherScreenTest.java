@@ -8,33 +8,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The private screen that the launcher gives the program and removes afterwards. */
-class LauncherScreenTest {
+class LauncherScreenTest extends InSandbox {
     private static final int NO_SCREEN = 5;
     private static final Duration PATIENCE = Duration.ofSeconds(60);
-
-    @TempDir
-    Path folder;
-
-    private LauncherSandbox sandbox;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        sandbox = LauncherSandbox.in(folder);
-    }
 
     @ParameterizedTest
     @CsvSource({"INT, 130", "TERM, 143", "KILL, 137"})
     void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
         // A killed launcher passes no signal on, so Java draws to its end.
-        sandbox.installJava("jdk", "17.0.1", "exec sleep 5");
+        sandbox.installJava("jdk", "17.0.1", "exec sleep 2");
 
         try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
             Screen screen = Screen.of(running);
@@ -63,9 +51,7 @@ class LauncherScreenTest {
         try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
             Screen screen = Screen.of(running);
             Path noted = folder.resolve("key");
-            while (!Files.exists(noted) || Files.size(noted) == 0) {
-                Thread.sleep(20);
-            }
+            RunningSunbeam.await("the key's name", () -> Files.exists(noted) && Files.size(noted) > 0);
             Path key = Path.of(Files.readString(noted).strip());
             assertThat(Files.size(key)).isEqualTo(44);
             assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(key.getParent())))
@@ -77,11 +63,7 @@ class LauncherScreenTest {
             running.signal("TERM");
             running.end(PATIENCE);
             screen.assertGone();
-            long deadline = System.nanoTime() + PATIENCE.toNanos();
-            while (Files.exists(key.getParent())) {
-                assertThat(System.nanoTime()).as("the end of the key").isLessThan(deadline);
-                Thread.sleep(20);
-            }
+            RunningSunbeam.await("the end of the key", () -> !Files.exists(key.getParent()));
         }
     }
 
@@ -189,12 +171,8 @@ class LauncherScreenTest {
         }
 
         /** Fails unless the server's process and its socket both disappear soon. */
-        void assertGone() throws InterruptedException {
-            long deadline = System.nanoTime() + PATIENCE.toNanos();
-            while (server.isAlive() || Files.exists(socket())) {
-                assertThat(System.nanoTime()).as("the end of %s", this).isLessThan(deadline);
-                Thread.sleep(20);
-            }
+        void assertGone() throws Exception {
+            RunningSunbeam.await("the end of " + this, () -> !server.isAlive() && !Files.exists(socket()));
         }
 
         private Path socket() {

@@ -7,21 +7,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** The launcher on a machine without Maven and Xvfb. */
-class LauncherSetupTest {
-    private static final int SET_UP_FAILED = 7;
-
-    @TempDir
-    Path folder;
-
-    private LauncherSandbox sandbox;
+class LauncherSetupTest extends InSandbox {
     private String path;
 
     @BeforeEach
     void layOutWithoutMavenAndXvfb() throws IOException {
-        sandbox = LauncherSandbox.in(folder);
         Files.delete(folder.resolve("programs/mvn"));
         path = sandbox.pathOfABareMachine();
     }

@@ -2,27 +2,16 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The launcher passes the command line to the program. */
-class LauncherStartTest {
-    @TempDir
-    Path folder;
-
-    private LauncherSandbox sandbox;
-
-    @BeforeEach
-    void layOut() throws IOException {
-        sandbox = LauncherSandbox.in(folder);
-    }
-
+class LauncherStartTest extends InSandbox {
     @Test
     void theRealProgramAnswersHelpWithoutBuilding() throws Exception {
         SunbeamResult result =
@@ -86,20 +75,16 @@ class LauncherStartTest {
         assertThat(result.stdout()).contains("sunbeam.app.Main");
     }
 
-    @Test
-    void anEmptyPathIsALineOfOurs() throws Exception {
-        assertThat(run("exec \"$1\" \"$2\" inspect", "PATH", ""))
-                .endsWith("sunbeam: there is no cat on the PATH (); add the folder that has it\n7");
-    }
-
-    @Test
-    void tooFewOpenFilesAreALineOfOurs() throws Exception {
-        assertThat(run("ulimit -n 32; exec \"$1\" \"$2\" inspect", "LANG", "C"))
-                .endsWith("sunbeam: only 32 files may be open at once; allow 256 (ulimit -n 256)\n7");
-    }
-
-    /** Returns the output and the exit code of a script, given bash and the launcher. */
-    private String run(String script, String variable, String value) throws Exception {
+    /** Runs a script of bash, whose arguments are bash and the launcher, and compares its output and exit code. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "PATH= exec $1 \"$2\" inspect | there is no cat on the PATH (); add the folder that has it | 7",
+                "ulimit -n 32; exec $1 \"$2\" inspect | only 32 files may be open at once; allow 256 (ulimit -n 256) | 7",
+                "mkdir gone; cd gone; rmdir ../gone; exec $1 \"$2\" inspect | the current folder does not exist any more: change to another (cd) | 2"
+            })
+    void whatTheLauncherCannotDoIsALineOfOurs(String script, String words, int code) throws Exception {
         ProcessBuilder start = new ProcessBuilder(
                 "/bin/bash",
                 "-c",
@@ -107,27 +92,13 @@ class LauncherStartTest {
                 "start",
                 "/bin/bash",
                 sandbox.launcher().toString());
-        start.environment().put(variable, value);
-        Process process = start.redirectErrorStream(true).start();
-        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        return printed + process.waitFor();
-    }
-
-    @Test
-    void aFolderThatIsGoneIsALineOfOurs() throws Exception {
-        Path gone = Files.createDirectories(folder.resolve("gone"));
-        ProcessBuilder start = new ProcessBuilder(
-                "bash",
-                "-c",
-                "cd \"$1\" && rmdir \"$1\" && exec \"$2\" inspect",
-                "gone",
-                gone.toString(),
-                sandbox.launcher().toString());
-        Process process = start.redirectErrorStream(true).start();
+        start.environment().put("LANG", "C");
+        Process process =
+                start.directory(folder.toFile()).redirectErrorStream(true).start();
 
         assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8))
-                .endsWith("sunbeam: the current folder does not exist any more: change to another (cd)\n");
-        assertThat(process.waitFor()).isEqualTo(2);
+                .endsWith("sunbeam: " + words + "\n");
+        assertThat(process.waitFor()).isEqualTo(code);
     }
 
     @Test

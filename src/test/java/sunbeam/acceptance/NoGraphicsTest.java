@@ -28,7 +28,7 @@ class NoGraphicsTest extends InWorkplace {
     @Test
     void whatNeedsNoGraphicsWorksWithoutThem() throws Exception {
         SunbeamResult result = workplace
-                .command("precompute", "--patch", "blaze", "--output", "blaze.h5")
+                .command("precompute --patch blaze --output blaze.h5")
                 .with("DISPLAY", ":9876")
                 .run();
 
@@ -37,6 +37,6 @@ class NoGraphicsTest extends InWorkplace {
     }
 
     private Sunbeam brdfMap() {
-        return workplace.command("brdf-map", "--patch", "blaze", "--size", "8");
+        return workplace.command("brdf-map --patch blaze --size 8");
     }
 }

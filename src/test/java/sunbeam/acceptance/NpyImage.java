@@ -1,6 +1,7 @@
 package sunbeam.acceptance;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -14,9 +15,14 @@ public record NpyImage(String header, int side, float[] values) {
     private static final int PREFIX_BYTES = 10;
 
     public static NpyImage read(Path file, int side) throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        return of(Files.readAllBytes(file), side);
+    }
+
+    static NpyImage of(byte[] file, int side) {
+        ByteBuffer bytes = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
         int headerBytes = bytes.getShort(PREFIX_BYTES - 2);
         String header = new String(bytes.array(), PREFIX_BYTES, headerBytes, US_ASCII);
+        assertThat(header).contains("'<f4'");
         bytes.position(PREFIX_BYTES + headerBytes);
         float[] values = new float[bytes.remaining() / Float.BYTES];
         bytes.asFloatBuffer().get(values);
@@ -26,6 +32,10 @@ public record NpyImage(String header, int side, float[] values) {
     /** Returns X, Y or Z of a pixel, row 0 on top. */
     public float at(int row, int column, int channel) {
         return values[3 * (row * side + column) + channel];
+    }
+
+    public double[] xyz(int row, int column) {
+        return new double[] {at(row, column, 0), at(row, column, 1), at(row, column, 2)};
     }
 
     /** Returns x of a column's center, or minus y of a row's, in the unit disc. */

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 
 /** A started launcher with its output caught in files. Closing it kills what still runs and removes the files. */
@@ -67,6 +68,17 @@ public final class RunningSunbeam implements AutoCloseable {
             Thread.sleep(20);
         }
         throw new AssertionError("no line within " + limit + " from " + commandLine);
+    }
+
+    /** Waits up to two minutes until a condition holds. */
+    public static void await(String what, Callable<Boolean> condition) throws Exception {
+        long deadline = System.nanoTime() + Duration.ofMinutes(2).toNanos();
+        while (!condition.call()) {
+            if (System.nanoTime() > deadline) {
+                throw new AssertionError("within two minutes: " + what);
+            }
+            Thread.sleep(10);
+        }
     }
 
     /**

@@ -3,33 +3,20 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Compares {@code reflectance --method reference} with an independent program's direct sums, on measured and synthetic patches. */
-class SharedReferenceTest {
-    @TempDir
-    static Path root;
-
-    private static Workplace workplace;
-
-    @BeforeAll
-    static void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class SharedReferenceTest extends InOneWorkplace {
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "elaphe", "xenopeltis"})
     void everyPowerIsTheSame(String patch) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
 
-        CsvFile ours = reference(patch, exact, "--both-averages");
+        CsvFile ours =
+                workplace.reflectance(SharedData.patch(patch), exact, "--method reference --both-averages");
 
         for (int row = 0; row < exact.size(); row++) {
             for (String column : List.of("power", "power_ensemble", "rho", "brdf")) {
@@ -49,7 +36,7 @@ class SharedReferenceTest {
         CsvFile exact = CsvFile.read(SharedData.hardCase(name + "/in.csv")).head(20);
         Path patch = SharedData.hardCase(name + "/p.json");
 
-        CsvFile ours = Reflectance.of(workplace, patch.toString(), exact, "--method", "reference");
+        CsvFile ours = workplace.reflectance(patch, exact, "--method reference");
 
         for (int row = 0; row < exact.size(); row++) {
             double largest =
@@ -61,11 +48,5 @@ class SharedReferenceTest {
                         .isCloseTo(exact.at(row, "exact_" + column), within(Math.max(1e-7 * largest, 1e-20)));
             }
         }
-    }
-
-    private static CsvFile reference(String patch, CsvFile directions, String... options) throws Exception {
-        String[] all = Stream.concat(Stream.of("--method", "reference"), Stream.of(options))
-                .toArray(String[]::new);
-        return Reflectance.of(workplace, SharedData.patch(patch).toString(), directions, all);
     }
 }

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class StandardOutputTest extends InWorkplace {
     @Test
     void aFileOfTheNameMinusIsStandardOutputAndReportsGoElsewhere() throws Exception {
-        SunbeamResult result = workplace.succeed("mesh", "plane", "--output", "-");
+        SunbeamResult result = workplace.succeed("mesh plane --output -");
 
         assertThat(result.stdout().lines())
                 .hasSizeGreaterThan(128)
@@ -54,13 +54,8 @@ class StandardOutputTest extends InWorkplace {
 
     @Test
     void aPipeThatIsClosedIsALineThatSaysSo() throws Exception {
-        Path launcher = root.resolve("into-a-closed-pipe");
-        Files.writeString(
-                launcher, "#!/bin/bash\n'" + Sunbeam.repository().resolve("sunbeam") + "' \"$@\" > >(exec true)\n");
-        assertThat(launcher.toFile().setExecutable(true)).isTrue();
-
         SunbeamResult result = workplace
-                .equip(Sunbeam.launcher(launcher, "inspect", "--patch", "blaze", "--output", "-", "--quiet"))
+                .commandBy("$SUNBEAM > >(exec true)", "inspect --patch blaze --output - --quiet")
                 .run();
 
         Complaint.assertThatIt(result, Complaint.CANNOT_WRITE, "the program that reads it has ended");
@@ -70,13 +65,8 @@ class StandardOutputTest extends InWorkplace {
     @Test
     void aReportThatADiskHasNoRoomForIsAFailure() throws Exception {
         assumeTrue(Files.exists(Path.of("/dev/full")), "skipped: no /dev/full, the disk that is always full");
-        Path launcher = root.resolve("into-a-full-disk");
-        Files.writeString(
-                launcher, "#!/bin/sh\nexec '" + Sunbeam.repository().resolve("sunbeam") + "' \"$@\" > /dev/full\n");
-        assertThat(launcher.toFile().setExecutable(true)).isTrue();
-
         SunbeamResult result = workplace
-                .equip(Sunbeam.launcher(launcher, "inspect", "--patch", "blaze", "--output", "a.png"))
+                .commandBy("exec $SUNBEAM > /dev/full", "inspect --patch blaze --output a.png")
                 .run();
 
         Complaint.assertThatIt(result, Complaint.CANNOT_WRITE, "cannot write to standard output");

@@ -26,7 +26,6 @@ public final class Sunbeam {
     private final Map<String, String> environment = new HashMap<>();
     private final List<String> removed = new ArrayList<>();
     private Path folder = repository();
-    private Duration patience = PATIENCE;
 
     private Sunbeam(Path launcher, String... arguments) {
         commandLine = new ArrayList<>(List.of(launcher.toString()));
@@ -59,15 +58,14 @@ public final class Sunbeam {
         throw new IllegalStateException("no launcher in " + start + " nor above: run the tests inside the repository");
     }
 
+    /** Returns a file of the documentation's examples. */
+    static String example(String name) {
+        return repository().resolve("docs/examples/" + name).toString();
+    }
+
     /** Starts it in this folder, which relative paths refer to; without it, in the repository's top folder. */
     public Sunbeam in(Path workingFolder) {
         folder = workingFolder;
-        return this;
-    }
-
-    /** Lets another program, whose last arguments are a command line, start it. */
-    Sunbeam startedBy(List<String> program) {
-        commandLine.addAll(0, program);
         return this;
     }
 
@@ -85,12 +83,6 @@ public final class Sunbeam {
         return this;
     }
 
-    /** Fails the test if the program takes longer; two minutes unless set. */
-    public Sunbeam within(Duration limit) {
-        patience = limit;
-        return this;
-    }
-
     /**
      * Runs it to its end.
      *
@@ -99,7 +91,7 @@ public final class Sunbeam {
      */
     public SunbeamResult run() throws IOException, InterruptedException {
         try (RunningSunbeam running = start()) {
-            return running.end(patience);
+            return running.end(PATIENCE);
         }
     }
 

@@ -3,40 +3,17 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.IntStream;
 import org.assertj.core.data.Percentage;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Errors of the thesis's preset on measured patches, which come from its choices, not from the shader. */
-class ThesisPresetTest {
-    // For less power, rounding to float32 in the expansion is not small.
-    private static final double LEAST_POWER = 1e-9;
-
-    @TempDir
-    static Path root;
-
-    private static final Map<String, CsvFile> THESIS_POWERS = new HashMap<>();
-
-    private static Workplace workplace;
-
-    @BeforeAll
-    static void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
+class ThesisPresetTest extends InOneWorkplace {
     /**
      * The floor-anchored 3 x 3 neighborhood misses 2.6 % of the power, 16 % of the amplitude (ThesisCorrectionsTest). Of one wavelength's
      * speckle that is a median error of 13 %; colors average wavelengths: 3 to 7 % of random bins, 6.8 % (Elaphe), 5.9 % (Xenopeltis).
@@ -46,15 +23,9 @@ class ThesisPresetTest {
     void itsColorsAreOffByFourToSixteenPercent(String patch) throws Exception {
         CsvFile exact = SharedData.reference("xyz", patch);
 
-        CsvFile ours = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre");
+        CsvFile ours = reflectance(patch, exact, "--preset thesis --window-origin centre");
 
-        double[] errors = IntStream.range(0, exact.size())
-                .mapToDouble(row -> List.of("X", "Y", "Z").stream()
-                        .mapToDouble(column -> Math.abs(ours.at(row, column) / exact.at(row, column) - 1))
-                        .max()
-                        .orElseThrow())
-                .toArray();
-        assertThat(median(errors)).isBetween(0.04, 0.16);
+        assertThat(ours.errors(exact, name -> name, "X", "Y", "Z").median()).isBetween(0.04, 0.16);
     }
 
     /** Compares with the nine bins, added in double precision without an expansion. */
@@ -63,7 +34,7 @@ class ThesisPresetTest {
         NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
         CsvFile directions = SharedData.reference("power", "elaphe").head(12);
 
-        CsvFile ours = thesisPowers("elaphe");
+        CsvFile ours = reflectance("elaphe", directions, "--preset thesis --window-origin centre");
 
         for (int row = 0; row < directions.size(); row++) {
             double[] uvw = uvw(directions, row);
@@ -80,7 +51,7 @@ class ThesisPresetTest {
         NineBins definition = new NineBins(SharedData.present("patches/elaphe.png"), 65e-6, 375e-9);
         CsvFile directions = SharedData.reference("power", "elaphe").head(6);
 
-        CsvFile ours = reflectance("elaphe", directions, "--method", "pq", "--preset", "thesis");
+        CsvFile ours = reflectance("elaphe", directions, "--method pq --preset thesis");
 
         for (int row = 0; row < directions.size(); row++) {
             double[] uvw = uvw(directions, row);
@@ -93,12 +64,10 @@ class ThesisPresetTest {
     /** In the mirror direction at 60 degrees R(60) / R(0) = (0.04 + 0.96 / 32) / 0.04 = 1.75 counts once more than it does. */
     @Test
     void itsGainHasFresnelsFactorSquared() throws Exception {
-        Path mirror = root.resolve("mirror.csv");
-        Files.writeString(mirror, "theta_i,phi_i,theta_r,phi_r,wavelength\n60,0,60,180,550\n");
-        CsvFile direction = CsvFile.read(mirror);
+        CsvFile direction = CsvFile.ofDirections(List.of(new double[] {60, 0, 60, 180, 550}));
 
-        CsvFile squared = Reflectance.of(workplace, "blaze", direction, "--preset", "thesis");
-        CsvFile once = Reflectance.of(workplace, "blaze", direction, "--preset", "thesis", "--fresnel", "once");
+        CsvFile squared = workplace.reflectance("blaze", direction, "--preset thesis");
+        CsvFile once = workplace.reflectance("blaze", direction, "--preset thesis --fresnel once");
 
         // Both are float32.
         assertThat(squared.at(0, "rho") / once.at(0, "rho")).isCloseTo(1.75, within(1e-5));
@@ -112,40 +81,21 @@ class ThesisPresetTest {
         String options =
                 "--preset thesis --window-origin centre --fresnel once --radius 3 --anchor nearest --expansion taylor --terms 50 --both-averages --average ";
 
-        CsvFile ours = reflectance(patch, exact, (options + average).split(" ", -1));
+        CsvFile ours = reflectance(patch, exact, options + average);
 
         for (String column : List.of("power_coherent", "power_ensemble")) {
-            double[] errors = errors(exact, ours, column);
-            assertThat(median(errors)).as("median of %s", column).isLessThan(2e-5);
-            assertThat(errors[(int) (0.95 * (errors.length - 1))])
-                    .as("95 %% of %s", column)
-                    .isLessThan(1e-4);
+            ErrorStatistics errors = ours.errors(exact, name -> name.replace("_coherent", ""), column);
+            assertThat(errors.median()).as("median of %s", column).isLessThan(2e-5);
+            assertThat(errors.percentile95()).as("95 %% of %s", column).isLessThan(1e-4);
             // Float32 rounds f = u / lambda to 6e-8, which three deviations from an order of blaze (f = 2.4e6 / m) is
             // amplified by 2 f |f - f_j| / sigma_f^2 = 1500 to 0.9e-4.
-            assertThat(errors[errors.length - 1]).as("largest of %s", column).isLessThan(2e-4);
+            assertThat(errors.maximum()).as("largest of %s", column).isLessThan(2e-4);
         }
         for (int row = 0; row < exact.size(); row++) {
             double gain = exact.at(row, "rho") / exact.at(row, "power");
             // Both are float32.
             assertThat(ours.at(row, "rho")).isCloseTo(gain * ours.at(row, "power"), within(1e-5 * ours.at(row, "rho")));
         }
-    }
-
-    /** Returns the relative errors of a column in bright rows, ascending; in the exact file the coherent column is named power. */
-    private static double[] errors(CsvFile exact, CsvFile ours, String column) {
-        String given = column.equals("power_coherent") ? "power" : column;
-        return IntStream.range(0, exact.size())
-                .filter(row -> exact.at(row, given) > LEAST_POWER)
-                .mapToDouble(row -> Math.abs(ours.at(row, column) / exact.at(row, given) - 1))
-                .sorted()
-                .toArray();
-    }
-
-    private static double median(double[] values) {
-        double[] sorted = values.clone();
-        Arrays.sort(sorted);
-        int middle = sorted.length / 2;
-        return sorted.length % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
     }
 
     private static double[] uvw(CsvFile directions, int row) {
@@ -160,18 +110,7 @@ class ThesisPresetTest {
         return uvw;
     }
 
-    /** Returns the preset's powers in all rows of the exact file, computed once for all tests. */
-    private static CsvFile thesisPowers(String patch) throws Exception {
-        CsvFile drawn = THESIS_POWERS.get(patch);
-        if (drawn == null) {
-            CsvFile exact = SharedData.reference("power", patch);
-            drawn = reflectance(patch, exact, "--preset", "thesis", "--window-origin", "centre", "--both-averages");
-            THESIS_POWERS.put(patch, drawn);
-        }
-        return drawn;
-    }
-
-    private static CsvFile reflectance(String patch, CsvFile directions, String... options) throws Exception {
-        return Reflectance.of(workplace, SharedData.patch(patch).toString(), directions, options);
+    private static CsvFile reflectance(String patch, CsvFile directions, String options) throws Exception {
+        return workplace.reflectance(SharedData.patch(patch), directions, options);
     }
 }

@@ -42,6 +42,6 @@ class BadDirectionsTest extends InWorkplace {
     }
 
     private SunbeamResult reflectance() throws IOException {
-        return workplace.here("reflectance", "--patch", "blaze", "--directions", "in.csv", "--output", "out.csv");
+        return workplace.here("reflectance --patch blaze --directions in.csv --output out.csv");
     }
 }

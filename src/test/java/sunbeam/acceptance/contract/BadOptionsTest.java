@@ -6,7 +6,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.InWorkplace;
-import sunbeam.acceptance.SunbeamResult;
 
 /** Wrong command lines are refused before anything is computed. */
 class BadOptionsTest extends InWorkplace {
@@ -36,13 +35,25 @@ class BadOptionsTest extends InWorkplace {
                 "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
                 "brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)",
                 "brdf-map --sise 8|unknown option '--sise' (did you mean --size",
-                "reflectance --directions in.csv|missing required option: '--output"
+                "reflectance --directions in.csv|missing required option: '--output",
+                "export blaze --format npz --output b.csv|--output",
+                "export blaze --format npz --output b.npz --size many|--size",
+                "export blaze --format npz --output b.npz --theta-max 91|--theta-max",
+                "export blaze --format tiff --output b.npz|--format",
+                "export blaze --format hdf5 --output b.h5|hdf5",
+                "export blaze --format npz --output b.npz --channels rgb|--channels",
+                "export blaze --format html --output b.html --channels rec709|--channels",
+                "export blaze --format npz --output b.npz --channels spectral --bands 500|--bands 500",
+                "export blaze --format npz --output b.npz --channels spectral --illuminant A|--illuminant",
+                "export blaze --format npz --output b.npz --bands 20|--bands",
+                "export blaze --format npz --output b.npz --channels spectral --wavelengths 532nm|--bands",
+                "export blaze --format osl --output b --bands 20|--bands",
+                "export blaze --format bsdf --output b.brdf|--output",
+                "export blaze --format bsdf --output b.bsdf --channels xyz|--channels",
+                "export blaze --format bsdf --output b.bsdf --illuminant A|--illuminant"
             })
     void areRefusedWithTheOptionItsValueAndWhatWouldDo(String commandLine, String words) throws Exception {
-
-        SunbeamResult result = workplace.here(commandLine.split(" ", -1));
-
-        Complaint.assertThatIt(result, Complaint.USAGE, words);
+        Complaint.assertThatIt(workplace.here(commandLine), Complaint.USAGE, words);
         assertThat(workplace.files()).isEmpty();
         assertThat(workplace.tables()).isEmpty();
     }

@@ -4,88 +4,52 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.util.Arrays;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.acceptance.BoundUser;
 import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.Images;
 import sunbeam.acceptance.InWorkplace;
-import sunbeam.acceptance.PngFile;
 
 /** Unusable surfaces are reported in one line with file or option, value and remedy. */
 class BadPatchTest extends InWorkplace {
+    private static final String SCALE = " --width 65um --max-height 375nm";
+
     @BeforeEach
     void layOut() throws IOException {
         Images.gray(workplace.resolve("scan.png"), 16, 16, (column, row) -> 13 * column + row);
-    }
-
-    @Test
-    void aFileThatIsNotThere() throws Exception {
-        assertRefused(
-                "--patch nowhere.png --width 65um --max-height 375nm",
-                "--patch nowhere.png is neither a built-in patch nor an existing file; give a");
-    }
-
-    @Test
-    void aNameThatIsNeitherFileNorBuiltIn() throws Exception {
-        assertRefused(
-                "--patch blase",
-                "--patch blase is neither a built-in patch nor an existing file; give a built-in patch (blaze, sinusoid,");
-    }
-
-    @Test
-    void aFolder() throws Exception {
-        assertRefused("--patch . --width 65um --max-height 375nm", "cannot read .: it is a folder; name a file in it");
-    }
-
-    @Test
-    void aFileThatMayNotBeRead() throws Exception {
-        Path scan = workplace.resolve("scan.png");
-        Files.setPosixFilePermissions(scan, PosixFilePermissions.fromString("---------"));
-        String commandLine = "brdf-map --size 8 --patch scan.png --width 65um --max-height 375nm";
-
-        Complaint.assertThatIt(
-                BoundUser.start(workplace.command(commandLine.split(" ", -1)), root)
-                        .run(),
-                Complaint.UNUSABLE_INPUT,
-                "scan.png cannot be read; check its permissions");
-        assertThat(workplace.files()).containsExactly("scan.png");
-    }
-
-    @Test
-    void aFileThatIsNoImage() throws Exception {
         Files.writeString(workplace.resolve("notes.png"), "heights: see the other file\n");
-
-        assertRefused(
-                "--patch notes.png --width 65um --max-height 375nm",
-                "notes.png is ",
-                "format that Sunbeam knows",
-                "Gwyddion");
-    }
-
-    @Test
-    void anImageThatBreaksOff() throws Exception {
-        byte[] whole = Files.readAllBytes(workplace.resolve("scan.png"));
-        Files.write(workplace.resolve("half.png"), Arrays.copyOf(whole, whole.length / 2));
-
-        assertRefused(
-                "--patch half.png --width 65um --max-height 375nm", "half.png is damaged", "export the scan again");
+        Images.gray(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
+        Files.writeString(
+                workplace.resolve("lost.json"),
+                "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
+        Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "'', add for example --width 65um and --max-height 375nm",
-        "--width 65um, add for example --max-height 375nm",
-        "--max-height 375nm, add for example --width 65um"
-    })
-    void anImageWithoutScale(String options, String words) throws Exception {
-        assertRefused("--patch scan.png " + options, "scan.png", words);
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "nowhere.png | --patch nowhere.png is neither a built-in patch nor an existing file; give a",
+                "notes.png | notes.png is / format that Sunbeam knows / Gwyddion",
+                "one.png | one.png has 1 x 1 samples / give at least"
+            })
+    void aFileThatIsNoSurface(String patch, String words) throws Exception {
+        assertRefused(Complaint.UNUSABLE_INPUT, "--patch " + patch + SCALE, words);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "scan.png | scan.png / add for example --width 65um and --max-height 375nm",
+                "scan.png --width 65um | scan.png / add for example --max-height 375nm",
+                "scan.png --max-height 375nm | scan.png / add for example --width 65um",
+                "lost.json | lost.json, line 1 / there is no file lost.png; check the name",
+                "broken.json | broken.json, line 1: no valid JSON"
+            })
+    void aSurfaceThatIsNotDescribed(String patch, String words) throws Exception {
+        assertRefused(Complaint.UNUSABLE_INPUT, "--patch " + patch, words);
     }
 
     @ParameterizedTest
@@ -106,57 +70,11 @@ class BadPatchTest extends InWorkplace {
         assertRefused(Complaint.USAGE, "--patch scan.png " + options, words);
     }
 
-    @Test
-    void heightsThatAreAllMissing() throws Exception {
-        Images.floats(workplace.resolve("nothing.tif"), 8, Float.NaN);
-
-        assertRefused(
-                "--patch nothing.tif --width 65um --max-height 375nm",
-                "nothing.tif: all 64 samples are missing",
-                "export the scan again");
-    }
-
-    @Test
-    void aSinglePixel() throws Exception {
-        Images.gray(workplace.resolve("one.png"), 1, 1, (column, row) -> 7);
-
-        assertRefused("--patch one.png --width 65um --max-height 375nm", "one.png has 1 x 1 samples", "give at least");
-    }
-
-    @Test
-    void aHeaderThatPromisesGigabytes() throws Exception {
-        PngFile.writeWithHeaderOf(workplace.resolve("huge.png"), 40_000, 40_000);
-
-        assertRefused("--patch huge.png --width 65um --max-height 375nm", "huge.png has 40000 x 40000 samples", "crop");
-    }
-
-    @Test
-    void aDescriptorOfAMissingImage() throws Exception {
-        Files.writeString(
-                workplace.resolve("lost.json"),
-                "{\"heights\": \"lost.png\", \"width\": \"65 um\", \"maxHeight\": \"375 nm\"}");
-
-        assertRefused("--patch lost.json", "lost.json, line 1", "there is no file lost.png; check the name");
-    }
-
-    @Test
-    void aDescriptorThatIsNoJson() throws Exception {
-        Files.writeString(workplace.resolve("broken.json"), "{\"heights\":");
-
-        assertRefused("--patch broken.json", "broken.json, line 1: no valid JSON");
-    }
-
-    private void assertRefused(String options, String... words) throws Exception {
-        assertRefused(Complaint.UNUSABLE_INPUT, options, words);
-    }
-
-    private void assertRefused(int exitCode, String options, String... words) throws Exception {
+    private void assertRefused(int exitCode, String options, String words) throws Exception {
         var before = workplace.files();
-        String[] arguments = Stream.of(("brdf-map --size 8 --output map.png " + options).split(" ", -1))
-                .filter(argument -> !argument.isEmpty())
-                .toArray(String[]::new);
 
-        Complaint.assertThatIt(workplace.here(arguments), exitCode, words);
+        Complaint.assertThatIt(
+                workplace.here("brdf-map --size 8 --output map.png " + options), exitCode, words.split(" / "));
 
         assertThat(workplace.files()).as("files left").isEqualTo(before);
         assertThat(workplace.tables()).as("tables left").isEmpty();

@@ -6,33 +6,25 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.CsvFile;
+import sunbeam.acceptance.InOneWorkplace;
 import sunbeam.acceptance.NpyImage;
-import sunbeam.acceptance.Reflectance;
-import sunbeam.acceptance.Workplace;
+import sunbeam.precompute.errors.Comparison;
 
 /**
  * Compares colors of built-in patches with those of method {@code reference} in the test resources: pixels of maps under one light, and
  * lists of directions under many.
  */
-class BuiltInPatchesTest {
+class BuiltInPatchesTest extends InOneWorkplace {
     private static final int SIDE = 48;
     private static final double TOLERANCE = 1e-2;
-    // The tolerance is promised for power above this (docs/accuracy-and-speed.md).
-    private static final double DARKEST = 1e-9;
-
-    @TempDir
-    static Path root;
-
-    private static Workplace workplace;
     private static final List<Reference> REFERENCES = new ArrayList<>();
 
     /** A direction pair and its X, Y, Z of relative radiance; column and row of its pixel in a map, -1 without one. */
@@ -58,7 +50,6 @@ class BuiltInPatchesTest {
 
     @BeforeAll
     static void read() throws IOException {
-        workplace = Workplace.in(root);
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(
                 BuiltInPatchesTest.class.getResourceAsStream("/sunbeam/acceptance/contract/built-in-patches.csv"),
                 StandardCharsets.UTF_8))) {
@@ -72,24 +63,16 @@ class BuiltInPatchesTest {
                 .toList();
     }
 
-    private static List<String> options(String average, String method) {
-        return List.of(
-                "--average", average, "--method", method, "--coherence-length", "12um", "--tolerance", "" + TOLERANCE);
+    private static String options(String average, String method) {
+        return "--coherence-length 12um --tolerance " + TOLERANCE + " --average " + average + " --method " + method;
     }
 
-    private static void assertWithinTolerance(List<double[]> found, List<double[]> exact) {
-        List<Double> errors = new ArrayList<>();
-        for (int i = 0; i < exact.size(); i++) {
-            double largest = Arrays.stream(exact.get(i)).max().orElseThrow();
-            double difference = 0;
-            for (int c = 0; c < 3; c++) {
-                difference = Math.max(difference, Math.abs(found.get(i)[c] - exact.get(i)[c]));
-            }
-            if (largest > DARKEST) {
-                errors.add(difference / largest);
-            }
-        }
-        errors.sort(null);
+    private static void assertWithinTolerance(List<Comparison> compared) {
+        List<Double> errors = compared.stream()
+                .filter(Comparison::bright)
+                .map(Comparison::relative)
+                .sorted()
+                .toList();
         assertThat(errors).as("directions with light").hasSizeGreaterThan(4);
         assertThat(errors.get(errors.size() / 2)).as("median").isLessThan(TOLERANCE);
         // Promised for 95 %: here all but the largest.
@@ -110,23 +93,16 @@ class BuiltInPatchesTest {
         "elaphe-like, coherent, full",
     })
     void mapsAreTheReferenceWithinTheTolerance(String patch, String average, String method) throws IOException {
-        List<String> words = new ArrayList<>(List.of("brdf-map", "--patch", patch, "--theta-i", "20", "--force"));
-        words.addAll(List.of("--size", "" + SIDE, "--output", "map.png", "--linear", "map.npy"));
-        words.addAll(options(average, method));
-        workplace.succeedHere(words.toArray(String[]::new));
+        workplace.succeedHere(
+                "brdf-map --patch %s --theta-i 20 --force --size 48 --output map.png --linear map.npy "
+                        + options(average, method),
+                patch);
         NpyImage map = NpyImage.read(workplace.resolve("map.npy"), SIDE);
 
-        List<Reference> pixels =
-                of(patch, average).stream().filter(Reference::isOfMap).toList();
-        assertWithinTolerance(
-                pixels.stream()
-                        .map(one -> new double[] {
-                            map.at(one.row(), one.column(), 0),
-                            map.at(one.row(), one.column(), 1),
-                            map.at(one.row(), one.column(), 2)
-                        })
-                        .toList(),
-                pixels.stream().map(Reference::xyz).toList());
+        assertWithinTolerance(of(patch, average).stream()
+                .filter(Reference::isOfMap)
+                .map(one -> new Comparison(map.xyz(one.row(), one.column()), one.xyz(), 1))
+                .toList());
     }
 
     @ParameterizedTest
@@ -141,18 +117,13 @@ class BuiltInPatchesTest {
     void listsUnderAllLightsAreTheReferenceWithinTheTolerance(String patch, String average, String method)
             throws Exception {
         List<Reference> directions = of(patch, average);
-        CsvFile list = new CsvFile(
-                List.of("theta_i", "phi_i", "theta_r", "phi_r"),
+        CsvFile list = CsvFile.ofDirections(
                 directions.stream().map(Reference::angles).toList());
 
-        CsvFile found =
-                Reflectance.of(workplace, patch, list, options(average, method).toArray(String[]::new));
+        CsvFile found = workplace.reflectance(patch, list, options(average, method));
 
-        List<double[]> colors = new ArrayList<>();
-        for (int row = 0; row < found.size(); row++) {
-            double gain = found.at(row, "gain");
-            colors.add(new double[] {gain * found.at(row, "X"), gain * found.at(row, "Y"), gain * found.at(row, "Z")});
-        }
-        assertWithinTolerance(colors, directions.stream().map(Reference::xyz).toList());
+        assertWithinTolerance(IntStream.range(0, found.size())
+                .mapToObj(row -> new Comparison(found.radiance(row), directions.get(row).xyz(), 1))
+                .toList());
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.special.BesselJ;
@@ -12,16 +11,13 @@ import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.acceptance.Complaint;
 import sunbeam.acceptance.CsvFile;
 import sunbeam.acceptance.Images;
 import sunbeam.acceptance.InWorkplace;
-import sunbeam.acceptance.Reflectance;
 import sunbeam.acceptance.SunbeamResult;
 
 /** Command {@code reflectance} on built-in surfaces. */
 class ListTest extends InWorkplace {
-    private static final List<String> SPECTRAL = List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength");
     private static final double WAVELENGTH_NM = 550;
     private static final double WINDOW_SIGMA = 65e-6 / 4;
 
@@ -39,9 +35,9 @@ class ListTest extends InWorkplace {
                     new double[] {0, 0, Math.toDegrees(Math.asin(Math.abs(sine))), order > 0 ? 180 : 0, WAVELENGTH_NM});
         }
 
-        CsvFile list = new CsvFile(SPECTRAL, rows);
-        CsvFile results = reflectance("sinusoid", list, "--method", method, "--average", "coherent");
-        CsvFile ensemble = reflectance("sinusoid", list, "--method", method, "--average", "ensemble");
+        CsvFile list = CsvFile.ofDirections(rows);
+        CsvFile results = workplace.reflectance("sinusoid", list, "--average coherent --method " + method);
+        CsvFile ensemble = workplace.reflectance("sinusoid", list, "--average ensemble --method " + method);
 
         assertThat(results.header())
                 .contains("theta_i", "phi_i", "theta_r", "phi_r", "wavelength", "power", "rho", "brdf");
@@ -57,71 +53,19 @@ class ListTest extends InWorkplace {
         }
     }
 
-    /** Compares sums over the surface in double precision with a shader's tables in float32. */
-    @ParameterizedTest
-    @CsvSource({"elaphe-like, ensemble", "blaze, coherent"})
-    void shaderAndReferenceAgree(String patch, String average) throws Exception {
-        CsvFile directions = new CsvFile(
-                SPECTRAL,
-                List.of(
-                        new double[] {20, 0, 31, 180, 460},
-                        new double[] {0, 0, 12.7, 180, 550},
-                        new double[] {35, 40, 10, 300, 640},
-                        new double[] {5, 90, 25, 265, 400}));
-
-        CsvFile exact = reflectance(patch, directions, "--method", "reference", "--average", average);
-        // Seven bins each way hold the window's spectrum but for 1e-7; 40 terms suffice for a relief of 300 nm.
-        CsvFile drawn = reflectance(
-                patch,
-                directions,
-                "--average",
-                average,
-                "--preset",
-                "thesis",
-                "--fresnel",
-                "once",
-                "--window-origin",
-                "centre",
-                "--expansion",
-                "taylor",
-                "--terms",
-                "40",
-                "--radius",
-                "3",
-                "--anchor",
-                "nearest");
-
-        String chosen = ofAverage(exact, average);
-        for (int row = 0; row < directions.size(); row++) {
-            for (String column : List.of(chosen, "rho", "brdf")) {
-                double value = exact.at(row, column);
-                // Rounding of float32 amplitudes is 1e-7, which dominates below a power of 1e-9.
-                assertThat(drawn.at(row, column) - value)
-                        .as("row %d, %s", row, column)
-                        .isCloseTo(0, within(1e-4 * value + 1e-12 * value / exact.at(row, chosen) + 1e-13));
-            }
-            if (exact.at(row, chosen) < 1e-30) {
-                continue; // float32 has no such numbers, so there is no quotient
-            }
-            double gain = exact.at(row, "rho") / exact.at(row, chosen);
-            assertThat(drawn.at(row, "rho") / drawn.at(row, chosen)).isCloseTo(gain, Percentage.withPercentage(0.01));
-        }
-    }
-
     /** A flat mirror in its mirror direction: relative radiance 1, the color of D65, and brdf = R(0) 4 pi sigma^2/lambda^2. */
     @ParameterizedTest
     @CsvSource({"reference, 1e-6", "full, 1e-4"})
     void aFlatMirrorIsWhite(String method, double tolerance) throws Exception {
         Images.gray(workplace.resolve("flat.png"), 16, 16, (column, row) -> 100);
-        String[] flat = {"--width", "4um", "--max-height", "100nm", "--method", method};
+        String flat = "--width 4um --max-height 100nm --method " + method;
         Percentage allowed = Percentage.withPercentage(100 * tolerance);
         double fresnel = Math.pow(0.5 / 2.5, 2);
         double wavelength = WAVELENGTH_NM * 1e-9;
 
         CsvFile spectral =
-                reflectance("flat.png", new CsvFile(SPECTRAL, List.of(new double[] {0, 0, 0, 0, WAVELENGTH_NM})), flat);
-        CsvFile color =
-                reflectance("flat.png", new CsvFile(SPECTRAL.subList(0, 4), List.of(new double[] {0, 0, 0, 0})), flat);
+                workplace.reflectance("flat.png", CsvFile.ofDirections(List.of(new double[] {0, 0, 0, 0, 550})), flat);
+        CsvFile color = workplace.reflectance("flat.png", CsvFile.ofDirections(List.of(new double[4])), flat);
 
         assertThat(spectral.at(0, "power")).isCloseTo(1, allowed);
         assertThat(spectral.at(0, "rho")).isCloseTo(1, allowed);
@@ -141,15 +85,7 @@ class ListTest extends InWorkplace {
                 "note,wavelength,phi_r,theta_r,phi_i,theta_i\nfirst order,550,180,12.709,0,0\n");
 
         SunbeamResult result = workplace.succeedHere(
-                "reflectance",
-                "--patch",
-                "blaze",
-                "--method",
-                "reference",
-                "--directions",
-                "in.csv",
-                "--output",
-                "out.csv");
+                "reflectance --patch blaze --method reference --directions in.csv --output out.csv");
 
         assertThat(result.stdout()).isEqualTo("out.csv\n");
         assertThat(result.stderr()).isEmpty();
@@ -160,27 +96,9 @@ class ListTest extends InWorkplace {
         assertThat(results.at(0, "power")).isGreaterThan(0.9);
     }
 
-    @Test
-    void resultsAreOverwrittenOnlyByForce() throws Exception {
-        Path file = workplace.resolve("out.csv");
-        Files.writeString(file, "precious");
-        Files.writeString(workplace.resolve("in.csv"), "theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,1,0,550\n");
-        String commandLine = "reflectance --patch blaze --method reference --directions in.csv --output out.csv";
-
-        Complaint.assertThatItExists(workplace.here(commandLine.split(" ", -1)), "out.csv");
-        assertThat(file).hasContent("precious");
-
-        workplace.succeedHere((commandLine + " --force").split(" ", -1));
-        assertThat(CsvFile.read(file).size()).isEqualTo(1);
-    }
-
     /** Returns the column of the chosen average's power. */
     private static String ofAverage(CsvFile results, String average) {
         String own = "power_" + average;
         return results.header().contains(own) ? own : "power";
-    }
-
-    private CsvFile reflectance(String patch, CsvFile directions, String... options) throws Exception {
-        return Reflectance.of(workplace, patch, directions, options);
     }
 }

@@ -2,36 +2,20 @@ package sunbeam.acceptance.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.api.Test;
+import sunbeam.acceptance.InOneWorkplace;
 import sunbeam.acceptance.NpyImage;
 import sunbeam.acceptance.SharedData;
-import sunbeam.acceptance.Workplace;
 
 /** Directions of the reflected light under light along the normal, which depend on the signs of all conventions. */
-class MapPatternTest {
+class MapPatternTest extends InOneWorkplace {
     // An odd size has a row of pixels at y = 0 and a column at x = 0, where gratings send their light.
     private static final int SIDE = 49;
 
-    @TempDir
-    static Path root;
-
-    private static Workplace workplace;
-
-    @BeforeAll
-    static void layOut() throws IOException {
-        workplace = Workplace.in(root);
-    }
-
     /** A ramp that rises towards +x tilts the mirror towards -x. Without the sign the light would be on the right. */
-    @ParameterizedTest
-    @ValueSource(strings = {"blaze"})
-    void theBlazedGratingSendsItsLightToTheLeft(String patch) throws Exception {
-        NpyImage map = map(patch);
+    @Test
+    void theBlazedGratingSendsItsLightToTheLeft() throws Exception {
+        NpyImage map = map("blaze");
 
         double left = map.luminance(azimuth -> Math.abs(azimuth) > 90);
         double right = map.luminance(azimuth -> Math.abs(azimuth) < 90);
@@ -44,18 +28,16 @@ class MapPatternTest {
     }
 
     /** The fingers of Elaphe lie in rows along x, so its colors lie along the horizontal. */
-    @ParameterizedTest
-    @ValueSource(strings = {"elaphe-like"})
-    void elapheHasItsColorsAlongTheHorizontal(String patch) throws Exception {
+    @Test
+    void elapheHasItsColorsAlongTheHorizontal() throws Exception {
         // 0.79 and 0.82 measured; light without a preferred azimuth would have 0.17.
-        assertThat(share(map(patch), 0, 15)).isGreaterThan(0.6);
+        assertThat(share(map("elaphe-like"), 0, 15)).isGreaterThan(0.6);
     }
 
     /** The rows of Xenopeltis are dense along y, so its colors lie above and below. */
-    @ParameterizedTest
-    @ValueSource(strings = {"shared xenopeltis"})
-    void xenopeltisHasMostOfItsColorsNearTheVertical(String patch) throws Exception {
-        NpyImage map = map(patch);
+    @Test
+    void xenopeltisHasMostOfItsColorsNearTheVertical() throws Exception {
+        NpyImage map = map(SharedData.patch("xenopeltis"));
 
         // 0.38 and 0.40 measured; light without a preferred azimuth would have 0.17.
         assertThat(share(map, 75, 90)).isGreaterThan(0.3).isGreaterThan(share(map, 0, 15));
@@ -71,20 +53,11 @@ class MapPatternTest {
     }
 
     /** Draws a map with few wavelengths at a tolerance of 0.01, which suffice for directions. */
-    private static NpyImage map(String patch) throws Exception {
-        String source = patch.startsWith("shared ")
-                ? SharedData.patch(patch.substring("shared ".length())).toString()
-                : patch;
-        String name = patch.replace(' ', '-');
+    private static NpyImage map(Object patch) throws Exception {
         workplace.succeedHere(
-                "brdf-map",
-                "--patch=" + source,
-                "--size=" + SIDE,
-                "--wavelength-step=40nm",
-                "--average=coherent",
-                "--tolerance=1e-2",
-                "--output=" + name + ".png",
-                "--linear=" + name + ".npy");
-        return NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
+                "brdf-map --patch %s --size 49 --wavelength-step 40nm --average coherent --tolerance 1e-2"
+                        + " --force --output map.png --linear map.npy",
+                patch);
+        return NpyImage.read(workplace.resolve("map.npy"), SIDE);
     }
 }

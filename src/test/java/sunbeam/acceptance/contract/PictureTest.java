@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -12,9 +11,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.NpyImage;
-import sunbeam.acceptance.SunbeamResult;
 
-/** Linear colors of scenes by two methods, their brightness, and certificates. */
+/** Linear colors of scenes by two methods, and their brightness. */
 class PictureTest extends InWorkplace {
     private static final int SIDE = 24;
     private static final String SCENE = """
@@ -28,18 +26,14 @@ class PictureTest extends InWorkplace {
             }
             """;
 
-    private Path scene;
-
     @BeforeEach
     void layOut() throws IOException {
-        scene = Files.writeString(workplace.resolve("scene.json"), SCENE);
+        Files.writeString(workplace.resolve("scene.json"), SCENE);
     }
 
-    private NpyImage render(String name, String... more) throws IOException {
-        List<String> words = new ArrayList<>(List.of("render", scene.toString(), "--size", SIDE + "x" + SIDE));
-        words.addAll(List.of("--output", name + ".png", "--linear", name + ".npy"));
-        words.addAll(List.of(more));
-        workplace.succeedHere(words.toArray(String[]::new));
+    private NpyImage render(String name, String options) throws IOException {
+        workplace.succeedHere(
+                "render scene.json --size 24x24 --output %s.png --linear %s.npy " + options, name, name);
         NpyImage image = NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
         for (float value : image.values()) {
             // Pixels without the mesh have no radiance.
@@ -60,8 +54,8 @@ class PictureTest extends InWorkplace {
 
     @Test
     void twoMethodsDrawTheSamePicture() throws Exception {
-        NpyImage full = render("full", "--method", "full", "--tolerance", "1e-2");
-        NpyImage table = render("table", "--method", "table", "--tolerance", "1e-2");
+        NpyImage full = render("full", "--method full --tolerance 1e-2");
+        NpyImage table = render("table", "--method table --tolerance 1e-2");
 
         assertThat(sum(full)).isPositive();
         double brightest = 0;
@@ -85,9 +79,9 @@ class PictureTest extends InWorkplace {
 
     @Test
     void twiceTheLightIsTwiceTheRadianceAndExposureChangesNothing() throws Exception {
-        NpyImage once = render("once", "--method", "full", "--tolerance", "0.1");
-        Files.writeString(scene, SCENE.replace("\"direction\": [", "\"intensity\": 2, \"direction\": ["));
-        NpyImage twice = render("twice", "--method", "full", "--tolerance", "0.1", "--exposure", "0.3");
+        NpyImage once = render("once", "--method full --tolerance 0.1");
+        Files.writeString(workplace.resolve("scene.json"), SCENE.replace("\"direction\": [", "\"intensity\": 2, \"direction\": ["));
+        NpyImage twice = render("twice", "--method full --tolerance 0.1 --exposure 0.3");
 
         assertThat(sum(once)).isPositive();
         for (int i = 0; i < once.values().length; i++) {
@@ -97,13 +91,5 @@ class PictureTest extends InWorkplace {
             // Rounding of float32 sums.
             assertThat((double) twice.values()[i]).isBetween(1.9999 * once.values()[i], 2.0001 * once.values()[i]);
         }
-    }
-
-    @Test
-    void aPictureKeepsItsToleranceByItsCertificate() throws Exception {
-        SunbeamResult result = workplace.succeedHere(
-                "render", scene.toString(), "--size", "40x30", "--certify", "6", "--output", "certified.png");
-
-        assertThat(result.stdout()).contains("certificate: 6 ");
     }
 }

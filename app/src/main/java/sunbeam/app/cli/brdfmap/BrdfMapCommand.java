@@ -211,7 +211,8 @@ public final class BrdfMapCommand extends FileCommand {
                     exposure.isAutomatic(),
                     err);
             Map<String, String> text = sheet.text();
-            text.put("Light", light.describe() + ", " + asked.written(ANGULAR_DIAMETER) + " wide");
+            String wide = asked.has(ANGULAR_DIAMETER) ? ", " + asked.written(ANGULAR_DIAMETER) + " wide" : "";
+            text.put("Light", light.describe() + wide);
             text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
             text.put("Energy", asked.written(ENERGY));
             text.put("Method", choices.get(0).get(METHOD).label());
