@@ -138,7 +138,8 @@ class CompareTest extends InOneWorkplace {
     @Test
     void glintsThatTheSceneLacksDoNotDecideTheExposure() throws IOException {
         photograph("glints.png", (row, column, c) -> (7 * row + 3 * column) % 10 == 0 ? 0.95 : scene(row, column, c));
-        assertThat(workplace.json(command("glints.png", "")).get("exposure").asDouble()).isCloseTo(EXPOSURE, within(0.02 * EXPOSURE));
+        assertThat(workplace.json(command("glints.png", "")).get("exposure").asDouble())
+                .isCloseTo(EXPOSURE, within(0.02 * EXPOSURE));
     }
 
     /**
@@ -192,10 +193,17 @@ class CompareTest extends InOneWorkplace {
                 workplace.here(command("plain.png", " --size 80x60")),
                 Complaint.USAGE,
                 "--size 80x60 is larger than the photograph, 64x48");
-        Complaint.assertThatIt(workplace.here(command("none.png", "")), Complaint.UNUSABLE_INPUT, "photograph none.png cannot be read");
-        Complaint.assertThatIt(workplace.here(command("white.png", "")), Complaint.UNUSABLE_INPUT, "clipped wherever the mesh is");
+        Complaint.assertThatIt(
+                workplace.here(command("none.png", "")),
+                Complaint.UNUSABLE_INPUT,
+                "photograph none.png cannot be read");
+        Complaint.assertThatIt(
+                workplace.here(command("white.png", "")), Complaint.UNUSABLE_INPUT, "clipped wherever the mesh is");
         assertThat(workplace.resolve("white.png-compared.png")).doesNotExist();
-        assertThat(workplace.json(command("plain.png", " --size 32x24")).get("photograph").asText())
+        assertThat(workplace
+                        .json(command("plain.png", " --size 32x24"))
+                        .get("photograph")
+                        .asText())
                 .isEqualTo("plain.png, 64x48 reduced to 32x24");
         assertThat(ImageIO.read(workplace.resolve("plain.png-compared.png").toFile())
                         .getWidth())

@@ -30,9 +30,7 @@ public record CsvFile(List<String> header, List<double[]> rows) {
     /** Returns rows of four angles, or of four angles and a wavelength in nanometers. */
     public static CsvFile ofDirections(List<double[]> rows) {
         return new CsvFile(
-                List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength")
-                        .subList(0, rows.get(0).length),
-                rows);
+                List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength").subList(0, rows.get(0).length), rows);
     }
 
     /** Returns the first rows. */

@@ -61,6 +61,7 @@ class DamagedCacheTest extends InOneWorkplace {
     }
 
     private static SunbeamResult map(String name) throws IOException {
-        return workplace.succeedHere("brdf-map --patch blaze --size 9 --force --output %s.png --linear %s.npy", name, name);
+        return workplace.succeedHere(
+                "brdf-map --patch blaze --size 9 --force --output %s.png --linear %s.npy", name, name);
     }
 }

@@ -20,9 +20,8 @@ class EightAtOnceTest extends InWorkplace {
         List<RunningSunbeam> programs = new ArrayList<>();
         try {
             for (int i = 0; i < PROGRAMS; i++) {
-                programs.add(workplace
-                        .command("brdf-map --patch lamellar --size 16")
-                        .start());
+                programs.add(
+                        workplace.command("brdf-map --patch lamellar --size 16").start());
             }
             Set<String> outputs = new TreeSet<>();
             for (RunningSunbeam program : programs) {

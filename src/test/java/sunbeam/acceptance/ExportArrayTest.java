@@ -83,9 +83,7 @@ class ExportArrayTest extends InOneWorkplace {
             rows.add(new double[] {light[0], light[1], view[0], view[1], nanometers});
         }
         CsvFile powers = workplace.reflectance(
-                "blaze",
-                CsvFile.ofDirections(rows),
-                "--average ensemble --coherence-length 10um");
+                "blaze", CsvFile.ofDirections(rows), "--average ensemble --coherence-length 10um");
         return IntStream.range(0, powers.size())
                 .mapToDouble(row -> powers.at(row, "power"))
                 .toArray();

@@ -22,9 +22,7 @@ class ExportMaterialTest extends InWorkplace {
             rows.add(new double[] {i, 7 * i % 20, 11 * i % 60, i % 2 == 0 ? 180 : 5, 450 + 3 * i});
         }
         workplace.reflectance(
-                "blaze",
-                CsvFile.ofDirections(rows),
-                "--average ensemble --coherence-length " + length + "um");
+                "blaze", CsvFile.ofDirections(rows), "--average ensemble --coherence-length " + length + "um");
 
         String said = OtherPrograms.python(workplace.folder(), "-c", """
                 import csv, numpy as np, mitsuba as mi

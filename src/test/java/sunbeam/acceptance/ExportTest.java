@@ -56,7 +56,8 @@ class ExportTest extends InOneWorkplace {
                 .toList();
         workplace.reflectance("blaze", CsvFile.ofDirections(rows), "--average ensemble " + SURFACE);
 
-        String said = OtherPrograms.python(workplace.folder(), Sunbeam.example("read_export.py"), "b.npz", "reflectance.csv");
+        String said =
+                OtherPrograms.python(workplace.folder(), Sunbeam.example("read_export.py"), "b.npz", "reflectance.csv");
 
         assertThat(Double.parseDouble(said.replaceAll("median ([^,]*),.*\\s*", "$1")))
                 .isBetween(0.0, 0.01);

@@ -74,8 +74,7 @@ class FiguresTest extends InOneWorkplace {
         workplace.succeedHere(
                 "evaluate --patch lamellar --method pq --theta-i 0 --azimuth 0 --wavelengths 500:500:1"
                         + " --angles -25:25:0.1 --replicas %s --output q%s",
-                replicas,
-                replicas);
+                replicas, replicas);
         return CsvFile.read(workplace.resolve("q" + replicas + ".csv"));
     }
 
@@ -94,8 +93,7 @@ class FiguresTest extends InOneWorkplace {
     @Test
     void stepsOfTenNanometersMissOrdersOfBlazeAndOfOneDoNot() throws Exception {
         // 0.045 measured.
-        assertThat(error("xyz", "blaze", "--wavelength-step 10nm", "Y"))
-                .isGreaterThan(0.02);
+        assertThat(error("xyz", "blaze", "--wavelength-step 10nm", "Y")).isGreaterThan(0.02);
         assertThat(error("xyz", "blaze", "--wavelength-step 1nm", "Y")).isLessThan(1e-3);
     }
 

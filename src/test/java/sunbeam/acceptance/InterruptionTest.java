@@ -27,8 +27,8 @@ class InterruptionTest extends InWorkplace {
 
     /** True a second after the tables are in the cache, which are written before the drawing starts. */
     private boolean isDrawing() throws Exception {
-        boolean hasTable = workplace.tables().stream()
-                .anyMatch(table -> table.toString().endsWith(".tables"));
+        boolean hasTable =
+                workplace.tables().stream().anyMatch(table -> table.toString().endsWith(".tables"));
         Thread.sleep(hasTable ? 1000 : 0);
         return hasTable;
     }
@@ -45,8 +45,7 @@ class InterruptionTest extends InWorkplace {
     /** Xlib would crash Java at the next call, after hours of drawing for nothing. */
     @Test
     void aScreenThatEndsIsOneLine() throws Exception {
-        try (RunningSunbeam running =
-                workplace.command(MAP).without("DISPLAY").start()) {
+        try (RunningSunbeam running = workplace.command(MAP).without("DISPLAY").start()) {
             RunningSunbeam.await("the drawing", this::isDrawing);
             ProcessHandle screen = running.process()
                     .descendants()
@@ -75,8 +74,8 @@ class InterruptionTest extends InWorkplace {
         }
         Path reports = workplace.resolve("report/reports.jsonl");
 
-        SunbeamResult result = interrupt(
-                "inspect scans --width 16um --max-height 100nm --output report", () -> Files.exists(reports));
+        SunbeamResult result =
+                interrupt("inspect scans --width 16um --max-height 100nm --output report", () -> Files.exists(reports));
 
         assertThat(result.complaints()).hasLineCount(1).contains("add --resume");
         assertThat(Files.readAllLines(reports)).hasSizeBetween(1, 39);

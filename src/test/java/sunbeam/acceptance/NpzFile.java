@@ -23,7 +23,9 @@ record NpzFile(JsonNode metadata, Map<String, float[]> arrays) {
             for (ZipEntry entry : zip.stream().toList()) {
                 byte[] bytes = zip.getInputStream(entry).readAllBytes();
                 if (entry.getName().endsWith(".npy")) {
-                    arrays.put(entry.getName().replace(".npy", ""), NpyImage.of(bytes, 0).values());
+                    arrays.put(
+                            entry.getName().replace(".npy", ""),
+                            NpyImage.of(bytes, 0).values());
                 } else {
                     metadata = new ObjectMapper().readTree(bytes);
                 }

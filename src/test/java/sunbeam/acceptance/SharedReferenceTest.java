@@ -15,8 +15,7 @@ class SharedReferenceTest extends InOneWorkplace {
     void everyPowerIsTheSame(String patch) throws Exception {
         CsvFile exact = SharedData.reference("power", patch);
 
-        CsvFile ours =
-                workplace.reflectance(SharedData.patch(patch), exact, "--method reference --both-averages");
+        CsvFile ours = workplace.reflectance(SharedData.patch(patch), exact, "--method reference --both-averages");
 
         for (int row = 0; row < exact.size(); row++) {
             for (String column : List.of("power", "power_ensemble", "rho", "brdf")) {

@@ -96,7 +96,10 @@ public record Workplace(Path folder, Path caches) {
         String option = "";
         for (String argument : arguments) {
             Path file = folder.resolve(argument);
-            result.add(OUTPUTS.contains(option) || (Files.exists(file) && !argument.isEmpty()) ? file.toString() : argument);
+            result.add(
+                    OUTPUTS.contains(option) || (Files.exists(file) && !argument.isEmpty())
+                            ? file.toString()
+                            : argument);
             option = argument;
         }
         return result.toArray(String[]::new);
@@ -122,7 +125,8 @@ public record Workplace(Path folder, Path caches) {
     public CsvFile reflectance(Object patch, CsvFile directions, String options) throws IOException {
         directions.write(resolve("directions.csv"));
         SunbeamResult result = succeedHere(
-                "reflectance --patch %s --directions directions.csv --output reflectance.csv --force " + options, patch);
+                "reflectance --patch %s --directions directions.csv --output reflectance.csv --force " + options,
+                patch);
         CsvFile results = CsvFile.read(resolve("reflectance.csv"));
         assertThat(results.size()).as("rows of %s", result).isEqualTo(directions.size());
         return results;

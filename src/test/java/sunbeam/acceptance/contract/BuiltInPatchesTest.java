@@ -117,13 +117,14 @@ class BuiltInPatchesTest extends InOneWorkplace {
     void listsUnderAllLightsAreTheReferenceWithinTheTolerance(String patch, String average, String method)
             throws Exception {
         List<Reference> directions = of(patch, average);
-        CsvFile list = CsvFile.ofDirections(
-                directions.stream().map(Reference::angles).toList());
+        CsvFile list =
+                CsvFile.ofDirections(directions.stream().map(Reference::angles).toList());
 
         CsvFile found = workplace.reflectance(patch, list, options(average, method));
 
         assertWithinTolerance(IntStream.range(0, found.size())
-                .mapToObj(row -> new Comparison(found.radiance(row), directions.get(row).xyz(), 1))
+                .mapToObj(row ->
+                        new Comparison(found.radiance(row), directions.get(row).xyz(), 1))
                 .toList());
     }
 }

@@ -59,8 +59,8 @@ class MapTest extends InOneWorkplace {
                 }
             }
         }
-        CsvFile exact = workplace.reflectance(
-                "rough.png", CsvFile.ofDirections(directions), "--method reference " + surface);
+        CsvFile exact =
+                workplace.reflectance("rough.png", CsvFile.ofDirections(directions), "--method reference " + surface);
         ErrorStatistics errors = Comparison.relative(IntStream.range(0, colors.size())
                 .mapToObj(i -> new Comparison(colors.get(i), exact.radiance(i), 1))
                 .toList());

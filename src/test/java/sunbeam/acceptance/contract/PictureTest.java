@@ -32,8 +32,7 @@ class PictureTest extends InWorkplace {
     }
 
     private NpyImage render(String name, String options) throws IOException {
-        workplace.succeedHere(
-                "render scene.json --size 24x24 --output %s.png --linear %s.npy " + options, name, name);
+        workplace.succeedHere("render scene.json --size 24x24 --output %s.png --linear %s.npy " + options, name, name);
         NpyImage image = NpyImage.read(workplace.resolve(name + ".npy"), SIDE);
         for (float value : image.values()) {
             // Pixels without the mesh have no radiance.
@@ -80,7 +79,9 @@ class PictureTest extends InWorkplace {
     @Test
     void twiceTheLightIsTwiceTheRadianceAndExposureChangesNothing() throws Exception {
         NpyImage once = render("once", "--method full --tolerance 0.1");
-        Files.writeString(workplace.resolve("scene.json"), SCENE.replace("\"direction\": [", "\"intensity\": 2, \"direction\": ["));
+        Files.writeString(
+                workplace.resolve("scene.json"),
+                SCENE.replace("\"direction\": [", "\"intensity\": 2, \"direction\": ["));
         NpyImage twice = render("twice", "--method full --tolerance 0.1 --exposure 0.3");
 
         assertThat(sum(once)).isPositive();

@@ -1,7 +1,5 @@
 package sunbeam.app.cli.render;
 
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -11,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -22,15 +19,12 @@ import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
-import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.render.LitPixels;
 import sunbeam.app.render.LoadingScene;
 import sunbeam.app.render.PixelSamples;
@@ -45,12 +39,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.files.FileNames;
-import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.setting.Choices;
 
 /** Command {@code sunbeam render}: draws a scene as a picture or an animation, without a window. */
 @Command(
@@ -66,10 +55,6 @@ import sunbeam.precompute.setting.Choices;
             "  sunbeam render xenopeltis --light-sweep 0:360 --frames 12"
         })
 public final class RenderCommand extends FileCommand {
-    // Tolerance of the exact points with which {@code --certify} compares a picture: a quarter of the limit of its
-    // median error.
-    private static final double POINT_TOLERANCE = 5e-3;
-
     @Parameters(
             paramLabel = "SCENE",
             completionCandidates = SceneOverrides.Names.class,
@@ -183,7 +168,8 @@ public final class RenderCommand extends FileCommand {
                 json.print(out, report, written);
             }
             ExitCode certified = certify.count().isPresent()
-                    ? certified(context, frames, scene, parts, json.text(out), report)
+                    ? new PictureCertificate(frames, scene, json.text(out), err)
+                            .judge(context, environment(), certify.count().getAsInt(), report)
                     : ExitCode.OK;
             if (json.isGiven()) {
                 json.print(out, report, written);
@@ -226,44 +212,6 @@ public final class RenderCommand extends FileCommand {
         Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));
         return ExitCode.OK.code();
-    }
-
-    /** Compares the anti-aliased picture, including the body's light, with points of the same scene by method full. */
-    private ExitCode certified(
-            RenderContext context,
-            FrameSequence frames,
-            Scene drawn,
-            List<SceneData> parts,
-            PrintWriter out,
-            Map<String, Object> report) {
-        Scene points = drawn.withMethod(drawn.method()
-                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));
-        try {
-            List<SceneData> exact = new SceneLoader(environment(), warning -> {}).parts(points, parts, share -> {});
-            Certificate certificate =
-                    frames.certify(context, drawn, exact, certify.count().getAsInt());
-            report.put("certificate", ReportFields.of(certificate));
-            // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce
-            // them.
-            List<ErrorStatistics> tables = frames.tableErrors(drawn);
-            tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
-            Optional<String> miss = tables.stream()
-                    .flatMap(
-                            errors -> VirtualTexture.miss(errors, drawn.method().get(TOLERANCE)).stream())
-                    .findFirst();
-            boolean isTable = drawn.method().type().equals(TableMethod.TYPE);
-            String remedy = miss.orElse(
-                    "a larger --supersample or --size" + (isTable ? "" : ", or --method table,") + " may help");
-            ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err());
-            if (judged != ExitCode.OK || miss.isEmpty()) {
-                return judged;
-            }
-            err().println(Messages.error(miss.get()));
-            return ExitCode.TOLERANCE_MISSED;
-        } catch (GraphicsException failure) {
-            throw new GraphicsException("the picture is written, but cannot be compared: " + failure.getMessage()
-                    + "; or leave --certify out");
-        }
     }
 
     private int samples(Scene scene) {
