@@ -106,13 +106,14 @@ final class CommandHelp {
         if (!(option.userObject() instanceof Setting<?> setting)) {
             return "Options";
         }
-        if (setting == SceneSettings.ROTATE_PATCH || PatchSettings.ALL.contains(setting)) {
+        if (setting.equals(SceneSettings.ROTATE_PATCH) || PatchSettings.ALL.contains(setting)) {
             return "Surface";
         }
         if (SceneSettings.OVERRIDABLE.contains(setting)) {
             return "Scene";
         }
-        if (setting == LightOptions.THETA_I || setting == LightOptions.PHI_I || LightSettings.ALL.contains(setting)) {
+        if (List.of(LightOptions.THETA_I, LightOptions.PHI_I).contains(setting)
+                || LightSettings.ALL.contains(setting)) {
             return "Light";
         }
         return METHOD_SETTINGS.contains(setting) ? "Method" : EXPERT_METHOD;
