@@ -7,15 +7,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.zip.Deflater;
 
 /**
  * File in OpenEXR 2 format: one part, scan lines in blocks of 16, ZIP compression.
  *
- * @param channels names of the channels, one letter each, in the order of the samples
+ * @param channels names of the channels, one letter each, in the order of the samples: against the alphabet, in which the file has them
  */
 public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
     private static final int MAGIC = 20000630;
@@ -59,15 +57,6 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
     }
 
-    /** Returns the indices of the channels in the alphabetical order of their names, which the file requires. */
-    private int[] stored() {
-        return IntStream.range(0, channels.length())
-                .boxed()
-                .sorted(Comparator.comparing(channels::charAt))
-                .mapToInt(Integer::intValue)
-                .toArray();
-    }
-
     public void write(OutputStream stream) throws IOException {
         byte[] header = header();
         List<byte[]> blocks = new ArrayList<>();
@@ -91,7 +80,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         ByteArrayOutputStream header = new ByteArrayOutputStream();
         header.write(ints(MAGIC, VERSION));
         ByteArrayOutputStream list = new ByteArrayOutputStream();
-        for (int channel : stored()) {
+        for (int channel = channels.length() - 1; channel >= 0; channel--) {
             list.write(text(channels.substring(channel, channel + 1)));
             list.write(ints(type.number, 0, 1, 1));
         }
@@ -120,13 +109,13 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
 
     /** Returns a block: number of its first line, length in bytes, and the lines, each with one channel after the other. */
     private byte[] block(int from, int to) {
-        int[] stored = stored();
-        ByteBuffer lines = ByteBuffer.allocate((to - from) * width * stored.length * type.bytes)
-                .order(ByteOrder.LITTLE_ENDIAN);
+        int count = channels.length();
+        ByteBuffer lines =
+                ByteBuffer.allocate((to - from) * width * count * type.bytes).order(ByteOrder.LITTLE_ENDIAN);
         for (int line = from; line < to; line++) {
-            for (int channel : stored) {
+            for (int channel = count - 1; channel >= 0; channel--) {
                 for (int x = 0; x < width; x++) {
-                    samples.put((line * width + x) * stored.length + channel, lines);
+                    samples.put((line * width + x) * count + channel, lines);
                 }
             }
         }

@@ -37,11 +37,6 @@ public record Body(
     // shorter one too coarsely.
     private static final int SHORTEST = 8;
 
-    /** Creates a body whose nanostructure follows the mesh's tangents, with one patch everywhere. */
-    public Body(BodyTexture colors, Scales scales, BodyTexture relief) {
-        this(colors, scales, relief, directions(NONE), patches(NONE, Set.of()), WHITE);
-    }
-
     /**
      * Loads or generates the textures, with one patch everywhere.
      *

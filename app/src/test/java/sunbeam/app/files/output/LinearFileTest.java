@@ -14,19 +14,23 @@ class LinearFileTest {
     // Matrices of sRGB have seven digits.
     private static final float ROUNDING = 1e-5f;
 
-    /** The white of D65. */
+    /** The red primary of Rec. 709. */
     @Test
-    void openExrHasWhiteAsOnes() throws IOException {
+    void openExrHasRedAsOne() throws IOException {
         ByteArrayOutputStream stream = new ByteArrayOutputStream();
-        LinearFile.of(Path.of("a.exr"), new float[] {0.95047f, 1, 1.08883f}, 1, 1)
+        LinearFile.of(Path.of("a.exr"), new float[] {0.412391f, 0.212639f, 0.019331f}, 1, 1)
                 .writeTo(stream);
 
         ByteBuffer bytes = ByteBuffer.wrap(stream.toByteArray()).order(ByteOrder.LITTLE_ENDIAN);
 
         assertThat(bytes.getInt(0)).as("OpenEXR's magic number").isEqualTo(20000630);
-        // A line this short is stored uncompressed.
-        for (int channel = 1; channel <= 4; channel++) {
-            assertThat(bytes.getFloat(bytes.capacity() - channel * Float.BYTES)).isCloseTo(1, within(ROUNDING));
-        }
+        // A line this short is stored uncompressed, its channels in the order of the alphabet.
+        float[] stored = new float[4];
+        bytes.position(bytes.capacity() - 4 * Float.BYTES)
+                .slice()
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(stored);
+        assertThat(stored).containsExactly(new float[] {1, 0, 0, 1}, within(ROUNDING));
     }
 }

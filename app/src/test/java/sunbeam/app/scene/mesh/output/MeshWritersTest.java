@@ -80,8 +80,7 @@ class MeshWritersTest {
     @Test
     void normalMapsLeanAgainstTheSlopesOfTheScales() {
         BodyTexture gray = new BodyTexture(1, 1, new byte[] {100, 100, 100, -1});
-        SkinMaps maps =
-                SkinMaps.of(new Body(gray, Scales.KEELED, ScaleRelief.of(Scales.KEELED, BlobCache.NONE)), 2048, 64);
+        SkinMaps maps = SkinMaps.of(body(gray, Scales.KEELED), 2048, 64);
         BufferedImage normals = maps.normals().orElseThrow();
         int[] red = new int[normals.getWidth() / 2];
         double steepest = 0;
@@ -119,9 +118,7 @@ class MeshWritersTest {
     void onlyASmoothSnakesLowestScalesAndTheRimsAboveThemArePale() {
         BodyTexture black = new BodyTexture(1, 1, new byte[] {0, 0, 0, -1});
         for (Scales scales : new Scales[] {Scales.SMOOTH, Scales.KEELED}) {
-            BufferedImage albedo = SkinMaps.of(
-                            new Body(black, scales, ScaleRelief.of(scales, BlobCache.NONE)), 2048, 64)
-                    .albedo();
+            BufferedImage albedo = SkinMaps.of(body(black, scales), 2048, 64).albedo();
             // The lowest of 15 rows is centered 7 of 15 times 0.76 of the girth away from the back.
             int lowest = (int) (64 * (0.5 + 0.76 * 7 / 15));
             double[] reds = IntStream.of(32, lowest)
@@ -146,10 +143,15 @@ class MeshWritersTest {
     void smoothSkinHasItsTextureAlone() {
         BodyTexture texture = new BodyTexture(2, 1, new byte[] {1, 2, 3, -1, 4, 5, 6, -1});
 
-        SkinMaps maps = SkinMaps.of(new Body(texture, Scales.NONE, ScaleRelief.of(Scales.NONE, BlobCache.NONE)));
+        SkinMaps maps = SkinMaps.of(body(texture, Scales.NONE));
 
         assertThat(maps.normals()).isEmpty();
         assertThat(maps.albedo().getRGB(0, 0) & 0xffffff).isEqualTo(0x010203);
         assertThat(maps.albedo().getRGB(1, 0) & 0xffffff).isEqualTo(0x040506);
+    }
+
+    private static Body body(BodyTexture colors, Scales scales) {
+        BodyTexture unused = colors;
+        return new Body(colors, scales, ScaleRelief.of(scales, BlobCache.NONE), unused, unused, Body.WHITE);
     }
 }
