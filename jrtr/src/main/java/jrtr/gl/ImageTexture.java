@@ -54,7 +54,8 @@ public final class ImageTexture extends Texture {
     }
 
     /**
-     * Mip level of an image. The CPU computes mipmaps, since software drivers take ten times as long and drivers round differently.
+     * Mip level of an image. The CPU computes mipmaps, since drivers round means down, level by level: a scene by the thesis's preset then
+     * differs by 2.3 of CIE 1976 in the mean.
      *
      * @param rgba 4 x width x height bytes, red first
      */
@@ -66,8 +67,7 @@ public final class ImageTexture extends Texture {
          */
         private static final int STEPS = 1 << 14;
 
-        // Tables from byte to value without and with sRGB decoding, and from linear light (in STEPS steps) to sRGB
-        // byte.
+        // From byte to value without and with sRGB decoding, and from linear light (in STEPS steps) to sRGB byte.
         private static final float[] BYTE_TO_VALUE = new float[256];
         private static final float[] SRGB_TO_LINEAR = new float[256];
         private static final byte[] LINEAR_TO_SRGB = new byte[STEPS + 1];
@@ -142,9 +142,7 @@ public final class ImageTexture extends Texture {
                 float[] weights = new float[length * texels];
                 for (int i = 0; i < length; i++) {
                     for (int k = 0; k < texels; k++) {
-                        // Overlap of texel 2 i + k with texel i of the next level, in units of 1 / (length * side) of
-                        // the
-                        // axis.
+                        // Overlap of texel 2 i + k with texel i of the next level, in units of the axis / (length side).
                         double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
                                 - Math.max((2 * i + k) * (double) length, (double) i * side);
                         weights[i * texels + k] = (float) (covered / side);
