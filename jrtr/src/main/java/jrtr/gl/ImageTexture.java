@@ -99,61 +99,53 @@ public final class ImageTexture extends Texture {
          * that it covers.
          */
         MipLevel next() {
-            Halving across = Halving.of(width);
-            Halving down = Halving.of(height);
-            byte[] means = new byte[CHANNELS * across.length() * down.length()];
+            float[][] across = overlaps(width);
+            float[][] down = overlaps(height);
+            byte[] means = new byte[CHANNELS * across.length * down.length];
             for (int channel = 0; channel < CHANNELS; channel++) {
                 boolean isLight = encoding == Encoding.SRGB && channel < CHANNELS - 1;
                 float[] values = isLight ? SRGB_TO_LINEAR : BYTE_TO_VALUE;
                 int at = channel;
-                for (int row = 0; row < down.length(); row++) {
-                    for (int column = 0; column < across.length(); column++) {
-                        float mean = Math.min(1, mean(values, channel, across, column, down, row));
+                for (int row = 0; row < down.length; row++) {
+                    for (int column = 0; column < across.length; column++) {
+                        int corner = CHANNELS * (2 * row * width + 2 * column) + channel;
+                        float mean = Math.min(1, mean(values, corner, across[column], down[row]));
                         means[at] = isLight ? LINEAR_TO_SRGB[(int) (STEPS * mean + 0.5f)] : (byte) (255 * mean + 0.5f);
                         at += CHANNELS;
                     }
                 }
             }
-            return new MipLevel(across.length(), down.length(), means, encoding);
+            return new MipLevel(across.length, down.length, means, encoding);
         }
 
-        private float mean(float[] values, int channel, Halving across, int column, Halving down, int row) {
+        private float mean(float[] values, int corner, float[] across, float[] down) {
             float sum = 0;
-            for (int y = 0; y < down.texels(); y++) {
-                int line = (2 * row + y) * width + 2 * column;
+            for (int y = 0; y < down.length; y++) {
                 float inRow = 0;
-                for (int x = 0; x < across.texels(); x++) {
-                    inRow += across.weight(column, x) * values[rgba[CHANNELS * (line + x) + channel] & 0xFF];
+                for (int x = 0; x < across.length; x++) {
+                    inRow += across[x] * values[rgba[corner + CHANNELS * (y * width + x)] & 0xFF];
                 }
-                sum += down.weight(row, y) * inRow;
+                sum += down[y] * inRow;
             }
             return sum;
         }
 
         /**
-         * Texels and weights along one axis for the next level.
-         *
-         * @param texels number of texels averaged into one texel of the next level: 2, or 3 if the side is odd, or 1 if the side is 1
+         * Returns for each texel i of the next level, along one axis, the share of it that each texel from 2 i on covers: 2 texels, or 3 if
+         * the side is odd, or 1 if the side is 1.
          */
-        private record Halving(int length, int texels, float[] weights) {
-            static Halving of(int side) {
-                int length = Math.max(1, side / 2);
-                int texels = Math.min(side, 2 + side % 2);
-                float[] weights = new float[length * texels];
-                for (int i = 0; i < length; i++) {
-                    for (int k = 0; k < texels; k++) {
-                        // Overlap of texel 2 i + k with texel i of the next level, in units of the axis / (length side).
-                        double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
-                                - Math.max((2 * i + k) * (double) length, (double) i * side);
-                        weights[i * texels + k] = (float) (covered / side);
-                    }
+        private static float[][] overlaps(int side) {
+            int length = Math.max(1, side / 2);
+            float[][] shares = new float[length][Math.min(side, 2 + side % 2)];
+            for (int i = 0; i < length; i++) {
+                for (int k = 0; k < shares[i].length; k++) {
+                    // In units of the axis / (length side).
+                    double covered = Math.min((2 * i + k + 1.0) * length, (i + 1.0) * side)
+                            - Math.max((2 * i + k) * (double) length, (double) i * side);
+                    shares[i][k] = (float) (covered / side);
                 }
-                return new Halving(length, texels, weights);
             }
-
-            float weight(int index, int texel) {
-                return weights[index * texels + texel];
-            }
+            return shares;
         }
     }
 }
