@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -17,6 +19,9 @@ import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.gpu.DirectionsRenderer;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -40,13 +45,17 @@ import sunbeam.precompute.method.NmmMethod;
 import sunbeam.precompute.method.PqMethod;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Command {@code sunbeam evaluate}: compares a patch's response to light with the grating equation, as the thesis does in chapter 4. */
 @Command(
@@ -141,9 +150,8 @@ public final class EvaluateCommand extends FileCommand {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), line -> err().println(Messages.warning(line)));
         Optional<MethodPlan> plan = plan(setup, choices, grid);
-        ResponseMatrix power = plan.isPresent()
-                ? Responses.byShader(setup, plan.get(), grid)
-                : Responses.exact(setup, Methods.of(choices), grid);
+        ResponseMatrix power =
+                plan.isPresent() ? byShader(setup, plan.get(), grid) : exact(setup, Methods.of(choices), grid);
         Evaluation evaluation =
                 Evaluation.of(patch, period, order, power.toRelativeRadiance(), area.window(), grating.peaks());
 
@@ -205,6 +213,44 @@ public final class EvaluateCommand extends FileCommand {
             methodOptions.print(plan, err());
         }
         return Optional.of(plan);
+    }
+
+    private static ResponseMatrix exact(DiffractionSetup setup, Method method, ResponseGrid grid) {
+        ExactLight light = setup.exact(method);
+        List<DirectionPair> pairs = grid.pairs();
+        int columns = pairs.size();
+        double[][] power = new double[grid.wavelengths().length][columns];
+        int count = power.length * columns;
+        try (Progress progress = setup.progress().start("Reference", count)) {
+            IntStream.range(0, count).parallel().forEach(i -> {
+                power[i / columns][i % columns] = light.power(pairs.get(i % columns), grid.wavelengths()[i / columns]);
+                progress.step(1);
+            });
+        }
+        return new ResponseMatrix(grid, power);
+    }
+
+    /** Evaluates by the shader that also draws BRDF maps, with a fragment for each direction and wavelength. */
+    private static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
+        ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuBaker::of);
+        double[] wavelengths = grid.wavelengths();
+        double[][] power = new double[wavelengths.length][];
+        try (RenderContext context = RenderContext.offscreen();
+                UploadedTables uploaded = UploadedTables.upload(context, tables);
+                DirectionsRenderer renderer = DirectionsRenderer.ofOnePower(context, uploaded);
+                Progress progress =
+                        setup.progress().start("Response", (long) wavelengths.length * grid.angles().length)) {
+            for (int row = 0; row < wavelengths.length; row++) {
+                List<DirectionsRenderer.Query> queries = new ArrayList<>();
+                for (DirectionPair pair : grid.pairs()) {
+                    queries.add(new DirectionsRenderer.Query(pair, wavelengths[row]));
+                }
+                power[row] = renderer.evaluate(queries, progress::step).stream()
+                        .mapToDouble(values -> values[0])
+                        .toArray();
+            }
+        }
+        return new ResponseMatrix(grid, power);
     }
 
     private Map<String, Object> report(Evaluation evaluation, Choices choices, Optional<MethodPlan> plan) {

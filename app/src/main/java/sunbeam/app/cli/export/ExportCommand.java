@@ -15,8 +15,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.FileCommand;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.SettingOptions;
-import sunbeam.app.cli.options.TableOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.measure.errors.Certificate;
@@ -62,7 +63,10 @@ public final class ExportCommand extends FileCommand {
     private static final int BANDS = 41;
 
     @Mixin
-    private final TableOptions table = new TableOptions(Map.of(
+    private final PatchOptions patchOptions = PatchOptions.ofArgument();
+
+    @Mixin
+    private final SettingOptions table = MethodOptions.ofTables(Map.of(
             TOLERANCE,
             "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
 
@@ -147,7 +151,7 @@ public final class ExportCommand extends FileCommand {
         }
         PrintWriter err = err();
         DiffractionSetup setup =
-                new DiffractionSetup(table.load(asked), environment(), err).withLight(LightTable.of(asked));
+                new DiffractionSetup(patchOptions.load(asked), environment(), err).withLight(LightTable.of(asked));
         Choices choices =
                 setup.limitToScan(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err);
         ColorTablePlan plan = new TableMethod(tolerance, GaussianArea.of(choices))

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -11,6 +12,7 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -40,6 +42,20 @@ public final class MethodOptions extends SettingOptions {
                         .distinct()
                         .toList(),
                 Map.of());
+    }
+
+    /**
+     * Returns the options of commands that compute a color table for all directions: tolerance, coherence length, spectrum of the light.
+     *
+     * @param helpTexts text of the help for each default that the command itself applies
+     */
+    public static SettingOptions ofTables(Map<Setting<?>, String> helpTexts) {
+        return new SettingOptions(
+                Stream.concat(
+                                Stream.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH),
+                                LightSettings.ALL.stream())
+                        .toList(),
+                helpTexts);
     }
 
     /**

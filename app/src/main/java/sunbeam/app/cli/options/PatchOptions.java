@@ -28,35 +28,47 @@ public final class PatchOptions extends SettingOptions {
     /** Option that takes a part of many surfaces. */
     public static final String TASK = "--task";
 
-    private final boolean isOfMany;
+    private static final String MANY = "0..*";
+    private static final List<Setting<?>> WITHOUT_PATCH =
+            PatchSettings.ALL.stream().filter(setting -> !setting.equals(PATCH)).toList();
+
+    private final String arity;
+    private final String words;
     private String argument;
 
+    /** Makes the options of a command whose surface is named by {@code --patch} or an argument. */
     public PatchOptions() {
-        this(PatchSettings.ALL, false);
+        this(PatchSettings.ALL, "0..1", "The surface; may be given here instead of by --patch.");
     }
 
-    private PatchOptions(List<Setting<?>> settings, boolean isOfMany) {
+    private PatchOptions(List<Setting<?>> settings, String arity, String words) {
         super(settings);
-        this.isOfMany = isOfMany;
+        this.arity = arity;
+        this.words = words;
     }
 
     /** Returns the options of a command that takes any number of surfaces and folders; {@code cli.collection.Collection} runs it for each. */
     public static PatchOptions ofMany() {
-        return new PatchOptions(PatchSettings.ALL, true);
+        return new PatchOptions(
+                PatchSettings.ALL,
+                MANY,
+                "The surface, instead of by --patch. Of several, and of the files of a folder, each has its own output in a"
+                        + " folder with a table and a sheet of thumbnails.");
     }
 
-    /** Returns options without {@code --patch}: the command declares its own argument for it. */
+    /** Returns the options of a command whose surface is an argument that must be given. */
+    public static PatchOptions ofArgument() {
+        return new PatchOptions(WITHOUT_PATCH, "1", "A built-in patch, a descriptor (.json) or a scan.");
+    }
+
+    /** Returns options without {@code --patch}: the command declares its own option for it. */
     public static PatchOptions withoutPatch() {
-        return new PatchOptions(
-                PatchSettings.ALL.stream()
-                        .filter(setting -> !setting.equals(PATCH))
-                        .toList(),
-                false);
+        return new PatchOptions(WITHOUT_PATCH, "", "");
     }
 
     @Override
     protected void declareArguments(CommandSpec own) {
-        if (isOfMany) {
+        if (arity.equals(MANY)) {
             own.addOption(OptionSpec.builder(TASK)
                     .userObject(TASK)
                     .paramLabel("I/N")
@@ -65,17 +77,13 @@ public final class PatchOptions extends SettingOptions {
                             + " without it, with --resume, then joins all.")
                     .build());
         }
-        if (own.optionsMap().containsKey(OptionOrigin.INSTANCE.name(PATCH))) {
+        if (!arity.isEmpty()) {
             own.addPositional(PositionalParamSpec.builder()
-                    .index(isOfMany ? "0..*" : "0")
-                    .arity(isOfMany ? "0..*" : "0..1")
+                    .index(arity.equals(MANY) ? MANY : "0")
+                    .arity(arity)
                     .paramLabel("PATCH")
-                    .type(isOfMany ? String[].class : String.class)
-                    .description(
-                            isOfMany
-                                    ? "The surface, instead of by --patch. Of several, and of the files of a folder, each"
-                                            + " has its own output in a folder with a table and a sheet of thumbnails."
-                                    : "The surface; may be given here instead of by --patch.")
+                    .type(arity.equals(MANY) ? String[].class : String.class)
+                    .description(words)
                     .setter(setter(text -> argument = text))
                     .build());
         }

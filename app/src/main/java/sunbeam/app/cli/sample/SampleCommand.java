@@ -17,7 +17,9 @@ import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.JsonOption;
-import sunbeam.app.cli.options.TableOptions;
+import sunbeam.app.cli.options.MethodOptions;
+import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TaskPart;
 import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.cache.DiffractionSetup;
@@ -65,7 +67,10 @@ public final class SampleCommand extends FileCommand {
     private static final int HDF5_COPIES = 3;
 
     @Mixin
-    private final TableOptions table = new TableOptions(Map.of());
+    private final PatchOptions patchOptions = PatchOptions.ofArgument();
+
+    @Mixin
+    private final SettingOptions table = MethodOptions.ofTables(Map.of());
 
     @Mixin
     private CertifyOption certify;
@@ -134,7 +139,7 @@ public final class SampleCommand extends FileCommand {
         AtomicFile.checkWritable(output, overwrite());
         requireRoom(rows, hdf5);
         DiffractionSetup setup =
-                new DiffractionSetup(table.load(asked), environment(), err()).withLight(LightTable.of(asked));
+                new DiffractionSetup(patchOptions.load(asked), environment(), err()).withLight(LightTable.of(asked));
         Choices choices =
                 setup.limitToScan(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
         TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));

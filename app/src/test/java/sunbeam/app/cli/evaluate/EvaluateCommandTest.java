@@ -288,14 +288,4 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(980.0, 1000.0);
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1020.0);
     }
-
-    /** A slip in the middle of the scan shifts the wave by up to 3 %: the interval includes the true period. */
-    @Test
-    void aSlipWidensTheInterval() throws IOException {
-        SplittableRandom random = new SplittableRandom(4);
-        assertSuccess(runScan(
-                (column, row) -> 40 * wave(column + (row < 50 ? 0 : 4), row, 12.8, 30) + random.nextGaussian(), 10));
-        assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(940.0, 1000.0);
-        assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1060.0);
-    }
 }

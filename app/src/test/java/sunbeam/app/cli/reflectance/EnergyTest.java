@@ -208,23 +208,9 @@ class EnergyTest extends CommandLineFixture {
     @Test
     void anExportHasTheDivisorOrRefuses() throws IOException {
         Path dvd = folder.resolve("dvd.txt");
-        String[] surface = {
-            "--width",
-            "740nm",
-            "--height",
-            "92.5nm",
-            "--height-unit",
-            "nm",
-            "--periodic",
-            "--samples",
-            "0",
-            "--size",
-            "2MB",
-            "--coherence-length",
-            "10um",
-            "--energy",
-            "conserve"
-        };
+        String[] surface = ("--width 740nm --height 92.5nm --height-unit nm --periodic --samples 0 --size"
+                        + " 2MB --coherence-length 10um --energy conserve")
+                .split(" ");
         assertThat(run(Stream.concat(
                                 Stream.of("export", dvd.toString(), "--format", "html", "--output", "@p.html"),
                                 Arrays.stream(surface))

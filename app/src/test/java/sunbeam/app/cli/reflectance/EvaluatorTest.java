@@ -58,14 +58,6 @@ class EvaluatorTest {
     }
 
     @Test
-    void theStandardIndexChangesNothing() throws IOException {
-        DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n50,0,30,180\n");
-        List<double[]> rows = List.of(new double[] {1, 2, 3, 4});
-        assertThat(evaluator(list).indexed(RefractiveIndex.parse("1.5"), CieTable.load(), rows))
-                .isSameAs(rows);
-    }
-
-    @Test
     void anIndexByWavelengthIsTakenAtTheRowsWavelength() throws IOException {
         RefractiveIndex index = new RefractiveIndex(new TreeMap<>(Map.of(380e-9, 1.5, 780e-9, 3.5)), new TreeMap<>());
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");

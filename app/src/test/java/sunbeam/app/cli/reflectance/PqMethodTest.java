@@ -94,21 +94,6 @@ class PqMethodTest {
     }
 
     @Test
-    void aSingleRowOfDirectionsThroughAnOrderFollowsTheArrayFactor() {
-        List<DirectionPair> directions = new ArrayList<>();
-        double middle = Math.asin(WAVELENGTH / PERIOD);
-        for (int i = -40; i <= 40; i++) {
-            directions.add(MethodProbe.inPlane(0, -Math.toDegrees(middle + i * 2e-4)));
-        }
-        List<float[]> powers = blaze.powers(directions, WAVELENGTH, "--method", "pq", "--tolerance", "1e-5");
-        for (int i = 0; i < directions.size(); i++) {
-            // 26 periods make the order 26 times narrower than a bin, and its flanks as much steeper: float32 (u, v)
-            // of 0.2 round by 1e-8, f L by 5e-8, and the power by 26 pi times that.
-            assertThat((double) powers.get(i)[0]).isCloseTo(exact(directions.get(i), 26), within(2e-5));
-        }
-    }
-
-    @Test
     void colorAgreesWithTheExactSum() {
         ExactLight light = new CoherenceArea.Replicated(new Replicas(26, 26))
                 .over(blaze.setup().patch().heights(), blaze.setup().cie());

@@ -7,13 +7,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -74,32 +72,6 @@ class TableMethodTest {
         }
         assertThat(errors).hasSizeGreaterThan(4);
         assertErrorsWithin(errors, Double.parseDouble(tolerance));
-    }
-
-    @Test
-    @Tag("thorough")
-    void aMapKeepsTheToleranceUpToTheHorizon() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        LinearPicture exact = probe.map(48, with("--tolerance", "1e-4"));
-        LinearPicture table = probe.map(48, with("--method", "table"));
-        List<Double> all = new ArrayList<>();
-        List<Double> nearHorizon = new ArrayList<>();
-        for (int i = 0; i < 48 * 48; i++) {
-            assertThat(table.covered(i)).isEqualTo(exact.covered(i));
-            // The tolerance is not promised for power below 1e-9.
-            if (exact.covered(i) && exact.luminance(i) > 1e-8) {
-                double error = Math.abs(table.luminance(i) / exact.luminance(i) - 1);
-                all.add(error);
-                double radius = Math.hypot(2.0 * (i % 48) + 1 - 48, 2.0 * Math.floorDiv(i, 48) + 1 - 48) / 48;
-                if (radius > 0.97) {
-                    nearHorizon.add(error);
-                }
-            }
-        }
-        assertErrorsWithin(all, 1e-3);
-        // Near the horizon w changes fastest with u and v.
-        assertThat(nearHorizon).hasSizeGreaterThan(10);
-        assertErrorsWithin(nearHorizon, 1e-3);
     }
 
     private static void assertErrorsWithin(List<Double> errors, double tolerance) {
