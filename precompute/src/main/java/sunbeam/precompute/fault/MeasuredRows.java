@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.StringJoiner;
+import java.util.stream.IntStream;
 import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Crop;
@@ -55,10 +56,9 @@ final class MeasuredRows {
     /** Otherwise equal rows do not show a fault. */
     private boolean rowsDiffer() {
         double[] heights = scan.heights();
-        long same = 0;
-        for (int i = scan.columns(); i < heights.length; i++) {
-            same += heights[i] == heights[i - scan.columns()] ? 1 : 0;
-        }
+        long same = IntStream.range(scan.columns(), heights.length)
+                .filter(i -> heights[i] == heights[i - scan.columns()])
+                .count();
         long unlike = (long) heights.length - (long) unmeasured.cardinality() * scan.columns() - same;
         return 2 * unlike > heights.length - (long) unmeasured.cardinality() * scan.columns();
     }
@@ -72,11 +72,10 @@ final class MeasuredRows {
     }
 
     private boolean isMissing(int row) {
-        int missing = 0;
-        for (int column = 0; column < scan.columns(); column++) {
-            missing += Double.isFinite(height(column, row)) ? 0 : 1;
-        }
-        return missing >= MISSING * scan.columns();
+        return IntStream.range(0, scan.columns())
+                        .filter(column -> !Double.isFinite(height(column, row)))
+                        .count()
+                >= MISSING * scan.columns();
     }
 
     /** True if a row minus another, or the row itself if {@code other} is negative, is constant within {@code slack} meters. */

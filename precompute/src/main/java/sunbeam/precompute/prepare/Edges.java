@@ -29,24 +29,16 @@ public enum Edges {
     }
 
     private static void blend(double[] heights, int first, int stride, int count) {
-        double[] weights = weights(count);
-        for (int i = 0; i < weights.length; i++) {
+        int margin = (int) Math.round(MARGIN * count);
+        for (int i = 0; i < margin; i++) {
+            // From nearly a half at the border to 0, like a cosine.
+            double weight = 0.25 * (1 + Math.cos(Math.PI * (i + 0.5) / margin));
             int one = first + i * stride;
             int other = first + (count - 1 - i) * stride;
-            double fade = weights[i] * (heights[other] - heights[one]);
+            double fade = weight * (heights[other] - heights[one]);
             heights[one] += fade;
             heights[other] -= fade;
         }
-    }
-
-    /** Weights of the opposite border's mirror image, from the border inwards: from nearly a half to 0, like a cosine. */
-    private static double[] weights(int samples) {
-        int margin = (int) Math.round(MARGIN * samples);
-        double[] weights = new double[margin];
-        for (int i = 0; i < margin; i++) {
-            weights[i] = 0.25 * (1 + Math.cos(Math.PI * (i + 0.5) / margin));
-        }
-        return weights;
     }
 
     /**

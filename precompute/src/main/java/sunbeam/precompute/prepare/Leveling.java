@@ -130,15 +130,14 @@ public enum Leveling {
                 double height = map.at(column, row);
                 if (Double.isFinite(height)) {
                     double x = relative(column, map.columns());
-                    double relative = height - offset;
-                    sums[0]++;
-                    sums[1] += x;
-                    sums[2] += x * x;
-                    sums[3] += x * x * x;
-                    sums[4] += x * x * x * x;
-                    sums[5] += relative;
-                    sums[6] += relative * x;
-                    sums[7] += relative * (x * x);
+                    double power = 1;
+                    for (int k = 0; k <= 2 * HIGHEST; k++) {
+                        sums[k] += power;
+                        if (k <= HIGHEST) {
+                            sums[2 * HIGHEST + 1 + k] += (height - offset) * power;
+                        }
+                        power *= x;
+                    }
                 }
             }
             return sums;
