@@ -21,11 +21,8 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         if (index.isConstant()) {
             return List.of(new ReflectionPart(cie, 1, (1 - mirror) / mirror));
         }
-        return List.of(new ReflectionPart(colored(index, cie, mirror), 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
-    }
-
-    private static CieTable colored(RefractiveIndex index, CieTable cie, double mirror) {
-        return cie.times(wavelength -> index.reflectance(wavelength) / mirror);
+        CieTable colored = cie.times(wavelength -> index.reflectance(wavelength) / mirror);
+        return List.of(new ReflectionPart(colored, 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
     }
 
     /** Returns the mean reflectance along the normal, weighted by luminance. */

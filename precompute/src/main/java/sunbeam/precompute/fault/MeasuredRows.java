@@ -1,7 +1,6 @@
 package sunbeam.precompute.fault;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
@@ -32,7 +31,7 @@ final class MeasuredRows {
 
     MeasuredRows(HeightMap scan) {
         this.scan = scan;
-        double slack = ROUNDING * largestHeight();
+        double slack = ROUNDING * Math.max(Math.abs(scan.minimum()), Math.abs(scan.maximum()));
         for (int row = 0; row < scan.rows(); row++) {
             unmeasured.set(row, isMissing(row) || isConstant(row, -1, 0));
         }
@@ -63,17 +62,9 @@ final class MeasuredRows {
         return 2 * unlike > heights.length - (long) unmeasured.cardinality() * scan.columns();
     }
 
-    private double largestHeight() {
-        return Arrays.stream(scan.heights())
-                .map(Math::abs)
-                .filter(Double::isFinite)
-                .max()
-                .orElse(0);
-    }
-
     private boolean isMissing(int row) {
         return IntStream.range(0, scan.columns())
-                        .filter(column -> !Double.isFinite(height(column, row)))
+                        .filter(column -> !Double.isFinite(scan.at(column, row)))
                         .count()
                 >= MISSING * scan.columns();
     }
@@ -82,17 +73,13 @@ final class MeasuredRows {
     private boolean isConstant(int row, int other, double slack) {
         double first = Double.NaN;
         for (int column = 0; column < scan.columns(); column++) {
-            double difference = height(column, row) - (other < 0 ? 0 : height(column, other));
+            double difference = scan.at(column, row) - (other < 0 ? 0 : scan.at(column, other));
             first = Double.isNaN(first) ? difference : first;
             if (Math.abs(difference - first) > slack) {
                 return false;
             }
         }
         return Double.isFinite(first);
-    }
-
-    private double height(int column, int row) {
-        return scan.heights()[row * scan.columns() + column];
     }
 
     /** Each run: its first row and the row after its last. */

@@ -26,29 +26,23 @@ import sunbeam.precompute.text.Text;
 /**
  * {@link TableMethod} for a map or a list of directions: uses cached tiles of the table of all lights if these suffice; otherwise bakes a
  * table for its own points, with steps refined until colors keep the tolerance.
+ *
+ * @param coarsest design of the first table
+ * @param source plan by which colors are evaluated
  */
-final class PointTable {
+record PointTable(Surface surface, TableMethod method, TablePoints points, TableDesign coarsest, MethodPlan source) {
     // Factor of the first table's steps, at which an ensemble average errs by a fifth of the tolerance's share.
     private static final double COARSE = 1.3;
 
-    private final Surface surface;
-    private final TableMethod method;
-    private final TablePoints points;
-    private final TableDesign coarsest;
-    private final MethodPlan source;
-
     /** @throws sunbeam.precompute.setting.SettingException if the coarsest table does not fit */
-    PointTable(Surface surface, TableMethod method, TablePoints points) {
-        this.surface = surface;
-        this.method = method;
-        this.points = points;
+    static PointTable of(Surface surface, TableMethod method, TablePoints points) {
         // A coherent average, with zeros between its speckles, begins with finer steps.
-        double coarse = isCoherent() ? 1 : COARSE;
-        this.coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
+        double coarse = method.area().average() == Average.COHERENT ? 1 : COARSE;
+        TableDesign coarsest = TableDesign.within(method.tolerance(), method.area(), TableDesign.depth(surface.map()))
                 .scaled(coarse);
         method.requireRoom(surface, coarsest, points.memory(coarsest));
         FullMethod full = new FullMethod(TableChoices.within(method.sourceTolerance()), method.area());
-        this.source = full.planOfTable(surface, points.range(coarsest));
+        return new PointTable(surface, method, points, coarsest, full.planOfTable(surface, points.range(coarsest)));
     }
 
     private boolean isCoherent() {

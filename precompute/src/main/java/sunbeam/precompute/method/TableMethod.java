@@ -49,7 +49,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         return range.hasPoints()
-                ? new PointTable(surface, this, new TablePoints(range)).plan()
+                ? PointTable.of(surface, this, new TablePoints(range)).plan()
                 : ColorTablePlan.of(surface, this).plan();
     }
 

@@ -192,8 +192,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         if (known.isPresent() && chosen.isPresent() && Math.abs(chosen.get() - known.get()) > SAME * known.get()) {
             throw new SettingException(
                     setting,
-                    "contradicts " + file + ", which says " + Lengths.format(known.get())
-                            + " itself; leave it out");
+                    "contradicts " + file + ", which says " + Lengths.format(known.get()) + " itself; leave it out");
         }
         return known.or(() -> chosen);
     }
@@ -218,8 +217,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                         + (width ? "how large the scan is" + (unit ? " nor " : "") : "")
                         + (unit ? "in which unit its heights are" : "");
         String what = "is missing: " + file + lacks + "; add for example ";
-        String heights =
-                (fromFullScale ? " 375nm" : " nm") + (fromFullScale ? ", or name a descriptor (.json)" : "");
+        String heights = (fromFullScale ? " 375nm" : " nm") + (fromFullScale ? ", or name a descriptor (.json)" : "");
         String sides = fromFullScale ? " 65um" : " 20um";
         if (!width) {
             return new SettingException(ofHeights, what, ofHeights, heights);

@@ -95,8 +95,10 @@ public final class ReferenceEvaluator {
     public Power powers(double[] real, double[] imaginary, double fx, double fy) {
         int[] binsX = binsNear(fx, axisX);
         int[] binsY = binsNear(fy, axisY);
-        AxisWeights[] alongY = Arrays.copyOf(ofBins(binsY, axisY), binsY.length + 1);
-        alongY[binsY.length] = AxisWeights.ofWindow(fy, axisY, windowY);
+        AxisWeights[] alongY = new AxisWeights[binsY.length + 1];
+        Arrays.setAll(
+                alongY,
+                i -> i < binsY.length ? AxisWeights.ofBin(binsY[i], axisY) : AxisWeights.ofWindow(fy, axisY, windowY));
         SurfaceSums.Sums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
         double ensemble = 0;
         for (int jx : binsX) {
@@ -112,10 +114,6 @@ public final class ReferenceEvaluator {
     /** Returns exp(i k w h) of each of {@link #heights()}'s levels, up to a constant phase: real parts, imaginary parts. */
     public double[][] phases(double w, double wavelength) {
         return surface.phases(w, wavelength);
-    }
-
-    private static AxisWeights[] ofBins(int[] bins, Axis axis) {
-        return Arrays.stream(bins).mapToObj(bin -> AxisWeights.ofBin(bin, axis)).toArray(AxisWeights[]::new);
     }
 
     private double powerGauss(double frequency) {

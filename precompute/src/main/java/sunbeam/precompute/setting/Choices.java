@@ -12,7 +12,17 @@ import sunbeam.precompute.setting.Setting.Sentence;
 
 /** Values of settings, each with the source where it was chosen. Immutable. Equality ignores the sources. */
 public final class Choices {
-    private record Choice(Object value, Origin origin) {}
+    private record Choice(Object value, Origin origin) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Choice choice && choice.value.equals(value);
+        }
+
+        @Override
+        public int hashCode() {
+            return value.hashCode();
+        }
+    }
 
     private static final Choices NONE = new Choices(new LinkedHashMap<>(), Origin.PROGRAM);
 
@@ -170,20 +180,14 @@ public final class Choices {
                 .collect(Collectors.joining(", "));
     }
 
-    private Map<Setting<?>, Object> values() {
-        Map<Setting<?>, Object> values = new LinkedHashMap<>();
-        choices.forEach((setting, choice) -> values.put(setting, choice.value()));
-        return values;
-    }
-
     @Override
     public boolean equals(Object other) {
-        return other instanceof Choices others && others.values().equals(values());
+        return other instanceof Choices others && others.choices.equals(choices);
     }
 
     @Override
     public int hashCode() {
-        return values().hashCode();
+        return choices.hashCode();
     }
 
     @Override

@@ -2,7 +2,10 @@ package sunbeam.precompute.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -38,14 +41,12 @@ class PeriodModelTest {
         int held = 0;
         int answers = 0;
         for (long seed = 9000; seed < 9003; seed++) {
-            for (SimulatedGrating.Kind kind : SimulatedGrating.Kind.values()) {
-                SimulatedGrating grating = SimulatedGrating.draw(kind, seed);
-                Optional<GratingPeriod> period = grating.estimate();
-                answers += period.isPresent() ? 1 : 0;
-                held += period.filter(grating::holdsTruth).isPresent() ? 1 : 0;
-            }
-            for (FaultyScan.Kind kind : FaultyScan.Kind.values()) {
-                FaultyScan scan = FaultyScan.draw(kind, seed);
+            long drawn = seed;
+            List<FaultyScan> scans = Stream.concat(
+                            Arrays.stream(SimulatedGrating.values()).map(kind -> kind.draw(drawn)),
+                            Arrays.stream(FaultyScan.Kind.values()).map(kind -> FaultyScan.draw(kind, drawn)))
+                    .toList();
+            for (FaultyScan scan : scans) {
                 Optional<GratingPeriod> period = scan.estimate();
                 answers += period.isPresent() ? 1 : 0;
                 held += period.filter(scan::holdsTruth).isPresent() ? 1 : 0;

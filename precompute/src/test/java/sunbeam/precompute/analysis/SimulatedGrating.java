@@ -2,49 +2,31 @@ package sunbeam.precompute.analysis;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import sunbeam.precompute.optics.HeightMap;
 
-/**
- * A randomly drawn scan of a grating with a known period.
- *
- * @param map heights
- * @param truths meters: the period, or each of two
- * @param words for messages
- */
-record SimulatedGrating(HeightMap map, double[] truths, String words) {
-    enum Kind {
-        /** Undisturbed. */
-        CLEAN,
-        /** Each line is displaced independently. */
-        STRAYED,
-        /** Each gap deviates independently. */
-        GAPS,
-        /** The phase wanders smoothly. */
-        WARPED,
-        /** White noise as large as the relief. */
-        NOISY,
-        /** Another period of similar strength. */
-        TWO,
-        /** The period grows from one end to the other. */
-        CHIRPED,
-        /** Independent rows of lines. */
-        ROWS
-    }
+/** Kinds of randomly drawn scans of gratings with known periods. */
+enum SimulatedGrating {
+    /** Undisturbed. */
+    CLEAN,
+    /** Each line is displaced independently. */
+    STRAYED,
+    /** Each gap deviates independently. */
+    GAPS,
+    /** The phase wanders smoothly. */
+    WARPED,
+    /** White noise as large as the relief. */
+    NOISY,
+    /** Another period of similar strength. */
+    TWO,
+    /** The period grows from one end to the other. */
+    CHIRPED,
+    /** Independent rows of lines. */
+    ROWS;
 
-    /** The program's estimate; empty where it refuses. */
-    Optional<GratingPeriod> estimate() {
-        return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isSure);
-    }
-
-    boolean holdsTruth(GratingPeriod estimate) {
-        return Arrays.stream(truths).anyMatch(truth -> truth >= estimate.low() && truth <= estimate.high());
-    }
-
-    static SimulatedGrating draw(Kind kind, long seed) {
+    FaultyScan draw(long seed) {
         SplittableRandom random =
-                new SplittableRandom(seed * 7919 + List.of(Kind.values()).indexOf(kind));
+                new SplittableRandom(seed * 7919 + List.of(values()).indexOf(this));
         double width = 5e-6 * Math.pow(16, random.nextDouble());
         double longest = Math.min(5e-6, width / 4.5);
         double period = 0.6e-6 * Math.pow(longest / 0.6e-6, random.nextDouble());
@@ -56,18 +38,18 @@ record SimulatedGrating(HeightMap map, double[] truths, String words) {
         double azimuth = random.nextBoolean() ? 0 : Math.toRadians(-80 + 160 * random.nextDouble());
         double depth = 50e-9 + 200e-9 * random.nextDouble();
         double tilt = random.nextBoolean() ? 0 : 0.2 * (random.nextDouble() - 0.5);
-        double noise = kind == Kind.NOISY ? depth * random.nextDouble() : 0.01 * depth;
+        double noise = this == NOISY ? depth * random.nextDouble() : 0.01 * depth;
         double ratio = 1.08 + 0.4 * random.nextDouble();
         double growth = 1.02 + 0.5 * random.nextDouble();
-        double[] lines = lines(kind, random, 3 * (int) Math.ceil(2 * width / period), disorder);
+        double[] lines = lines(random, 3 * (int) Math.ceil(2 * width / period), disorder);
         double[] heights = new double[columns * rows];
         double start = random.nextDouble();
-        int bands = kind == Kind.ROWS ? Math.max(1, (int) Math.round(rows * pitch / (3 * period))) : 1;
+        int bands = this == ROWS ? Math.max(1, (int) Math.round(rows * pitch / (3 * period))) : 1;
         double[][] bandLines = new double[bands][];
         for (int i = 0; i < bands; i++) {
-            bandLines[i] = kind == Kind.ROWS ? lines(Kind.GAPS, random, lines.length, disorder) : lines;
+            bandLines[i] = this == ROWS ? GAPS.lines(random, lines.length, disorder) : lines;
         }
-        double angle = kind == Kind.ROWS ? 0 : azimuth;
+        double angle = this == ROWS ? 0 : azimuth;
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 double x = (column - 0.5 * columns) * pitch;
@@ -75,13 +57,13 @@ record SimulatedGrating(HeightMap map, double[] truths, String words) {
                 double s = x * Math.cos(angle) + y * Math.sin(angle);
                 double[] of = bandLines[Math.min(bands - 1, row * bands / rows)];
                 double height;
-                if (kind == Kind.TWO) {
+                if (this == TWO) {
                     height = 0.5
                             * depth
                             * (Math.cos(2 * Math.PI * s / period)
                                     + (0.6 + 0.4 * disorder / 0.15)
                                             * Math.cos(2 * Math.PI * (s / (period * ratio) + start)));
-                } else if (kind == Kind.CHIRPED) {
+                } else if (this == CHIRPED) {
                     double change = (1 / growth - 1) / width;
                     height = depth * wave(s / period * (1 + 0.5 * change * s) + start, shape);
                 } else {
@@ -90,22 +72,22 @@ record SimulatedGrating(HeightMap map, double[] truths, String words) {
                 heights[row * columns + column] = height + tilt * x + noise * gaussian(random);
             }
         }
-        String words = kind + " seed " + seed;
-        double[] truths = kind == Kind.TWO ? new double[] {period, period * ratio} : new double[] {period};
-        return new SimulatedGrating(new HeightMap(columns, rows, pitch, pitch, heights), truths, words);
+        double[] truths = this == TWO ? new double[] {period, period * ratio} : new double[] {period};
+        return new FaultyScan(
+                new HeightMap(columns, rows, pitch, pitch, heights), truths, false, this + " seed " + seed);
     }
 
-    private static double[] lines(Kind kind, SplittableRandom random, int count, double disorder) {
+    private double[] lines(SplittableRandom random, int count, double disorder) {
         double[] lines = new double[count];
         double walk = 0;
         double velocity = 0;
         for (int i = 0; i < count; i++) {
-            if (kind == Kind.GAPS) {
+            if (this == GAPS) {
                 walk += disorder * gaussian(random);
                 lines[i] = i - 0.5 * count + walk;
-            } else if (kind == Kind.STRAYED) {
+            } else if (this == STRAYED) {
                 lines[i] = i - 0.5 * count + disorder * gaussian(random);
-            } else if (kind == Kind.WARPED) {
+            } else if (this == WARPED) {
                 velocity = 0.6 * velocity + 0.4 * disorder * gaussian(random);
                 walk += velocity;
                 lines[i] = i - 0.5 * count + walk;
