@@ -58,24 +58,6 @@ class FloatTargetTest extends InARendering {
     }
 
     @Test
-    void tilesThatCoverTheTargetDrawTheSamePictureAsOneDraw() {
-        ShaderProgram program = rendering.program(
-                "",
-                "vec4(sin(gl_FragCoord.x * gl_FragCoord.y), COORD, 0, 0)"
-                        .replace("COORD", "fract(dot(gl_FragCoord.xy, vec2(0.37, 0.71)))"));
-        try (FloatTarget target = rendering.target(50, 33)) {
-            rendering.draw(program, target, Map.of());
-            float[] atOnce = target.read(0);
-            target.clear(Tile.whole(50, 33), 0, 0, 0, 0);
-            for (Tile tile : Tile.cover(50, 33, 16)) {
-                rendering.context.drawFullScreen(program, Map.of(), target, tile);
-            }
-
-            assertThat(target.read(0)).isEqualTo(atOnce);
-        }
-    }
-
-    @Test
     void anImageIsATextureForAnotherTargetButNotForItsOwn() {
         ShaderProgram coordinates = rendering.program("", COORDINATES);
         ShaderProgram copy = rendering.program("uniform sampler2D t;", "texelFetch(t, ivec2(gl_FragCoord.xy), 0)");

@@ -25,8 +25,7 @@ class BlobCacheTest {
     private int made;
 
     private byte[] get(String build, String name, int most) {
-        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
-        return new BlobCache(Optional.ofNullable(build), folder, warnings::add).get(name, most, () -> {
+        return new BlobCache(Optional.ofNullable(build), folder(), warnings::add).get(name, most, () -> {
             made++;
             return new byte[] {1, 2, 3};
         });
@@ -36,8 +35,12 @@ class BlobCacheTest {
         return get("build", "name", MOST);
     }
 
+    private CacheFolder folder() {
+        return CacheFolder.of(new Environment(Map.of(), home));
+    }
+
     private Path file() {
-        return CacheFolder.of(new Environment(Map.of(), home)).entries().get(0).file();
+        return folder().entries().get(0).file();
     }
 
     @Test
@@ -94,9 +97,8 @@ class BlobCacheTest {
     @Test
     void heightsComeBackToTheLastBit() {
         HeightMap map = new HeightMap(3, 2, 1e-7, 2e-7, new double[] {0, 1e-9, Math.PI, -0.0, 4, 5});
-        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
         for (int run = 0; run < 2; run++) {
-            HeightMap kept = new BlobCache(Optional.of("build"), folder, warnings::add).heights("map", () -> {
+            HeightMap kept = new BlobCache(Optional.of("build"), folder(), warnings::add).heights("map", () -> {
                 made++;
                 return map;
             });
@@ -106,13 +108,12 @@ class BlobCacheTest {
             assertThat(kept.digest()).isEqualTo(map.digest());
         }
         assertThat(made).isEqualTo(1);
-        assertThat(folder.entries().get(0).label().what()).isEqualTo("heights of map");
+        assertThat(folder().entries().get(0).label().what()).isEqualTo("heights of map");
     }
 
     @Test
     void numbersOfHeightsComeBackToTheLastBit() {
-        CacheFolder folder = CacheFolder.of(new Environment(Map.of(), home));
-        BlobCache kept = new BlobCache(Optional.of("build"), folder, warnings::add);
+        BlobCache kept = new BlobCache(Optional.of("build"), folder(), warnings::add);
         HeightMap map = new HeightMap(2, 1, 1, 1, new double[] {1, 2});
         HeightMap other = new HeightMap(2, 1, 1, 1, new double[] {1, 3});
         for (HeightMap each : List.of(map, map, other)) {

@@ -11,7 +11,6 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -85,50 +84,15 @@ final class TileFileTest {
         assertThat(warnings).isEmpty();
     }
 
-    private static Map<Integer, byte[]> many(int count) {
-        Map<Integer, byte[]> tiles = new TreeMap<>();
-        for (int tile = 0; tile < count; tile++) {
-            tiles.put(tile, coefficients(1, tile));
-        }
-        return tiles;
-    }
-
-    private void assertTilesAsWritten(Map<Integer, byte[]> found, int count) {
-        assertThat(found).hasSize(count);
-        found.forEach((tile, values) -> assertThat(values).isEqualTo(coefficients(1, tile)));
-    }
-
-    private static BitSet firstTiles(int count) {
-        BitSet tiles = new BitSet();
-        tiles.set(0, count);
-        return tiles;
-    }
-
     @Test
-    void damageAmongManyCostsWhatItHits() throws IOException {
-        try (CachedTiles tiles = open(KEY, PLENTY)) {
-            tiles.keep(1, many(600));
-        }
+    void whatIsCutOffIsBakedAndAppendedAgain() throws IOException {
+        keepAll();
         byte[] good = Files.readAllBytes(file());
-        int record = recordBytes(good.length);
-        byte[] bad = good.clone();
-        bad[good.length - 100 * record + 50] ^= 1;
-        Files.write(file(), bad);
-        try (CachedTiles tiles = open(KEY, PLENTY)) {
-            Map<Integer, byte[]> found = tiles.read(1, firstTiles(600));
-            assertThat(found).doesNotContainKey(500);
-            assertTilesAsWritten(found, 599);
-        }
-        Files.write(file(), Arrays.copyOf(good, good.length - 100 * record - 7));
-        try (CachedTiles tiles = open(KEY, PLENTY)) {
-            assertTilesAsWritten(tiles.read(1, firstTiles(600)), 499);
-            tiles.keep(1, many(600));
-        }
-        try (CachedTiles tiles = open(KEY, PLENTY)) {
-            assertTilesAsWritten(tiles.read(1, firstTiles(600)), 600);
-        }
-        // The flipped bit, and the cut.
-        assertThat(warnings).containsExactly(DAMAGED, DAMAGED);
+        Files.write(file(), Arrays.copyOf(good, good.length - recordBytes(good.length) - 7));
+        assertThat(found(KEY)).isEqualTo(TILES - 2);
+        assertThat(warnings).containsExactly(DAMAGED);
+        keepAll();
+        assertThat(found(KEY)).isEqualTo(TILES);
     }
 
     @Test
