@@ -28,7 +28,7 @@ final class Arrivals implements AutoCloseable {
         int before = count(id);
         gesture.run();
         // Count on the event thread, after the current event.
-        ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(() -> count(id) >= before + number));
+        ViewerInAWindow.awaitOnEvents(() -> count(id) >= before + number);
     }
 
     private int count(int id) {

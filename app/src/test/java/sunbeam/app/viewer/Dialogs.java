@@ -19,8 +19,7 @@ final class Dialogs {
 
     /** Waits for a dialog whose title begins with {@code title}. */
     static JDialog await(String title) throws Exception {
-        ViewerInAWindow.await(
-                () -> ViewerInAWindow.onEvents(() -> showing(title).isPresent()));
+        ViewerInAWindow.awaitOnEvents(() -> showing(title).isPresent());
         return ViewerInAWindow.onEvents(() -> showing(title).orElseThrow());
     }
 
@@ -43,7 +42,7 @@ final class Dialogs {
                 .findFirst()
                 .orElseThrow()
                 .doClick());
-        ViewerInAWindow.await(() -> ViewerInAWindow.onEvents(() -> !dialog.isShowing()));
+        ViewerInAWindow.awaitOnEvents(() -> !dialog.isShowing());
     }
 
     /** Fills the text fields of a dialog. */
@@ -54,7 +53,6 @@ final class Dialogs {
             for (int i = 0; i < texts.length; i++) {
                 fields.get(i).setText(texts[i]);
             }
-            return null;
         });
     }
 

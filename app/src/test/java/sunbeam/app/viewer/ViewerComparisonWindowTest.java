@@ -11,7 +11,6 @@ import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import javax.swing.JComboBox;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
@@ -41,9 +40,9 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
             return null;
         });
         awaitFinal();
-        Scene scene = onEvents(() -> viewer.model().scene());
+        Scene scene = modelScene();
         BufferedImage own = picture();
-        choose("full, thesis");
+        choose("comparison", "full, thesis");
         BufferedImage both = awaitOther();
         BufferedImage thesis = thesis("thesis");
         int middle = own.getWidth() / 2;
@@ -57,45 +56,40 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
             robot.mouseMove(line.x + 60, line.y);
             robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         });
-        assertThat(onEvents(() -> viewer.model().scene()))
-                .as("turned by no drag of the line")
-                .isEqualTo(scene);
-        BufferedImage dragged = onEvents(() -> painted(viewer.window().picture()));
+        assertThat(modelScene()).as("turned by no drag of the line").isEqualTo(scene);
+        BufferedImage dragged = shown();
         assertSame(dragged, own, 0, middle + 60 - LINE);
         assertSame(dragged, thesis, middle + 60 + LINE, own.getWidth());
         press(KeyEvent.VK_ALT, KeyEvent.VK_LEFT);
         await(() -> onEvents(() -> divider().share()) < 0.5 + 60.0 / own.getWidth());
 
         arrivals.await(KeyEvent.KEY_PRESSED, 1, () -> robot.keyPress(KeyEvent.VK_SPACE));
-        await(() -> different(onEvents(() -> painted(viewer.window().picture())), dragged, false) > 0);
-        assertSame(onEvents(() -> painted(viewer.window().picture())), thesis, LINE, own.getWidth());
+        await(() -> different(shown(), dragged, false) > 0);
+        assertSame(shown(), thesis, LINE, own.getWidth());
         arrivals.await(KeyEvent.KEY_RELEASED, 1, () -> robot.keyRelease(KeyEvent.VK_SPACE));
 
         press(KeyEvent.VK_RIGHT);
-        await(() -> onEvents(() -> !divider().isShown()));
+        awaitOnEvents(() -> !divider().isShown());
         awaitFinal();
         BufferedImage lit = awaitOther();
         int edge = (int) onEvents(() -> divider().share() * own.getWidth()).doubleValue();
         assertSame(lit, picture(), 0, edge - LINE);
         assertSame(lit, thesis("lit"), edge + LINE, own.getWidth());
-        choose("off");
-        await(() -> onEvents(() -> !divider().isShown()));
-        assertSame(onEvents(() -> painted(viewer.window().picture())), picture(), 0, own.getWidth());
+        choose("comparison", "off");
+        awaitOnEvents(() -> !divider().isShown());
+        assertSame(shown(), picture(), 0, own.getWidth());
     }
 
     @Test
     void bothSidesHaveTheGround() throws Exception {
-        onEvents(() -> {
-            viewer.model()
-                    .change(scene -> scene.with(Choices.none()
-                            .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
-                            .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
-                            .with(SceneSettings.SKY, 0.5)
-                            .with(SceneSettings.SHADOWS, true)));
-            return null;
-        });
+        onEvents(() -> viewer.model()
+                .change(scene -> scene.with(Choices.none()
+                        .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
+                        .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
+                        .with(SceneSettings.SKY, 0.5)
+                        .with(SceneSettings.SHADOWS, true))));
         awaitFinal();
-        choose("full, thesis");
+        choose("comparison", "full, thesis");
         BufferedImage both = awaitOther();
         int own = picture().getRGB(both.getWidth() - 1, both.getHeight() - 1);
         int other = both.getRGB(both.getWidth() - 1, both.getHeight() - 1);
@@ -105,31 +99,23 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
         }
     }
 
+    private BufferedImage shown() throws Exception {
+        return onEvents(() -> painted(viewer.window().picture()));
+    }
+
     private Divider divider() {
         return viewer.window().picture().divider();
     }
 
-    private void choose(String label) throws Exception {
-        onEvents(() -> {
-            JComboBox<?> box = control("comparison", JComboBox.class);
-            for (int i = 0; i < box.getItemCount(); i++) {
-                if (box.getItemAt(i).toString().equals(label)) {
-                    box.setSelectedIndex(i);
-                }
-            }
-            return null;
-        });
-    }
-
     /** Waits for the comparison method's final picture and returns it. */
     private BufferedImage awaitOther() throws Exception {
-        await(() -> onEvents(() -> divider().isFinal()));
-        return onEvents(() -> painted(viewer.window().picture()));
+        awaitOnEvents(() -> divider().isFinal());
+        return shown();
     }
 
     /** Returns the picture that the command render draws with the thesis's preset. */
     private BufferedImage thesis(String name) throws Exception {
-        Scene scene = onEvents(() -> viewer.model().scene());
+        Scene scene = modelScene();
         return rendered(
                 name,
                 scene.withMethod(new SceneMethod(Choices.none()

@@ -31,14 +31,8 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         onEvents(() -> {
             viewer.model().change(ViewerEndWindowTest::costly);
             viewer.window().setSize(1100, 800);
-            return null;
         });
-        await(() -> onEvents(() -> viewer.model()
-                        .loaded()
-                        .orElseThrow()
-                        .firstPart()
-                        .suits(viewer.model().scene())
-                && !viewer.window().picture().isFinal()));
+        await(() -> loaded().suits(modelScene()) && !viewer.window().picture().isFinal());
         closeWindow();
         assertEnd();
     }
@@ -49,7 +43,6 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         onEvents(() -> {
             viewer.files().loadPatch(patch);
             viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING));
-            return null;
         });
         assertEnd();
     }
@@ -60,7 +53,6 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
         onEvents(() -> {
             viewer.files().savePicture(picture);
             viewer.quit();
-            return null;
         });
         assertEnd();
         assertThat(different(ImageIO.read(picture.toFile()), picture(), false)).isZero();
@@ -99,9 +91,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
     private void assertEnd() throws Exception {
         viewer.awaitEnd(PATIENCE_MILLISECONDS);
         assertThat(viewer.hasEnded()).isTrue();
-        assertThat(onEvents(() -> viewer.window().status().text()))
-                .doesNotContainIgnoringCase("cannot")
-                .doesNotContain("bug");
+        assertThat(message()).doesNotContainIgnoringCase("cannot").doesNotContain("bug");
     }
 
     private static Scene costly(Scene scene) {
@@ -109,10 +99,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
     }
 
     private void closeWindow() throws Exception {
-        onEvents(() -> {
-            viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING));
-            return null;
-        });
+        onEvents(() -> viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING)));
     }
 
     /** The program with a thread that closes the window before the first picture or during its refinement. */
@@ -131,7 +118,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
 
         private static void close(boolean hasPicture) {
             try {
-                await(() -> onEvents(() -> {
+                awaitOnEvents(() -> {
                     for (Window window : Window.getWindows()) {
                         if (window instanceof ViewerWindow viewer
                                 && viewer.isShowing()
@@ -143,7 +130,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
                         }
                     }
                     return false;
-                }));
+                });
             } catch (Exception failure) {
                 throw new IllegalStateException(failure);
             }

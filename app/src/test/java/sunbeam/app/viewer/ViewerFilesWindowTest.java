@@ -26,37 +26,32 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
             viewer.model()
                     .change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3))
                             .withTexture("elaphe"));
-            return null;
         });
-        await(() -> onEvents(() -> viewer.model()
-                .loaded()
-                .orElseThrow()
-                .firstPart()
-                .suits(viewer.model().scene())));
+        await(() -> loaded().suits(modelScene()));
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
         awaitFinal();
         BufferedImage saved = picture();
-        Scene scene = onEvents(() -> viewer.model().scene());
+        Scene scene = modelScene();
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         Dialogs.choose("Save scene", folder.resolve("mine"));
         await(() -> message().contains("mine.json"));
         press(KeyEvent.VK_HOME);
-        await(() -> loadedScene().equals(scene()));
+        await(() -> loaded().scene().equals(scene()));
 
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
         Dialogs.choose("Load scene", folder.resolve("mine.json"));
-        await(() -> loadedScene().patch().equals(scene.patch()));
+        await(() -> loaded().scene().patch().equals(scene.patch()));
         awaitFinal();
         assertThat(picture()).isNotSameAs(saved);
         assertThat(different(saved, picture(), false)).isZero();
         assertThat(message()).contains("loaded mine.json");
         assertThat(onEvents(() -> viewer.files().recent())).containsExactly(folder.resolve("mine.json"));
-        Scene again = onEvents(() -> viewer.model().scene());
+        Scene again = modelScene();
         press(KeyEvent.VK_RIGHT);
-        await(() -> !loadedScene().equals(again));
+        await(() -> !loaded().scene().equals(again));
         press(KeyEvent.VK_HOME);
-        await(() -> loadedScene().equals(again)); // the scene loaded last, not the first one
+        await(() -> loaded().scene().equals(again)); // the scene loaded last, not the first one
     }
 
     @Test
@@ -82,20 +77,9 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
         awaitFinal();
         assertThat(different(ImageIO.read(file.toFile()), picture(), false)).isZero();
         assertThat(different(picture(), rendered("scene"), false)).isZero();
-        onEvents(() -> {
-            viewer.files().savePicture(folder.resolve("missing/picture.png"));
-            return null;
-        });
+        onEvents(() -> viewer.files().savePicture(folder.resolve("missing/picture.png")));
         await(() -> message().startsWith("cannot write"));
         assertThat(message()).contains("does not exist").doesNotContain("\n");
         assertThat(onEvents(() -> viewer.window().picture().isFinal())).isTrue();
-    }
-
-    private Scene loadedScene() throws Exception {
-        return onEvents(() -> viewer.model().loaded().orElseThrow().firstPart().scene());
-    }
-
-    private String message() throws Exception {
-        return onEvents(() -> viewer.window().status().text());
     }
 }

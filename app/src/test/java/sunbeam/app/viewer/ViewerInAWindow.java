@@ -24,7 +24,9 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.FutureTask;
+import java.util.function.UnaryOperator;
 import javax.imageio.ImageIO;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import jrtr.scene.Camera;
@@ -36,6 +38,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.cli.Sunbeam;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.render.Pick;
+import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
@@ -90,7 +93,6 @@ public abstract class ViewerInAWindow {
             viewer.window().picture().hideHint();
             viewer.window().setBounds(0, 0, 620, 420);
             viewer.presenter().toggleMap();
-            return null;
         });
         awaitFinal();
     }
@@ -119,10 +121,7 @@ public abstract class ViewerInAWindow {
     @AfterEach
     void close() throws Exception {
         if (viewer != null) {
-            onEvents(() -> {
-                viewer.quit();
-                return null;
-            });
+            onEvents(() -> viewer.quit());
             viewer.awaitEnd(PATIENCE_MILLISECONDS);
             arrivals.close();
             // Handle the last notifications of the render thread.
@@ -153,10 +152,10 @@ public abstract class ViewerInAWindow {
         click(1);
         middle(0);
         click(2);
-        await(() -> onEvents(() -> {
+        awaitOnEvents(() -> {
             Optional<SkinPoint> now = viewer.inspector().point();
             return now.isPresent() && (before.isEmpty() || now.get() != before.get());
-        }));
+        });
         awaitFinal();
         return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
     }
@@ -203,12 +202,12 @@ public abstract class ViewerInAWindow {
     /** Presses keys together, such as Ctrl and S, once the picture has the focus, which it requests if there is no window manager. */
     void press(int... keys) throws Exception {
         PictureView view = viewer.window().picture();
-        await(() -> onEvents(() -> {
+        awaitOnEvents(() -> {
             if (!view.isFocusOwner()) {
                 view.requestFocus();
             }
             return view.isFocusOwner();
-        }));
+        });
         arrivals.await(KeyEvent.KEY_PRESSED, keys.length, () -> {
             for (int key : keys) {
                 robot.keyPress(key);
@@ -262,24 +261,45 @@ public abstract class ViewerInAWindow {
     void awaitFinal() throws Exception {
         // Wait until the render loop has received the last change.
         robot.delay(100);
-        await(() -> onEvents(() -> {
+        awaitOnEvents(() -> {
             PictureView view = viewer.window().picture();
             return view.isFinal()
                     && viewer.presenter().isSettled()
                     && view.picture().orElseThrow().getWidth() == view.pictureWidth();
-        }));
+        });
+    }
+
+    void change(UnaryOperator<Scene> change) throws Exception {
+        onEvents(() -> viewer.model().change(change));
+    }
+
+    Scene modelScene() throws Exception {
+        return onEvents(() -> viewer.model().scene());
+    }
+
+    SceneData loaded() throws Exception {
+        return onEvents(() -> viewer.model().loaded().orElseThrow().firstPart());
+    }
+
+    /** Chooses an item of a combo box of the panel by its text. */
+    void choose(String name, String label) throws Exception {
+        onEvents(() -> {
+            JComboBox<?> box = control(name, JComboBox.class);
+            for (int i = 0; i < box.getItemCount(); i++) {
+                if (box.getItemAt(i).toString().equals(label)) {
+                    box.setSelectedIndex(i);
+                }
+            }
+        });
+    }
+
+    String message() throws Exception {
+        return onEvents(() -> viewer.window().status().text());
     }
 
     /** @param name a built-in patch or its file */
     void awaitPatch(String name) throws Exception {
-        await(() -> onEvents(() -> viewer.model()
-                        .loaded()
-                        .orElseThrow()
-                        .firstPart()
-                        .scene()
-                        .patch()
-                        .patch())
-                .equals(name));
+        await(() -> loaded().scene().patch().patch().equals(name));
     }
 
     static void await(Callable<Boolean> condition) throws Exception {
@@ -297,6 +317,22 @@ public abstract class ViewerInAWindow {
 
     BufferedImage picture() throws Exception {
         return onEvents(() -> viewer.window().picture().picture().orElseThrow());
+    }
+
+    /** Work on the event thread that may throw. */
+    interface Work {
+        void run() throws Exception;
+    }
+
+    static void onEvents(Work work) throws Exception {
+        onEvents(() -> {
+            work.run();
+            return null;
+        });
+    }
+
+    static void awaitOnEvents(Callable<Boolean> condition) throws Exception {
+        await(() -> onEvents(condition));
     }
 
     static <T> T onEvents(Callable<T> work) throws Exception {

@@ -88,10 +88,8 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
         wheel(2);
-        onEvents(() -> {
-            viewer.model().change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 1.0)));
-            return null;
-        });
+        onEvents(() ->
+                viewer.model().change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 1.0))));
         awaitFinal();
         assertThat(different(before, picture(), true)).isPositive();
         press(KeyEvent.VK_HOME);
@@ -125,10 +123,10 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
 
     private void pressFocused(int key) {
         try {
-            await(() -> onEvents(() -> {
+            awaitOnEvents(() -> {
                 viewer.window().picture().requestFocus();
                 return viewer.window().picture().isFocusOwner();
-            }));
+            });
         } catch (Exception failure) {
             throw new IllegalStateException(failure);
         }
@@ -139,7 +137,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     void turntableAndLightSweepPlayUntilTheirKeyIsPressedAgain() throws Exception {
         press(KeyEvent.VK_T);
         await(() -> onEvents(() -> viewer.model().scene().orientation().angle()) > Math.toRadians(20));
-        Scene turning = onEvents(() -> viewer.model().scene());
+        Scene turning = modelScene();
         assertThat(turning.orientation().transform(new Vector3f(0, 0, 1)).z).isCloseTo(1, within((float) ROUNDING));
         assertThat(button("TURNTABLE")).isTrue();
         press(KeyEvent.VK_S);
@@ -147,9 +145,9 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         assertThat(button("TURNTABLE")).as("one motion at a time").isFalse();
         assertThat(button("LIGHT_SWEEP")).isTrue();
         press(KeyEvent.VK_S);
-        Scene stopped = onEvents(() -> viewer.model().scene());
+        Scene stopped = modelScene();
         robot.delay(100);
-        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(stopped);
+        assertThat(modelScene()).isEqualTo(stopped);
         assertThat(button("LIGHT_SWEEP")).isFalse();
     }
 
@@ -188,10 +186,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
                         "Show or hide how the nanostructure lies",
                         "Show or hide the BRDF map");
         assertThat(marked("Scenes")).isEmpty();
-        onEvents(() -> {
-            viewer.open(Scenes.load("light-left"), () -> {});
-            return null;
-        });
+        onEvents(() -> viewer.open(Scenes.load("light-left"), () -> {}));
         await(() -> !marked("Scenes").isEmpty());
         assertThat(marked("Scenes")).containsExactly(Scenes.load("light-left").get(SceneSettings.TITLE));
     }
@@ -222,6 +217,6 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     }
 
     private void awaitScene(Predicate<Scene> condition) throws Exception {
-        await(() -> onEvents(() -> condition.test(viewer.model().scene())));
+        awaitOnEvents(() -> condition.test(viewer.model().scene()));
     }
 }

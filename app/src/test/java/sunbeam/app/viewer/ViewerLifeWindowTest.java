@@ -9,8 +9,9 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import javax.swing.JComboBox;
+import java.util.function.Supplier;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import jrtr.GraphicsException;
@@ -22,6 +23,7 @@ import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.MethodChoice;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.RecentFiles;
@@ -34,18 +36,12 @@ import sunbeam.app.work.BackgroundTask;
 final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void withoutOpenGLALabelSaysWhy() throws Exception {
-        Viewer blind = onEvents(() -> {
-            Viewer made = new Viewer(
-                    scene(),
-                    (next, previous, progress) -> null,
-                    () -> {
-                        throw new GraphicsException("no OpenGL 3.3 here");
-                    },
-                    new StartJournal(),
-                    RecentFiles.of(environment()));
-            made.start(null, () -> null);
-            return made;
-        });
+        Viewer blind = start(
+                (next, previous, progress) -> null,
+                () -> {
+                    throw new GraphicsException("no OpenGL 3.3 here");
+                },
+                () -> null);
         assertThatThrownBy(blind::awaitPicture).hasMessageContaining("no OpenGL 3.3 here");
         onEvents(() -> {
             JLabel label = (JLabel) blind.window().picture().getComponent(0);
@@ -55,7 +51,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     .extracting(JLabel::getText)
                     .contains("No picture of this scene");
             blind.quit();
-            return null;
         });
         blind.awaitEnd(PATIENCE_MILLISECONDS);
     }
@@ -65,95 +60,63 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
         SceneLoader loader = new SceneLoader(environment(), line -> {});
         BackgroundTask<SceneShape> shape = BackgroundTask.start(() -> loader.shape(scene()));
         CompletableFuture<Void> patchMayLoad = new CompletableFuture<>();
-        Viewer early = onEvents(() -> {
-            Viewer made = new Viewer(
-                    scene(),
-                    (next, previous, progress) -> {
-                        patchMayLoad.join();
-                        return LoadedScene.load(loader, next, shape);
-                    },
-                    GraphicsStage::new,
-                    new StartJournal(),
-                    RecentFiles.of(environment()));
-            made.start(new Dimension(80, 60), shape::get);
-            return made;
-        });
+        Viewer early = start(
+                (next, previous, progress) -> {
+                    patchMayLoad.join();
+                    return LoadedScene.load(loader, next, shape);
+                },
+                GraphicsStage::new,
+                shape::get);
         PictureView view = early.window().picture();
-        await(() -> onEvents(() -> view.picture().isPresent()));
-        int[] body = onEvents(() -> view.picture().orElseThrow().getRGB(0, 0, 80, 60, null, 0, 80));
+        awaitOnEvents(() -> view.picture().isPresent());
+        int[] body = onEvents(() -> Pictures.pixels(view.picture().orElseThrow()));
         // The white cylinder before the background, both of one color each but for the shading.
         assertThat(Arrays.stream(body).distinct().count()).isGreaterThan(8);
         assertThat(early.model().loaded()).isEmpty();
         patchMayLoad.complete(null);
-        await(() -> onEvents(view::isFinal));
-        onEvents(() -> {
-            early.quit();
-            return null;
-        });
+        awaitOnEvents(view::isFinal);
+        onEvents(early::quit);
         early.awaitEnd(PATIENCE_MILLISECONDS);
+    }
+
+    private Viewer start(ViewerModel.Loading loading, Supplier<GraphicsStage> opening, Supplier<SceneShape> shape)
+            throws Exception {
+        return onEvents(() -> {
+            Viewer made = new Viewer(scene(), loading, opening, new StartJournal(), RecentFiles.of(environment()));
+            made.start(new Dimension(80, 60), shape);
+            return made;
+        });
     }
 
     @Test
     void aSavedPictureSaysHowItWasMade() throws Exception {
         Path picture = folder.resolve("picture.png");
-        onEvents(() -> {
-            viewer.files().savePicture(picture);
-            return null;
-        });
+        onEvents(() -> viewer.files().savePicture(picture));
         await(() -> Files.exists(picture));
         assertThat(PngText.read(picture))
                 .containsKeys("Scene", "Patch", "Method", "Size", "Exposure", "Parameters")
-                .containsEntry(
-                        "Plan",
-                        onEvents(() -> viewer.model()
-                                .loaded()
-                                .orElseThrow()
-                                .firstPart()
-                                .method()
-                                .summary()))
+                .containsEntry("Plan", loaded().method().summary())
                 .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
     }
 
     @Test
     void methodsAreChosenInThePanelAndOneThatCannotBeUsedIsRefused() throws Exception {
         BufferedImage full = picture();
-        for (MethodChoice choice : new MethodChoice[] {choice("nmm"), choice("pq, linear"), choice("gem")}) {
-            onEvents(() -> {
-                control("method", JComboBox.class).setSelectedItem(choice);
-                return null;
-            });
-            await(() -> onEvents(() -> MethodChoice.of(
-                            viewer.model().loaded().orElseThrow().firstPart().scene())
-                    == choice));
+        for (String label : List.of("nmm", "pq, linear", "gem")) {
+            choose("method", label);
+            await(() -> MethodChoice.of(loaded().scene()).toString().equals(label));
             awaitFinal();
         }
         assertThat(different(full, picture(), false)).as("gem is another model").isPositive();
-        assertThat(onEvents(() -> viewer.model().scene().get(SceneSettings.DIFFRACTION)))
-                .isEqualTo(0.5);
-        onEvents(() -> {
-            control("method", JComboBox.class).setSelectedItem(choice("full"));
-            return null;
-        });
-        assertThat(onEvents(() -> viewer.model().scene().weights()))
-                .as("as it was before gem")
-                .isEqualTo(scene().weights());
-        onEvents(() -> {
-            control("method", JComboBox.class).setSelectedItem(choice("gem"));
-            return null;
-        });
+        assertThat(modelScene().get(SceneSettings.DIFFRACTION)).isEqualTo(0.5);
+        choose("method", "full");
+        assertThat(modelScene().weights()).as("as it was before gem").isEqualTo(scene().weights());
+        choose("method", "gem");
         onEvents(() -> {
             JTextField spacing = control("spacing", JTextField.class);
             spacing.setText("2 parsec");
             spacing.postActionEvent();
-            return null;
         });
-        assertThat(onEvents(() -> viewer.window().status().text())).contains("Lines \"2 parsec\" has the unknown unit");
-    }
-
-    private static MethodChoice choice(String label) {
-        return MethodChoice.ALL.stream()
-                .filter(each -> each.toString().equals(label))
-                .findFirst()
-                .orElseThrow();
+        assertThat(message()).contains("Lines \"2 parsec\" has the unknown unit");
     }
 }

@@ -58,7 +58,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
             JLabel caption = caption();
             caption.dispatchEvent(
                     new MouseEvent(caption, MouseEvent.MOUSE_PRESSED, 0, InputEvent.BUTTON1_DOWN_MASK, 1, 1, 1, false));
-            return null;
         });
         assertThat(message()).contains("coarse: ", "slopes");
     }
@@ -82,7 +81,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         load(folderItself);
         awaitComplaint("folder.json", "folder.json");
         awaitFinal();
-        assertThat(onEvents(() -> viewer.model().scene())).isEqualTo(scene());
+        assertThat(modelScene()).isEqualTo(scene());
         assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
                 .isEqualTo("blaze");
         assertThat(different(before, picture(), false)).isZero();
@@ -112,7 +111,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
             assertThat(label("status").getText()).startsWith("Loading next.json");
             assertThat(viewer.window().picture().isFinal()).isFalse();
             assertThat(brightness(painted(viewer.window().picture()))).isLessThan(before);
-            return null;
         });
         awaitPatch(file.toString());
         awaitFinal();
@@ -121,20 +119,13 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     /** Returns the sum over pixels and channels. */
     private static int brightness(BufferedImage image) {
-        return Arrays.stream(image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+        return Arrays.stream(Pictures.pixels(image))
                 .map(rgb -> (rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255))
                 .sum();
     }
 
     private void load(Path file) throws Exception {
-        onEvents(() -> {
-            viewer.files().loadPatch(file);
-            return null;
-        });
-    }
-
-    private String message() throws Exception {
-        return onEvents(() -> viewer.window().status().text());
+        onEvents(() -> viewer.files().loadPatch(file));
     }
 
     private JLabel label(String name) {

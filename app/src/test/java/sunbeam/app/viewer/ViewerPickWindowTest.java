@@ -8,6 +8,7 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
@@ -60,7 +61,6 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
             assertThat(panel.getVisibleRect().getSize())
                     .as("what is seen without scrolling")
                     .isEqualTo(panel.getSize());
-            return null;
         });
     }
 
@@ -116,10 +116,10 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         double expected = CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2, row))
                 .difference(CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2 + 24, row)));
         String words = Text.format("CIEDE2000 %.1f", expected);
-        await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
-                .anyMatch(label -> label.getText().equals(words))));
+        awaitOnEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
+                .anyMatch(label -> label.getText().equals(words)));
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
-        await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied both"));
+        await(() -> message().startsWith("copied both"));
         assertThat(copied().lines().filter(line -> line.matches("[0-9]{3}\t[^\t]+\t[^\t]+")))
                 .as("powers of both points")
                 .hasSize(81);
@@ -134,9 +134,9 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     private void assertTheNumbersAreCopied(String text) throws Exception {
         BufferedImage before = screen(viewer.window().status());
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
-        await(() -> onEvents(() -> viewer.window().status().text()).startsWith("copied"));
+        await(() -> message().startsWith("copied"));
         JComponent view = viewer.window().picture();
-        await(() -> onEvents(() -> Dialogs.all(view, JTextArea.class).get(0).getVisibleRect().height > 10));
+        awaitOnEvents(() -> Dialogs.all(view, JTextArea.class).get(0).getVisibleRect().height > 10);
         assertThat(onEvents(view::getHeight))
                 .as("the picture keeps its size")
                 .isEqualTo(picture().getHeight());
@@ -157,8 +157,8 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
 
     private void awaitColor(int rgb) throws Exception {
         String words = Text.format("sRGB %d, %d, %d", rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255);
-        await(() -> onEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
-                .anyMatch(label -> label.getText().contains(words))));
+        awaitOnEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
+                .anyMatch(label -> label.getText().contains(words)));
     }
 
     private JComponent plot() {
@@ -166,15 +166,11 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     /** Returns the number of pixels of the spectrum's curve. */
-    private int curvePixels(int color) throws Exception {
+    private long curvePixels(int color) throws Exception {
         BufferedImage plot = onEvents(() -> painted(plot()));
-        int count = 0;
-        for (int y = 0; y < plot.getHeight(); y++) {
-            for (int x = 0; x < plot.getWidth(); x++) {
-                count += (plot.getRGB(x, y) & 0xffffff) == color ? 1 : 0;
-            }
-        }
-        return count;
+        return Arrays.stream(Pictures.pixels(plot))
+                .filter(rgb -> (rgb & 0xffffff) == color)
+                .count();
     }
 
     private static String words(Vector3fc vector) {

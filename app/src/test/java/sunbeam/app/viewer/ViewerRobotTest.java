@@ -1,32 +1,24 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
-import java.awt.event.MouseWheelEvent;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.picture.PictureView;
-import sunbeam.app.viewer.window.Viewer;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
@@ -38,30 +30,20 @@ import sunbeam.precompute.setting.Choices;
 /** A robot uses the viewer for {@code -Dsunbeam.robot.minutes} (10) without pause: no thread blocks, and each picture becomes final. */
 @Tag("thorough")
 @Timeout(value = 2, unit = TimeUnit.HOURS)
-final class ViewerRobotTest {
+final class ViewerRobotTest extends ViewerInAWindow {
     private static final double MINUTES = Double.parseDouble(System.getProperty("sunbeam.robot.minutes", "10"));
-    private static final long PATIENCE_MILLISECONDS = 180_000;
     private static final List<String> PATCHES = List.of("elaphe-like", "blaze", "xenopeltis-like");
     private static final List<String> MESHES = List.of("snake", "cylinder", "sphere");
-
-    @TempDir
-    private Path folder;
 
     private final long seed = System.nanoTime();
     private final SplittableRandom random = new SplittableRandom(seed);
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-    private Viewer viewer;
 
     @Test
     void nothingWaitsForEver() throws Exception {
-        assumeFalse(GraphicsEnvironment.isHeadless(), "no DISPLAY: windows cannot be tested");
         long end = System.nanoTime() + (long) (MINUTES * 60e9);
         while (System.nanoTime() < end) {
-            viewer = ViewerStart.open(
-                    Scenes.load("elaphe"),
-                    new Environment(Map.of("XDG_CACHE_HOME", "" + folder), folder),
-                    line -> {},
-                    null);
+            change(scene -> Scenes.load("elaphe"));
             int actions = random.nextInt(5, 60);
             for (int i = 0; i < actions && System.nanoTime() < end; i++) {
                 act();
@@ -69,14 +51,17 @@ final class ViewerRobotTest {
                 assertNobodyBlocked();
             }
             if (random.nextBoolean()) {
+                onEvents(() -> viewer.window().setSize(700, 500));
+                // Other tests cover loads of minutes.
+                change(scene -> scene());
                 awaitFinal();
             }
-            on(viewer::quit);
-            viewer.awaitEnd(PATIENCE_MILLISECONDS);
+            close();
             assertThat(viewer.hasEnded()).as("ended, seed " + seed).isTrue();
             // The first use of a color source is not interruptible.
-            ViewerInAWindow.await(() -> Thread.getAllStackTraces().keySet().stream()
+            await(() -> Thread.getAllStackTraces().keySet().stream()
                     .noneMatch(thread -> List.of("render", "colors").contains(thread.getName())));
+            open();
         }
         System.out.println(dump());
         assertNobodyBlocked();
@@ -84,24 +69,24 @@ final class ViewerRobotTest {
 
     private void act() throws Exception {
         switch (random.nextInt(8)) {
-            case 0, 1 -> drag(InputEvent.BUTTON1_DOWN_MASK, MouseEvent.BUTTON1);
-            case 2, 3 -> drag(InputEvent.BUTTON3_DOWN_MASK, MouseEvent.BUTTON3);
-            case 4 -> wheel();
+            case 0, 1 -> dragFar(InputEvent.BUTTON1_DOWN_MASK, MouseEvent.BUTTON1);
+            case 2, 3 -> dragFar(InputEvent.BUTTON3_DOWN_MASK, MouseEvent.BUTTON3);
+            case 4 -> robot.mouseWheel(random.nextInt(-3, 4));
             case 5 -> {
                 for (int i = 0; i < 10; i++) {
-                    Scene next = scene();
-                    on(() -> viewer.model().change(scene -> next.withView(scene.view())));
+                    Scene next = randomScene();
+                    change(scene -> next.withView(scene.view()));
                     Thread.sleep(100);
                 }
             }
             case 6 -> {
                 int width = random.nextInt(1, 1100);
                 int height = random.nextInt(1, 900);
-                on(() -> viewer.window().setSize(width, height));
+                onEvents(() -> viewer.window().setSize(width, height));
             }
             default -> {
                 int x = random.nextInt(400);
-                on(() -> {
+                onEvents(() -> {
                     viewer.presenter().pick(x, x);
                     if (x % 4 == 0) {
                         viewer.presenter().toggleMap();
@@ -111,7 +96,7 @@ final class ViewerRobotTest {
         }
     }
 
-    private Scene scene() {
+    private Scene randomScene() {
         Choices method = Choices.none()
                 .with(Methods.METHOD, random.nextInt(3) == 0 ? FullMethod.TYPE : TableMethod.TYPE)
                 .with(MethodSettings.TOLERANCE, random.nextBoolean() ? 0.05 : 0.01)
@@ -123,7 +108,7 @@ final class ViewerRobotTest {
                 .with(method);
     }
 
-    private void drag(int held, int button) throws Exception {
+    private void dragFar(int held, int button) throws Exception {
         post(MouseEvent.MOUSE_PRESSED, held, 200, 200, button);
         int steps = random.nextInt(1, 60);
         int right = random.nextInt(-4, 5);
@@ -135,40 +120,10 @@ final class ViewerRobotTest {
     }
 
     private void post(int kind, int held, int x, int y, int button) throws Exception {
-        on(() -> {
+        onEvents(() -> {
             PictureView view = viewer.window().picture();
             view.dispatchEvent(new MouseEvent(view, kind, System.currentTimeMillis(), held, x, y, 1, false, button));
         });
-    }
-
-    private void wheel() throws Exception {
-        int notches = random.nextInt(-3, 4);
-        on(() -> {
-            PictureView view = viewer.window().picture();
-            view.dispatchEvent(new MouseWheelEvent(
-                    view, MouseEvent.MOUSE_WHEEL, System.currentTimeMillis(), 0, 9, 9, 1, false, 0, 3, notches));
-        });
-    }
-
-    private static void on(Runnable action) throws Exception {
-        ViewerInAWindow.onEvents(() -> {
-            action.run();
-            return null;
-        });
-    }
-
-    private void awaitFinal() throws Exception {
-        on(() -> {
-            viewer.window().setSize(700, 500);
-            // Other tests cover loads of minutes.
-            viewer.model().change(scene -> ViewerInAWindow.scene());
-        });
-        long end = System.currentTimeMillis() + PATIENCE_MILLISECONDS;
-        while (!ViewerInAWindow.onEvents(
-                () -> viewer.window().picture().isFinal() && viewer.presenter().isSettled())) {
-            assertThat(System.currentTimeMillis()).as("seed " + seed + dump()).isLessThan(end);
-            Thread.sleep(100);
-        }
     }
 
     /** Asserts that no thread waits long for a lock. */

@@ -22,7 +22,7 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
     void aWindowOfNoSizeGoesOnAndComesBack() throws Exception {
         BufferedImage before = picture();
         resize(1, 1);
-        await(() -> onEvents(() -> viewer.window().picture().pictureHeight() < 1));
+        awaitOnEvents(() -> viewer.window().picture().pictureHeight() < 1);
         moveLight();
         resize(620, 420);
         awaitFinal();
@@ -40,18 +40,11 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
             assertThat(narrow.window().isPanelShown()).isFalse();
             assertThat(narrow.window().picture().getSize()).isEqualTo(new Dimension(480, 320));
             narrow.window().setSize(700, 500);
-            return null;
         });
         await(() -> onEvents(() -> narrow.window().picture().getWidth()) > 600);
-        onEvents(() -> {
-            narrow.window().setSize(1180, 880);
-            return null;
-        });
-        await(() -> onEvents(() -> narrow.window().isPanelShown()));
-        onEvents(() -> {
-            narrow.quit();
-            return null;
-        });
+        onEvents(() -> narrow.window().setSize(1180, 880));
+        awaitOnEvents(() -> narrow.window().isPanelShown());
+        onEvents(() -> narrow.quit());
         narrow.awaitEnd(PATIENCE_MILLISECONDS);
     }
 
@@ -61,13 +54,11 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
         onEvents(() -> {
             viewer.window().setExtendedState(Frame.ICONIFIED);
             viewer.window().setVisible(false);
-            return null;
         });
         moveLight();
         onEvents(() -> {
             viewer.window().setExtendedState(Frame.NORMAL);
             viewer.window().setVisible(true);
-            return null;
         });
         awaitFinal();
         BufferedImage after = picture();
@@ -86,24 +77,17 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
     }
 
     private void toggleStrokes() throws Exception {
-        onEvents(() -> {
-            viewer.presenter().toggleStrokes();
-            return null;
-        });
+        onEvents(() -> viewer.presenter().toggleStrokes());
     }
 
     private void resize(int width, int height) throws Exception {
         onEvents(() -> {
             viewer.window().setMinimumSize(null);
             viewer.window().setSize(width, height);
-            return null;
         });
     }
 
     private void moveLight() throws Exception {
-        onEvents(() -> {
-            viewer.model().change(scene -> scene.withLight(OTHER));
-            return null;
-        });
+        onEvents(() -> viewer.model().change(scene -> scene.withLight(OTHER)));
     }
 }

@@ -26,15 +26,6 @@ class PictureViewTest {
     }
 
     @Test
-    void anEvenColorStaysAsItIs() {
-        BufferedImage few = new BufferedImage(3, 3, BufferedImage.TYPE_INT_RGB);
-        for (int i = 0; i < 9; i++) {
-            few.setRGB(i % 3, i / 3, 0xff01fe);
-        }
-        assertThat(enlarged(few, 10, 11).getRGB(0, 0, 10, 11, null, 0, 10)).containsOnly(0xffff01fe);
-    }
-
-    @Test
     void theLineAboutTheMouseIsThereUntilTheFirstDrag() {
         PictureView view = new PictureView();
         view.setSize(800, 600);
