@@ -87,7 +87,7 @@ final class ViewerRobotTest extends ViewerInAWindow {
             default -> {
                 int x = random.nextInt(400);
                 onEvents(() -> {
-                    viewer.presenter().pick(x, x);
+                    viewer.inspector().pick(x, x, false);
                     if (x % 4 == 0) {
                         viewer.presenter().toggleMap();
                     }

@@ -16,10 +16,10 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.input.Help.Group;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.pick.PointInspector;
 import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.Player;
-import sunbeam.app.viewer.window.ScenePresenter;
 import sunbeam.app.viewer.window.Viewer;
 
 /** Mouse listener that applies the {@link Gesture}s to the scene. */
@@ -85,7 +85,7 @@ public final class MouseControls extends MouseAdapter {
                 "Shift + double click on the skin",
                 "picks a second point beside it",
                 event -> isDoubleClick(event) && event.isShiftDown(),
-                MouseControls::pickBeside),
+                MouseControls::pick),
         PICK(Group.SKIN, "double click on the skin", "picks the point", Gesture::isDoubleClick, MouseControls::pick);
 
         private final Group group;
@@ -134,7 +134,7 @@ public final class MouseControls extends MouseAdapter {
 
     private final PictureView view;
     private final ViewerModel model;
-    private final ScenePresenter presenter;
+    private final PointInspector inspector;
     private final Player player;
     private Point last;
     private Optional<SkinPoint> held = Optional.empty();
@@ -143,7 +143,7 @@ public final class MouseControls extends MouseAdapter {
     private MouseControls(Viewer viewer) {
         view = viewer.window().picture();
         model = viewer.model();
-        presenter = viewer.presenter();
+        inspector = viewer.inspector();
         player = viewer.player();
     }
 
@@ -162,7 +162,7 @@ public final class MouseControls extends MouseAdapter {
         held = Optional.empty();
         int press = ++presses;
         Point pixel = pixel(event);
-        presenter.locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
+        inspector.locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
     }
 
     @Override
@@ -217,12 +217,7 @@ public final class MouseControls extends MouseAdapter {
 
     private void pick(MouseEvent event) {
         Point pixel = pixel(event);
-        presenter.pick(pixel.x, pixel.y);
-    }
-
-    private void pickBeside(MouseEvent event) {
-        Point pixel = pixel(event);
-        presenter.pickBeside(pixel.x, pixel.y);
+        inspector.pick(pixel.x, pixel.y, event.isShiftDown());
     }
 
     private void zoom(MouseEvent event) {

@@ -178,8 +178,8 @@ public final class GraphicsStage implements Stage {
         boolean isFirst = metered.isEmpty();
         meter(() -> false);
         Preview preview = byTable(1);
-        if (isFirst && scene().get(SceneSettings.EXPOSURE).isEmpty()) {
-            exposures.storeOnScreen(screenExposure(preview.image(), preview.exposure()));
+        if (isFirst) {
+            exposures.storeOnScreen(preview.image(), preview.exposure(), scene());
         }
         return Optional.of(preview);
     }
@@ -191,7 +191,7 @@ public final class GraphicsStage implements Stage {
         double exposure = exposureSoFar();
         BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {
-            exposures.follow(state.firstPart(), () -> screenExposure(image, exposure));
+            exposures.follow(state.firstPart(), image, exposure);
         }
         return new Preview(image, divisor, hasCoarsest(), exposure, 0);
     }
@@ -203,13 +203,6 @@ public final class GraphicsStage implements Stage {
             metered.ifPresent(exposure -> exposures.store(state.firstPart(), exposure));
         }
         return metered.isPresent();
-    }
-
-    private double screenExposure(BufferedImage image, double exposure) {
-        return ScreenExposure.of(
-                image,
-                scene().display(exposure),
-                scene().get(SceneSettings.BACKGROUND).rgb());
     }
 
     /**

@@ -40,7 +40,6 @@ final class Inbox<S, T> {
         return closed || newest != null;
     }
 
-    /** True if closed, or if a new state satisfies the predicate. */
     synchronized boolean isInterrupted(Predicate<S> by) {
         return closed || (newest != null && by.test(newest));
     }

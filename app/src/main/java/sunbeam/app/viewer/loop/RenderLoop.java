@@ -210,7 +210,6 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Shows previews while tiles are being baked. */
     private void await(Stage stage) {
         double share = stage.requestedShare();
         if (share < 1) {
@@ -222,7 +221,6 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Draws progressively finer pictures up to the final one; stops when interrupted. */
     private void refine(Stage stage) {
         ViewState begun = state;
         BooleanSupplier interrupted = () -> isOvertaken(stage, begun);

@@ -26,7 +26,6 @@ final class StageSessions implements AutoCloseable {
         this.context = context;
     }
 
-    /** Uploads the first scene without its diffraction. */
     SceneSession open(Scene scene, SceneShape shape) {
         body = new SceneSession(context, scene, shape);
         return body;
@@ -71,7 +70,6 @@ final class StageSessions implements AutoCloseable {
         parts = List.copyOf(made);
     }
 
-    /** Resets the measured cost if the method or mesh changes. */
     @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void followCost(SceneData data) {
         if (scaled == null || data.method() != scaled.method() || data.mesh() != scaled.mesh()) {

@@ -17,7 +17,6 @@ import sunbeam.precompute.optics.Direction;
  */
 public record ViewState(
         LoadedScene scene, int width, int height, Optional<Direction> mapLight, int mapRegion, boolean isOther) {
-    /** Returns the same view, without map, by the comparison method. */
     public ViewState by(LoadedScene other) {
         return new ViewState(other, width, height, Optional.empty(), 0, true);
     }

@@ -111,7 +111,6 @@ public final class Drags {
         return scene.withView(new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView()));
     }
 
-    /** Shifts eye and target in world space. */
     public static Scene shifted(Scene scene, Vector3fc shift) {
         return shifted(scene, shift, 1);
     }

@@ -51,12 +51,10 @@ public record LoadedScene(List<SceneData> parts) {
         return parts.get(0);
     }
 
-    /** Returns the parts of a patch, given its index in the scene. */
     public List<SceneData> ofRegion(int region) {
         return parts.stream().filter(part -> part.region() == region).toList();
     }
 
-    /** True if the method is {@code table}. */
     public boolean isByTable() {
         return firstPart().scene().method().type().equals(TableMethod.TYPE);
     }

@@ -16,13 +16,11 @@ import sunbeam.app.scene.Scene;
 public final class ViewerModel {
     /** Listener, called on the event thread. */
     public interface Listener {
-        /** Reports a change of the scene or of its loaded parts. */
         void changed();
 
         /** Reports the completed share of the newest load, 0 to 1; 0 at its start. */
         void loading(double share);
 
-        /** Reports a failed load. */
         void problem(String message);
     }
 

@@ -43,7 +43,6 @@ public enum ControlOrigin implements Origin {
         return wrapped(String.join(" ", setting.help().in(this), values, more));
     }
 
-    /** Returns a text as a tooltip with lines of limited width. */
     static String wrapped(String text) {
         return "<html><body style='width: 260px'>"
                 + text.replace("&", "&amp;").replace("<", "&lt;").strip();

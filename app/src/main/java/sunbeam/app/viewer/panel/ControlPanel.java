@@ -159,9 +159,11 @@ public final class ControlPanel extends JTabbedPane {
 
     private Scene by(MethodChoice choice, Scene scene) {
         Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
-        // The control keeps its tolerance while the scene's method has none, so take it from the control.
-        Choices all = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
-        return reweighted(scene, scene.withMethod(choice.inPlaceOf(scene.method(), all)));
+        if (choice.hasTolerance()) {
+            // The control keeps its tolerance while the scene's method has none, so take it from the control.
+            entered = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
+        }
+        return reweighted(scene, scene.withMethod(choice.inPlaceOf(scene.method(), entered)));
     }
 
     /**
@@ -178,7 +180,6 @@ public final class ControlPanel extends JTabbedPane {
         return is && !was && weightByMirror.isPresent() ? after.with(DIFFRACTION, weightByMirror.getAsDouble()) : after;
     }
 
-    /** Sets the listener for the choice of a comparison method. */
     public void onComparison(Runnable chosen) {
         comparison.addActionListener(event -> chosen.run());
     }

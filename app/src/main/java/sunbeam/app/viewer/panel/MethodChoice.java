@@ -67,7 +67,7 @@ public final class MethodChoice {
      * Returns this method with the settings of the method that it replaces. Settings that only the old method has are dropped. So are the
      * average for {@code pq}, which has only one, and tolerance and average for the thesis's preset.
      *
-     * @param entered spacing and tolerance from the controls, used if this method needs them
+     * @param entered spacing and tolerance from the controls, of those that this method has
      */
     SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
         List<Setting<?>> kept = new ArrayList<>(List.of(TOLERANCE, COHERENCE_LENGTH, AVERAGE));
@@ -80,18 +80,7 @@ public final class MethodChoice {
         if (isThesis()) {
             kept.removeAll(List.of(TOLERANCE, AVERAGE));
         }
-        return new SceneMethod(own.over(other.choices().only(kept)).over(entered.only(controlSettings())));
-    }
-
-    private List<Setting<?>> controlSettings() {
-        List<Setting<?>> needed = new ArrayList<>();
-        if (hasTolerance()) {
-            needed.add(TOLERANCE);
-        }
-        if (hasSpacing()) {
-            needed.add(SPACING);
-        }
-        return needed;
+        return new SceneMethod(own.over(other.choices().only(kept)).over(entered));
     }
 
     private MethodType type() {

@@ -90,13 +90,11 @@ final class SettingRows extends JPanel {
         followers.add(choices -> box.setSelected(choices.get(setting)));
     }
 
-    /** Adds a row with the slider. */
     void add(Setting<Double> setting, ValueSlider slider) {
         row(setting, slider, RESET);
         followers.add(choices -> slider.follow(choices.get(setting)));
     }
 
-    /** Adds a slider of weights in hundredths, from 0. */
     void hundredths(Setting<Double> setting, int high) {
         add(
                 setting,

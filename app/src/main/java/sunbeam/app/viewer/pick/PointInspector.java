@@ -14,6 +14,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -22,8 +23,11 @@ import sunbeam.precompute.optics.DirectionPair;
 public final class PointInspector {
     private final PictureView picture;
     private final PickPanel panel;
+    private final ViewerModel model;
+    private final RenderLoop loop;
     private final Consumer<String> message;
     private final Background measuring;
+    private final Runnable picked;
     // At most {@link PickPanel#MOST}, in the panel's order.
     private final List<Inspected> picks = new ArrayList<>();
 
@@ -39,16 +43,25 @@ public final class PointInspector {
     }
 
     /**
-     * Creates an inspector without points.
-     *
      * @param measuring worker that computes spectra
      * @param message receives one line per failure
+     * @param picked called when points have been picked
      */
-    public PointInspector(PictureView picture, PickPanel panel, Background measuring, Consumer<String> message) {
+    public PointInspector(
+            PictureView picture,
+            PickPanel panel,
+            ViewerModel model,
+            RenderLoop loop,
+            Background measuring,
+            Consumer<String> message,
+            Runnable picked) {
         this.picture = picture;
         this.panel = panel;
+        this.model = model;
+        this.loop = loop;
         this.measuring = measuring;
         this.message = message;
+        this.picked = picked;
     }
 
     /** Returns the first point; empty before a pick and after a change of mesh. */
@@ -56,39 +69,32 @@ public final class PointInspector {
         return points().stream().findFirst();
     }
 
-    /** Returns the points; none before a pick and after a change of mesh. */
     public List<SkinPoint> points() {
         return picks.stream().map(pick -> pick.point).toList();
     }
 
-    /**
-     * Finds the point under a pixel of the picture.
-     *
-     * @param data scene data on screen
-     * @param found called on the event thread with the point, or empty
-     */
-    public void locate(RenderLoop loop, SceneData data, int x, int y, Consumer<Optional<SkinPoint>> found) {
+    /** Finds the point under a pixel of the picture; passes it, or empty, on the event thread. */
+    public void locate(int x, int y, Consumer<Optional<SkinPoint>> found) {
         int width = picture.pictureWidth();
         int height = picture.pictureHeight();
-        if (x < 0 || y < 0 || x >= width || y >= height) {
+        if (x < 0 || y < 0 || x >= width || y >= height || model.loaded().isEmpty()) {
             return;
         }
+        Scene scene = model.loaded().get().firstPart().scene();
         loop.submit(stage -> {
-            Optional<SkinPoint> located =
-                    stage.pick(x, y, width, height).map(skin -> new SkinPoint(data.scene(), skin));
+            Optional<SkinPoint> located = stage.pick(x, y, width, height).map(skin -> new SkinPoint(scene, skin));
             SwingUtilities.invokeLater(() -> found.accept(located));
         });
     }
 
-    public void show(Optional<SkinPoint> located) {
-        keepFirst(0);
-        located.map(Inspected::new).ifPresent(picks::add);
-    }
-
-    /** Sets or replaces the second point; an empty one removes it. */
-    public void showBeside(Optional<SkinPoint> located) {
-        keepFirst(Math.min(1, picks.size()));
-        located.map(Inspected::new).ifPresent(picks::add);
+    /** Picks the point under a pixel as the first or, beside it, as the second one; a pixel without skin removes it. */
+    public void pick(int x, int y, boolean isBeside) {
+        locate(x, y, located -> {
+            keepFirst(isBeside ? Math.min(1, picks.size()) : 0);
+            located.map(Inspected::new).ifPresent(picks::add);
+            picked.run();
+            measure();
+        });
     }
 
     private void keepFirst(int count) {
@@ -125,7 +131,6 @@ public final class PointInspector {
         mark();
     }
 
-    /** Shows tangent frames and angles for a light in this direction. */
     public void showAngles(Vector3fc towards) {
         for (int i = 0; i < picks.size(); i++) {
             SkinPoint found = picks.get(i).point;
@@ -142,10 +147,12 @@ public final class PointInspector {
     }
 
     /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
-    public void measure(LoadedScene loaded) {
-        for (int i = 0; i < picks.size(); i++) {
-            measure(i, picks.get(i), loaded);
-        }
+    public void measure() {
+        model.loaded().ifPresent(loaded -> {
+            for (int i = 0; i < picks.size(); i++) {
+                measure(i, picks.get(i), loaded);
+            }
+        });
     }
 
     private void measure(int index, Inspected pick, LoadedScene loaded) {
@@ -188,7 +195,6 @@ public final class PointInspector {
         message.accept(picks.size() > 1 ? "copied both points' numbers" : "copied the picked point's numbers");
     }
 
-    /** Cancels running computations. */
     public void stop() {
         picks.forEach(pick -> pick.requestedInputs = List.of());
     }

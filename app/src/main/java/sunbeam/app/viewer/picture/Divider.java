@@ -41,7 +41,6 @@ public final class Divider {
         repaint.run();
     }
 
-    /** Draws a part over the comparison method's picture. */
     public void showTile(BufferedImage tile, int x, int y, String otherText) {
         if (picture != null) {
             Graphics2D graphics = picture.createGraphics();
@@ -51,7 +50,6 @@ public final class Divider {
         }
     }
 
-    /** Ends the split view. */
     public void hide() {
         if (isShown) {
             isShown = false;
@@ -65,7 +63,6 @@ public final class Divider {
         return isShown;
     }
 
-    /** True if the comparison method's picture is final. */
     public boolean isFinal() {
         return isFinal;
     }
@@ -88,7 +85,6 @@ public final class Divider {
         return share;
     }
 
-    /** True if the line is near enough to a column to be dragged. */
     public boolean isAt(int x, int width) {
         return isShown && Math.abs(x - share * width) <= REACH;
     }

@@ -54,7 +54,6 @@ public final class PictureView extends JComponent {
         setName("picture");
     }
 
-    /** Returns the split view. */
     public Divider divider() {
         return divider;
     }
@@ -160,7 +159,6 @@ public final class PictureView extends JComponent {
         return picture;
     }
 
-    /** Draws a part of the final picture over the preview. */
     public void showTile(BufferedImage tile, int x, int y) {
         if (whole() == null || isFinal) {
             return;
@@ -196,7 +194,6 @@ public final class PictureView extends JComponent {
         isFinal = false;
     }
 
-    /** Sets whether the picture is dimmed as outdated. */
     public void dim(boolean old) {
         if (old != isDimmed) {
             isDimmed = old;
@@ -223,7 +220,6 @@ public final class PictureView extends JComponent {
         value.ifPresent(this::repaint);
     }
 
-    /** Marks the pixels of the picked points; points without a pixel have no mark. */
     public void mark(List<Optional<Point>> pixels) {
         if (!pixels.equals(marks)) {
             marks = pixels;

@@ -135,7 +135,6 @@ public final class FileActions {
         run(() -> SceneReader.isScene(file), isScene -> load(isScene ? Kind.SCENE : Kind.PATCH, file));
     }
 
-    /** Returns the scenes, patches and meshes loaded last, the newest first. */
     public List<Path> recent() {
         return recent.files();
     }
@@ -205,7 +204,6 @@ public final class FileActions {
         ask(Kind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
     }
 
-    /** Saves the picture as soon as it is final. */
     public void savePicture(Path file) {
         pictureWaiting = file;
         window.status().message("the picture is saved once it is final");

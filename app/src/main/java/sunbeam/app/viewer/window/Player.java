@@ -21,7 +21,6 @@ public final class Player {
         this.model = model;
     }
 
-    /** Adds a listener for starts and stops. */
     public void onChange(Runnable listener) {
         listeners.add(listener);
     }

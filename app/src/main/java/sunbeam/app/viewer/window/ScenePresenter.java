@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
@@ -22,7 +21,6 @@ import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.MethodChoice;
 import sunbeam.app.viewer.pick.PointInspector;
-import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.precompute.plan.MethodSettings;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
@@ -74,7 +72,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         firstPicture.completeExceptionally(new GraphicsException(why));
     }
 
-    /** Attaches a measurement that is notified of requested states and displayed previews. */
     void observe(Optional<ViewMeasurement> value) {
         measurement = value;
     }
@@ -114,32 +111,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
 
     public boolean isMapShown() {
         return map.isShown();
-    }
-
-    /** Finds the point of the skin under a pixel, as {@link PointInspector#locate} does. */
-    public void locate(int x, int y, Consumer<Optional<SkinPoint>> found) {
-        model.loaded().ifPresent(loaded -> inspector.locate(loop, loaded.firstPart(), x, y, found));
-    }
-
-    public void pick(int x, int y) {
-        pick(x, y, inspector::show);
-    }
-
-    /** Picks the second point. */
-    public void pickBeside(int x, int y) {
-        pick(x, y, inspector::showBeside);
-    }
-
-    private void pick(int x, int y, Consumer<Optional<SkinPoint>> taking) {
-        locate(x, y, found -> {
-            taking.accept(found);
-            show();
-            measure();
-        });
-    }
-
-    private void measure() {
-        model.loaded().ifPresent(loaded -> inspector.measure(loaded));
     }
 
     static String title(Scene scene) {
@@ -302,7 +273,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
             strokes.request();
         }
         files.pictureIsFinal(state.scene(), picture.exposure());
-        measure();
+        inspector.measure();
         if (state == requested) {
             splitView.begin(state, picture.exposure());
         }

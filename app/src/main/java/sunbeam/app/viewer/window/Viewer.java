@@ -69,7 +69,8 @@ public final class Viewer {
         loop.start();
         try {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
-            inspector = new PointInspector(window.picture(), window.pick(), measuring, window.status()::message);
+            inspector = new PointInspector(
+                    window.picture(), window.pick(), model, loop, measuring, window.status()::message, this::show);
             files = new FileActions(window, model, writing, this::open, recent);
             presenter = new ScenePresenter(
                     model,
@@ -92,13 +93,17 @@ public final class Viewer {
             window.picture().addComponentListener(new ComponentAdapter() {
                 @Override
                 public void componentResized(ComponentEvent event) {
-                    presenter.show();
+                    show();
                 }
             });
         } catch (RuntimeException | Error failure) {
             loop.close();
             throw failure;
         }
+    }
+
+    private void show() {
+        presenter.show();
     }
 
     private void tell(Consumer<RenderListener> news) {
@@ -224,7 +229,6 @@ public final class Viewer {
         }
     }
 
-    /** Scales the distance from the eye to the point that the camera looks at. */
     public void zoom(double factor) {
         model.change(scene -> Drags.zoomed(scene, factor, 0, 0, 1, 1));
     }

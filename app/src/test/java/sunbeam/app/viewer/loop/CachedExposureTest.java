@@ -11,7 +11,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 
-class ScreenExposureTest {
+class CachedExposureTest {
     private static final int SIDE = 80;
     private static final int BACKGROUND = 0x101418;
 
@@ -39,6 +39,6 @@ class ScreenExposureTest {
         }
         // Half a step of 8 bits is 2 % of the light of a pixel ten times as bright as white, which is compressed.
         double exact = LinearPicture.exposure(picture());
-        assertThat(ScreenExposure.of(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
+        assertThat(CachedExposure.onScreen(image, display, BACKGROUND)).isCloseTo(exact, within(0.02 * exact));
     }
 }
