@@ -10,8 +10,6 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.util.ArrayList;
-import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,20 +22,13 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
-import sunbeam.precompute.text.Text;
 
 /** Exposure and annotation of maps. */
 @NeedsDisplay
 class BrdfMapCommandTest extends CommandLineFixture {
     /** Draws a map of 24 pixels. */
     private int draw(String file, String... more) {
-        String[] first = {
-            "brdf-map", "--size", "24", "--output", folder.resolve(file).toString()
-        };
-        String[] all = new String[first.length + more.length];
-        System.arraycopy(first, 0, all, 0, first.length);
-        System.arraycopy(more, 0, all, first.length, more.length);
-        return sunbeam(all);
+        return sunbeam(("brdf-map --size 24 --output " + folder.resolve(file)).split(" "), more);
     }
 
     private double exposure(String file, String... more) {
@@ -117,15 +108,8 @@ class BrdfMapCommandTest extends CommandLineFixture {
 
     /** Waves of 1 um across 20 um. */
     private Path grating(String name, double nanometers) throws IOException {
-        StringBuilder text =
-                new StringBuilder("# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n");
-        for (int row = 0; row < 200; row++) {
-            for (int column = 0; column < 200; column++) {
-                text.append(Text.format("%.5f ", nanometers * Math.sin(2 * Math.PI * column / 10)));
-            }
-            text.append('\n');
-        }
-        return Files.writeString(folder.resolve(name + ".txt"), text);
+        String header = "# Channel: Height\n# Width: 20 um\n# Height: 20 um\n# Value units: nm\n";
+        return scan(name + ".txt", header, 200, 200, (column, row) -> nanometers * Math.sin(2 * Math.PI * column / 10));
     }
 
     @Test
@@ -156,11 +140,8 @@ class BrdfMapCommandTest extends CommandLineFixture {
     /** Returns the linear colors of a map, three per pixel. */
     private float[] linear(String... more) throws IOException {
         Path numbers = folder.resolve("map.npy");
-        List<String> all = new ArrayList<>(
-                List.of("--patch", "sinusoid", "--theta-i", "60", "--coherence-length", "4um", "--force", "--linear"));
-        all.add(numbers.toString());
-        all.addAll(List.of(more));
-        assertSuccess(draw("map.png", all.toArray(String[]::new)));
+        String options = "--patch sinusoid --theta-i 60 --coherence-length 4um --force --linear " + numbers;
+        assertSuccess(draw("map.png", with(options.split(" "), more)));
         byte[] bytes = Files.readAllBytes(numbers);
         float[] xyz = new float[3 * 24 * 24];
         ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)

@@ -31,19 +31,13 @@ final class CollectionTest extends CommandLineFixture {
     void prepare() throws IOException {
         scans = Files.createDirectory(folder.resolve("scans"));
         report = folder.resolve("report");
-        scan(scans.resolve("grating.txt"), x -> 50 * Math.sin(2 * Math.PI * x / PERIOD));
+        scan("grating.txt", x -> 50 * Math.sin(2 * Math.PI * x / PERIOD));
     }
 
     /** Writes a scan of 64 equal rows of 64 samples, 0.25 um apart, in a text format that states its scale. */
-    private static void scan(Path file, DoubleUnaryOperator heights) throws IOException {
-        StringBuilder text =
-                new StringBuilder("# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n");
-        for (int row = 0; row < 64; row++) {
-            for (int column = 0; column < 64; column++) {
-                text.append(heights.applyAsDouble(column * 0.25e-6)).append(column == 63 ? "\n" : "\t");
-            }
-        }
-        Files.writeString(file, text);
+    private void scan(String name, DoubleUnaryOperator heights) throws IOException {
+        String header = "# Channel: Height\n# Width: 16 µm\n# Height: 16 µm\n# Value units: nm\n";
+        scan("scans/" + name, header, 64, 64, (column, row) -> heights.applyAsDouble(column * 0.25e-6));
     }
 
     private int run(String... arguments) {
@@ -52,9 +46,7 @@ final class CollectionTest extends CommandLineFixture {
     }
 
     private int inspect(String... more) {
-        List<String> words = new ArrayList<>(List.of("inspect", "--output", report.toString()));
-        words.addAll(List.of(more));
-        return run(words.toArray(String[]::new));
+        return run(with(new String[] {"inspect", "--output", report.toString()}, more));
     }
 
     private List<NamedCsvRecord> table(String name) throws IOException {
@@ -70,7 +62,7 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void aFolderBecomesOneTableAndOneSheet() throws IOException {
-        scan(scans.resolve("other.txt"), x -> 40 * Math.sin(2 * Math.PI * x / (2 * PERIOD)));
+        scan("other.txt", x -> 40 * Math.sin(2 * Math.PI * x / (2 * PERIOD)));
 
         assertSuccess(inspect(scans.toString()));
 
@@ -179,7 +171,7 @@ final class CollectionTest extends CommandLineFixture {
         assertThat(time("grating.png")).isEqualTo(first);
         assertThat(time("later.png")).isGreaterThan(second);
         // A changed file is inspected again.
-        scan(scans.resolve("grating.txt"), x -> 0.01);
+        scan("grating.txt", x -> 0.01);
         assertThat(inspect(scans.toString(), "--resume")).isEqualTo(3);
         assertThat(table("table.csv").get(0).getField("verdict_code")).isEqualTo("mirror");
     }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,11 +33,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     private JsonNode tell(String... more) throws IOException {
         assertSuccess(run(more));
-        return written();
-    }
-
-    private JsonNode written() throws IOException {
-        return new ObjectMapper().readTree(folder.resolve("c.json").toFile());
+        return readJson("c.json");
     }
 
     private static JsonNode at(JsonNode surface, String strip, double theta) {
@@ -116,15 +111,13 @@ class ColorCommandTest extends CommandLineFixture {
     /** The surface has waves 4 um long and, at right angles, steeper ones 1.3 um long. */
     @Test
     void ofCrossedGratingsEitherHasItsColorsInAStrip() throws IOException {
-        StringBuilder heights = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            int row = i / 128;
-            double x = 20.0 * (i % 128) / 128;
-            double y = 20.0 * row / 128;
-            heights.append(40 * Math.cos(2 * Math.PI * x / 4) + 30 * Math.cos(2 * Math.PI * y / 1.3))
-                    .append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("crossed.txt"), heights);
+        double turns = 2 * Math.PI * 20 / 128;
+        Path scan = scan(
+                "crossed.txt",
+                "",
+                128,
+                128,
+                (column, row) -> 40 * Math.cos(turns * column / 4) + 30 * Math.cos(turns * row / 1.3));
         String[] crossed = {
             "--patch", scan.toString(), "--width", "20um", "--height-unit", "nm", "--theta-i", "30", "--no-periodic"
         };
@@ -150,24 +143,9 @@ class ColorCommandTest extends CommandLineFixture {
 
     /** Lines 9.14 um apart, whose orders are narrower than a degree in sunlight. */
     private String[] wideLines(double nanometers) throws IOException {
-        StringBuilder heights = new StringBuilder();
-        for (int i = 0; i < 4 * 128; i++) {
-            heights.append(nanometers * Math.sin(2 * Math.PI * i / 128.0)).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("wide.txt"), heights);
-        return new String[] {
-            "--patch",
-            scan.toString(),
-            "--width",
-            "9.14um",
-            "--height-unit",
-            "nm",
-            "--periodic",
-            "--theta-i",
-            "0",
-            "--coherence-length",
-            "65um"
-        };
+        Path scan = scan("wide.txt", "", 128, 4, (column, row) -> nanometers * Math.sin(2 * Math.PI * column / 128.0));
+        String options = " --width 9.14um --height-unit nm --periodic --theta-i 0 --coherence-length 65um";
+        return ("--patch " + scan + options).split(" ");
     }
 
     @Test
@@ -203,11 +181,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     @Test
     void aProbableGratingHasItsColors() throws IOException {
-        StringBuilder heights = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            heights.append((i % 128) % 37 < 16 ? 100 : 0).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("few.txt"), heights);
+        Path scan = scan("few.txt", "", 128, 128, (column, row) -> column % 37 < 16 ? 100 : 0);
         JsonNode surface = tell("--patch", scan.toString(), "--width", "10um", "--height-unit", "nm", "--no-periodic")
                 .get("surfaces")
                 .get(0);
@@ -234,17 +208,13 @@ class ColorCommandTest extends CommandLineFixture {
     @Test
     void aSurfaceWithoutOrderHasNoColor() throws IOException {
         SplittableRandom random = new SplittableRandom(5);
-        StringBuilder noise = new StringBuilder();
-        for (int i = 0; i < 128 * 128; i++) {
-            noise.append(20 * random.nextGaussian()).append(i % 128 == 127 ? "\n" : "\t");
-        }
-        Path scan = Files.writeString(folder.resolve("noise.txt"), noise);
+        Path scan = scan("noise.txt", "", 128, 128, (column, row) -> 20 * random.nextGaussian());
         assertThat(run("--patch", scan.toString(), "--width", "20um", "--height-unit", "nm"))
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(out.toString())
                 .startsWith("No order found: a white gloss without color")
                 .doesNotContain("purest");
-        JsonNode surface = written().get("surfaces").get(0);
+        JsonNode surface = readJson("c.json").get("surfaces").get(0);
         assertThat(surface.get("purest").isNull()).isTrue();
         assertThat(surface.get("has_color").asBoolean()).isFalse();
     }
@@ -254,10 +224,11 @@ class ColorCommandTest extends CommandLineFixture {
         String[] scan = {"--patch", "sinusoid", "--no-periodic", "--crop", "0um:0.5um,0um:0.5um"};
         assertThat(run(scan)).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(out.toString()).startsWith("Too little to judge: a side of 508 nm");
-        assertThat(written().get("warnings"))
+        assertThat(readJson("c.json").get("warnings"))
                 .extracting(JsonNode::asText)
                 .anyMatch(line -> line.contains("coherence length 507.8 nm (the scan's width; 10 um asked)"));
-        assertThat(written().get("surfaces").get(0).get("model").asText()).contains("docs/theory.md");
+        assertThat(readJson("c.json").get("surfaces").get(0).get("model").asText())
+                .contains("docs/theory.md");
     }
 
     /** Uses files of instruments that are not part of the project. */
@@ -299,13 +270,6 @@ class ColorCommandTest extends CommandLineFixture {
                 .containsEntry("Index", "gold.csv, tabulated from 300 to 800 nm");
         JsonNode mirror = at(golden, "along", -20);
         assertThat(1e9 * mirror.get("dominant_m").asDouble()).as("gold").isBetween(570.0, 610.0);
-    }
-
-    private static String[] with(String[] first, String... more) {
-        String[] all = new String[first.length + more.length];
-        System.arraycopy(first, 0, all, 0, first.length);
-        System.arraycopy(more, 0, all, first.length, more.length);
-        return all;
     }
 
     @Test

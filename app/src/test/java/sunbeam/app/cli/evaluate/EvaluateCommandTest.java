@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -29,28 +28,16 @@ final class EvaluateCommandTest extends CommandLineFixture {
     private static final int SAMPLES = 128;
 
     private int run(String... arguments) {
-        List<String> all = new ArrayList<>(List.of("evaluate"));
-        all.addAll(List.of(arguments));
-        if (!all.contains("--wavelengths")) {
-            all.addAll(List.of("--wavelengths", "380:780:50"));
-        }
-        all.addAll(List.of("--output", folder.resolve("result").toString()));
-        return sunbeam(all.toArray(String[]::new));
+        String[] all = with(
+                new String[] {"evaluate", "--output", folder.resolve("result").toString()}, arguments);
+        return List.of(all).contains("--wavelengths") ? sunbeam(all) : sunbeam(all, "--wavelengths", "380:780:50");
     }
 
     /** Evaluates a scan of this side; the function returns the height, nm, at a column and a row. */
     private int runScan(DoubleBinaryOperator height, double micrometers, String... more) throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int row = 0; row < SAMPLES; row++) {
-            for (int column = 0; column < SAMPLES; column++) {
-                text.append(height.applyAsDouble(column, row)).append(column + 1 < SAMPLES ? "\t" : "\n");
-            }
-        }
-        Path scan = Files.writeString(folder.resolve("scan.txt"), text);
-        List<String> all = new ArrayList<>(List.of("--patch", scan.toString(), "--height-unit", "nm"));
-        all.addAll(List.of("--width", micrometers + "um", "--force"));
-        all.addAll(List.of(more));
-        return run(all.toArray(String[]::new));
+        Path scan = scan("scan.txt", "", SAMPLES, SAMPLES, height);
+        return run(
+                with(("--patch " + scan + " --height-unit nm --force --width " + micrometers + "um").split(" "), more));
     }
 
     /** Returns a wave whose period is given in samples. */
@@ -60,7 +47,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     }
 
     private JsonNode report() throws IOException {
-        return new ObjectMapper().readTree(folder.resolve("result.json").toFile());
+        return readJson("result.json");
     }
 
     private List<String> files() throws IOException {
@@ -96,8 +83,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void theMaximaOfABlazedGratingHaveTheThesissMeanAndVariance() throws IOException {
         String[] options = "--preset thesis --azimuth 0 --wavelengths 380:780:20 --angles=-56:-40:0.01".split(" ");
-        assertSuccess(run(Stream.concat(Stream.of("--patch", "blaze", "--peaks", "maximum"), Stream.of(options))
-                .toArray(String[]::new)));
+        assertSuccess(run(with(options, "--patch", "blaze", "--peaks", "maximum")));
         assertThat(out.toString()).contains("maxima      2.500");
         // The standard error of 21 samples is 0.09 nm.
         assertThat(1e9 * report().at("/peaks_at_maxima/mean_m").doubleValue()).isCloseTo(2500.34, within(0.3));
@@ -134,8 +120,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @ValueSource(strings = {"full", "nmm", "pq", "reference"})
     void everyMethodSeesTheGrating(String method) throws IOException {
         String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
-        assertSuccess(run(Stream.concat(Stream.of("--patch", "blaze", "--method", method), Stream.of(few))
-                .toArray(String[]::new)));
+        assertSuccess(run(with(few, "--patch", "blaze", "--method", method)));
         double tolerance = method.equals("full") || method.equals("reference") ? 0.5 : 10;
         assertThat(1e9 * report().at("/peaks_interpolated/mean_m").doubleValue())
                 .isCloseTo(2500.3, within(tolerance));

@@ -8,12 +8,9 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.function.DoubleBinaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.cli.CommandLineFixture;
@@ -122,34 +119,23 @@ final class InspectCommandTest extends CommandLineFixture {
     }
 
     /** Writes a tilted wave as a scan of 10 x 5 um in text. */
-    private Path scan(double amplitudeNm, boolean spiked) throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int row = 0; row < 64; row++) {
-            for (int column = 0; column < 128; column++) {
-                double wave = amplitudeNm * Math.sin(2 * Math.PI * column * 0.078125 / 0.9) * (1 + row / 640.0);
-                boolean spike = spiked && ((row == 20 && column == 30) || (row == 50 && column == 99));
-                text.append(wave * (1 + 0.01 * column) + (spike ? 40 * amplitudeNm : 0))
-                        .append(column < 127 ? "\t" : "\n");
-            }
-        }
-        return Files.writeString(folder.resolve("scan.txt"), text);
+    private void scan(double amplitudeNm, boolean spiked) throws IOException {
+        scan("scan.txt", "", 128, 64, (column, row) -> {
+            double wave = amplitudeNm * Math.sin(2 * Math.PI * column * 0.078125 / 0.9) * (1 + row / 640.0);
+            boolean spike = spiked && ((row == 20 && column == 30) || (row == 50 && column == 99));
+            return wave * (1 + 0.01 * column) + (spike ? 40 * amplitudeNm : 0);
+        });
     }
 
     private void inspectScan(int code, String... more) {
         forgetOutput();
-        List<String> arguments = new ArrayList<>(List.of(
-                "inspect",
-                folder.resolve("scan.txt").toString(),
-                "--height-unit",
-                "nm",
-                "--output",
-                picture(),
-                "--force"));
-        arguments.addAll(List.of(more));
-        if (!arguments.contains("--width")) {
-            arguments.addAll(List.of("--width", "10um"));
-        }
-        assertThat(sunbeam(arguments.toArray(String[]::new))).as(err.toString()).isEqualTo(code);
+        String width = List.of(more).contains("--width") ? "" : " --width 10um";
+        String scan = folder.resolve("scan.txt").toString();
+        assertThat(sunbeam(
+                        ("inspect " + scan + " --height-unit nm --force --output " + picture() + width).split(" "),
+                        more))
+                .as(err.toString())
+                .isEqualTo(code);
     }
 
     @Test
@@ -175,7 +161,12 @@ final class InspectCommandTest extends CommandLineFixture {
     /** With a wrong unit the relief is too deep for any other command. */
     @Test
     void aScanThatCannotBeDrawnIsInspected() throws IOException {
-        text(128, 64, (x, y) -> 500 * Math.sin(2 * Math.PI * x / 1.6) + 100 * Math.sin(2 * Math.PI * y / 1.3));
+        scan(
+                "scan.txt",
+                "",
+                128,
+                64,
+                (column, row) -> 500 * Math.sin(2 * Math.PI * column / 16) + 100 * Math.sin(2 * Math.PI * row / 13));
         inspectScan(0, "--explain", "--width", "2mm");
         assertThat(err.toString()).doesNotContain("likely");
         assertThat(out.toString())
@@ -186,17 +177,6 @@ final class InspectCommandTest extends CommandLineFixture {
         JsonNode report = new ObjectMapper().readTree(out.toString());
         assertThat(report.get("plan").isNull()).isTrue();
         assertThat(report.get("plan_refused").textValue()).contains("--coherence-length");
-    }
-
-    private void text(int columns, int rows, DoubleBinaryOperator nanometers) throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                text.append(nanometers.applyAsDouble(0.1 * column, 0.1 * (rows - row)))
-                        .append(column < columns - 1 ? "\t" : "\n");
-            }
-        }
-        Files.writeString(folder.resolve("scan.txt"), text);
     }
 
     /** A relief in picometers shows no color, like a mirror. */

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -13,7 +12,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.gpu.NeedsDisplay;
@@ -25,9 +23,7 @@ class RotatePatchTest extends CommandLineFixture {
     private static final int SIDE = 24;
 
     private void run(String... arguments) {
-        String[] all = Stream.concat(Arrays.stream(arguments), Stream.of("--coherence-length", "10um", "--force"))
-                .toArray(String[]::new);
-        assertSuccess(sunbeam(all));
+        assertSuccess(sunbeam(arguments, "--coherence-length", "10um", "--force"));
     }
 
     /** Returns X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */
@@ -39,7 +35,7 @@ class RotatePatchTest extends CommandLineFixture {
         Path directions = Files.writeString(folder.resolve("in.csv"), csv);
         Path output = folder.resolve("out.csv");
         String[] first = {"reflectance", "blaze", "--directions", directions.toString(), "--output", output.toString()};
-        run(Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new));
+        run(with(first, more));
         return Files.readAllLines(output).stream()
                 .skip(1)
                 .map(line -> Arrays.stream(line.split(","))
@@ -52,19 +48,10 @@ class RotatePatchTest extends CommandLineFixture {
     /** Returns linear X, Y, Z of each pixel, top row first. */
     private float[] map(String... more) throws IOException {
         Path numbers = folder.resolve("map.npy");
-        String[] first = {
-            "brdf-map",
-            "blaze",
-            "--size",
-            Integer.toString(SIDE),
-            "--average",
-            "coherent",
-            "--output",
-            folder.resolve("map.png").toString(),
-            "--linear",
-            numbers.toString()
-        };
-        run(Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new));
+        String[] first = ("brdf-map blaze --average coherent --size " + SIDE + " --output " + folder.resolve("map.png")
+                        + " --linear " + numbers)
+                .split(" ");
+        run(with(first, more));
         byte[] bytes = Files.readAllBytes(numbers);
         float[] xyz = new float[3 * SIDE * SIDE];
         ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)
@@ -123,17 +110,8 @@ class RotatePatchTest extends CommandLineFixture {
     void aSurfacesColorTurnsWithIt() throws IOException {
         List<JsonNode> told = new ArrayList<>();
         for (String turn : List.of("0", "30")) {
-            run(
-                    "color",
-                    "blaze",
-                    "--rotate-patch",
-                    turn,
-                    "--output",
-                    folder.resolve("c.png").toString());
-            told.add(new ObjectMapper()
-                    .readTree(folder.resolve("c.json").toFile())
-                    .get("surfaces")
-                    .get(0));
+            run(("color blaze --rotate-patch " + turn + " --output " + folder.resolve("c.png")).split(" "));
+            told.add(readJson("c.json").at("/surfaces/0"));
         }
         JsonNode turned = told.get(1);
 
