@@ -91,7 +91,7 @@ public final class OutputFolder {
             try {
                 return Files.createDirectory(TargetFolder.numberedAtEnd(folder, number));
             } catch (FileAlreadyExistsException taken) {
-                continue;
+                // The next number may be free.
             } catch (IOException failure) {
                 throw creationFailure(folder, failure);
             }

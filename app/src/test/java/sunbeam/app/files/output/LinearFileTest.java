@@ -18,7 +18,7 @@ class LinearFileTest {
     @Test
     void openExrHasRedAsOne() throws IOException {
         ByteArrayOutputStream stream = new ByteArrayOutputStream();
-        LinearFile.of(Path.of("a.exr"), new float[] {0.412391f, 0.212639f, 0.019331f}, 1, 1)
+        LinearFile.of(Path.of("a.exr"), new float[] {0.4124564f, 0.2126729f, 0.0193339f}, 1, 1)
                 .writeTo(stream);
 
         ByteBuffer bytes = ByteBuffer.wrap(stream.toByteArray()).order(ByteOrder.LITTLE_ENDIAN);
