@@ -39,7 +39,6 @@ public final class DisplayFaults {
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
     private static final List<Thread> DRAWING = new CopyOnWriteArrayList<>();
     private static final List<Thread> OPENING = new CopyOnWriteArrayList<>();
-    private static final List<Thread> RESTING = new CopyOnWriteArrayList<>();
     private static volatile Runnable onLoss = () -> {};
     private static volatile boolean ending;
     private static boolean prepared;
@@ -198,7 +197,7 @@ public final class DisplayFaults {
     static void blockIfExiting(GL3 gl) {
         if (ending) {
             gl.glFinish();
-            RESTING.add(Thread.currentThread());
+            DRAWING.removeAll(List.of(Thread.currentThread()));
             while (true) {
                 sleep(TimeUnit.DAYS.toMillis(1));
             }
@@ -219,7 +218,6 @@ public final class DisplayFaults {
 
     private static boolean mustWait(Thread thread, long waited) {
         return waited < (OPENING.contains(thread) ? OPENING_NANOSECONDS : DRAWING_NANOSECONDS)
-                && !RESTING.contains(thread)
                 && Stream.of(thread.getStackTrace())
                         .anyMatch(frame -> frame.getClassName().startsWith("jrtr.gl."));
     }

@@ -15,7 +15,7 @@ import java.util.Optional;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.scan.ChannelList;
-import sunbeam.precompute.scan.LengthUnit;
+import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
@@ -150,7 +150,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     private static HeightMap scaled(Path file, ScanChannel channel, Choices choices) throws IOException {
         Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
         Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);
-        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(LengthUnit::meters);
+        Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(Extent::metersPer);
         Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metersPerUnit(), chosen, file);
         Optional<Double> fullScale = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices, file);
         boolean fromFullScale = channel.unit().equals(ScanChannel.FULL_SCALE);

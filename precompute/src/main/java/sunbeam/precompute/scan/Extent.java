@@ -1,5 +1,6 @@
 package sunbeam.precompute.scan;
 
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -30,7 +31,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
     public static Extent ofPitches(double pitchX, double pitchY, String unit, Samples samples) {
         require(pitchX);
         require(pitchY);
-        return LengthUnit.meters(unit)
+        return metersPer(unit)
                 .map(meters -> of(samples.columns() * pitchX * meters, samples.rows() * pitchY * meters))
                 .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
     }
@@ -44,5 +45,27 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
         if (!(length > 0) || !Double.isFinite(length)) {
             throw new ScanException("claims a side of " + length + "; the file is damaged, export it again");
         }
+    }
+
+    /**
+     * Returns meters per unit of length, in instruments' spellings: "nm", "µm" in any encoding, "~m" (Bruker's micrometer), "Å". Empty if the
+     * text is no unit of length.
+     */
+    public static Optional<Double> metersPer(String unit) {
+        String plain = unit.strip()
+                .replaceAll("\u00c2?[\u00b5\u03bc~\u00e6]", "u")
+                .replaceAll("A\u030a|[\u212b\u00c5]", "\u00e5");
+        double meters = switch (plain.length() > 2 ? plain.toLowerCase(Locale.ROOT) : plain) {
+            case "fm" -> 1e-15;
+            case "pm" -> 1e-12;
+            case "ang", "angstrom", "angstroms", "\u00e5" -> 1e-10;
+            case "nm", "nanometer", "nanometre" -> 1e-9;
+            case "um", "micron", "microns", "micrometer", "micrometre" -> 1e-6;
+            case "mm" -> 1e-3;
+            case "cm" -> 1e-2;
+            case "m", "meter", "metre" -> 1;
+            default -> 0;
+        };
+        return meters > 0 ? Optional.of(meters) : Optional.empty();
     }
 }

@@ -33,7 +33,7 @@ public final class Header {
 
         /** Empty if the unit is no unit of length; a number without a unit gets {@code unitOtherwise}. */
         public Optional<Double> meters(String unitOtherwise) {
-            return LengthUnit.meters(unit.isEmpty() ? unitOtherwise : unit).map(meters -> meters * value);
+            return Extent.metersPer(unit.isEmpty() ? unitOtherwise : unit).map(meters -> meters * value);
         }
     }
 

@@ -35,7 +35,7 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
 
     /** Empty if the unit is unknown or no unit of length. */
     public Optional<Double> metersPerUnit() {
-        return LengthUnit.meters(unit);
+        return Extent.metersPer(unit);
     }
 
     /** True if the samples may be heights: in a unit of length, of full scale, or without a unit. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.List;
 import sunbeam.precompute.scan.Extent;
-import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
@@ -55,7 +54,7 @@ final class DigitalSurfReader {
         Samples stored =
                 undoInversion(Samples.of(file, start, columns, rows, type).withMissing(missing), inversion);
         double metersY =
-                LengthUnit.meters(unitY).orElse(1.0) / LengthUnit.meters(unitX).orElse(1.0);
+                Extent.metersPer(unitY).orElse(1.0) / Extent.metersPer(unitX).orElse(1.0);
         return List.of(new ScanChannel(
                 name,
                 stored.scale(inversion == 0 ? step : -step, 0),

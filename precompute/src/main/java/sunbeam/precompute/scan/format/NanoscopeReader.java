@@ -9,7 +9,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
-import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
@@ -174,7 +173,7 @@ final class NanoscopeReader {
      */
     private static Extent extent(Header common, Header image, Samples samples) {
         String[] words = image.text("scan size", common.text("scan size", "")).split("\\s+", -1);
-        Optional<Double> meters = LengthUnit.meters(words[words.length - 1]);
+        Optional<Double> meters = Extent.metersPer(words[words.length - 1]);
         if (words.length < 2 || words.length > 3 || meters.isEmpty()) {
             return Extent.UNKNOWN;
         }

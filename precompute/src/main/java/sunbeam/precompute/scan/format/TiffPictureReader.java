@@ -10,7 +10,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.scan.Extent;
-import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
@@ -102,7 +101,7 @@ final class TiffPictureReader {
     private static Extent extent(TiffPage page, String unit, Samples samples) {
         double perUnitX = page.number(TIFF.TAG_X_RESOLUTION, 0);
         double perUnitY = page.number(TIFF.TAG_Y_RESOLUTION, perUnitX);
-        return LengthUnit.meters(unit).isPresent() && perUnitX > 0 && perUnitY > 0
+        return Extent.metersPer(unit).isPresent() && perUnitX > 0 && perUnitY > 0
                 ? Extent.ofPitches(1 / perUnitX, 1 / perUnitY, unit, samples)
                 : Extent.UNKNOWN;
     }

@@ -8,7 +8,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.scan.Extent;
-import sunbeam.precompute.scan.LengthUnit;
 import sunbeam.precompute.scan.Samples;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanChannel;
@@ -136,9 +135,9 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 .filter(Matcher::matches)
                 .findFirst();
         String unitX = axes.map(matcher -> matcher.group(1)).orElse("");
-        double metersX = LengthUnit.meters(unitX).orElse(1.0);
+        double metersX = Extent.metersPer(unitX).orElse(1.0);
         double metersY =
-                axes.flatMap(matcher -> LengthUnit.meters(matcher.group(2))).orElse(1.0);
+                axes.flatMap(matcher -> Extent.metersPer(matcher.group(2))).orElse(1.0);
         Samples samples = new Samples(
                 grid.axisX().count(), grid.axisY().count(), () -> grid.heights().clone());
         Extent extent =
