@@ -91,10 +91,6 @@ public record ColorTable(
         return slopeDeviation >= LEAST_SLOPES;
     }
 
-    public static ColorTable within(double tolerance, GaussianArea area, double relief, boolean ordersIsolated) {
-        return within(tolerance, area, relief, ordersIsolated, 0);
-    }
-
     /**
      * Returns a table that keeps a tolerance.
      *

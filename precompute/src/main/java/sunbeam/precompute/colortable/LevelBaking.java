@@ -164,7 +164,6 @@ public final class LevelBaking {
         return roots;
     }
 
-    /** Returns the texels that are not evaluated yet, by tile. */
     private Map<Integer, BitSet> missingTexels(BitSet tiles) {
         Map<Integer, BitSet> missingTexels = new TreeMap<>();
         tiles.stream().forEach(tile -> {
@@ -232,7 +231,6 @@ public final class LevelBaking {
         return numbers.encoded(stored);
     }
 
-    /** Square roots of X, Y, Z, row by row. */
     private float[] prefilterInput(int[] place) {
         float[] plane = new float[inputSide * inputSide * COLORS];
         int top = firstInput(place[1]);

@@ -57,7 +57,6 @@ public enum NumberFormat {
         this.scale = scale;
     }
 
-    /** Returns the bytes per number. */
     public int bytes() {
         return bytes;
     }

@@ -71,7 +71,6 @@ public sealed interface TableSpace {
             return new double[] {scale * (-u - light.x()), scale * (-v - light.y())};
         }
 
-        /** Clamps to the largest radius. */
         @Override
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);

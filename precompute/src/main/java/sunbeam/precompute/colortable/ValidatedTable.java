@@ -98,8 +98,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             BakeToken token,
             List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, pages::coefficient);
-        ErrorStatistics errors =
-                errors(pair -> lookUp.xyz(0, pair.u(), pair.v(), pair.w()), baker.direct(), token, samples);
+        ErrorStatistics errors = errors(lookUp, baker.direct(), token, samples);
         return new ValidatedTable(grid, numbers, pages, errors);
     }
 
@@ -179,7 +178,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
 
     /** Returns the relative errors at the first samples, until {@link #ENOUGH} of them are bright. */
     private static ErrorStatistics errors(
-            Function<DirectionPair, double[]> table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
+            TableLookUp table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
         List<Comparison> bright = new ArrayList<>();
         for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
             List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
@@ -192,7 +191,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             }
             float[] xyz = exact.bake(uvw, token);
             for (int i = 0; i < batch.size(); i++) {
-                Comparison one = new Comparison(table.apply(batch.get(i)), Comparison.xyz(xyz, i), 1);
+                DirectionPair pair = batch.get(i);
+                Comparison one = new Comparison(table.xyz(0, pair.u(), pair.v(), pair.w()), Comparison.xyz(xyz, i), 1);
                 if (one.bright()) {
                     bright.add(one);
                 }

@@ -51,7 +51,6 @@ public final class BandTransform2d {
         return result;
     }
 
-    /** Visits the columns of rows that are transformed along x, each with a copy of its samples. */
     private void forEachColumn(ComplexVector half, int width, BiConsumer<Integer, ComplexVector> visitor) {
         IntStream.range(0, width).parallel().forEach(column -> {
             ComplexVector work = alongY.workspace();

@@ -40,7 +40,8 @@ public record ColorTablePlan(
         double tolerance = method.sourceTolerance();
         Roughness roughness =
                 surface.planner().roughness(TableChoices.within(tolerance), method.area(), VisibleRange.all());
-        ColorTable table = ColorTable.within(method.tolerance(), method.area(), relief, roughness.areOrdersIsolated());
+        ColorTable table =
+                ColorTable.within(method.tolerance(), method.area(), relief, roughness.areOrdersIsolated(), 0);
         ColorTable.Level finest = table.levels().get(0);
         // The page table must fit; the scene checks the tiles of its pictures.
         ArrayLayout list = TileGrid.of(finest).tileList(table.levels().size());

@@ -89,7 +89,6 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
                 + "]";
     }
 
-    /** Returns the shapes of the arrays of {@link #binTables}. */
     static List<ArrayLayout> binLayouts(SpectrumPlan plan) {
         List<ArrayLayout> layouts = new ArrayList<>();
         Expansion expansion = plan.expansion();

@@ -36,9 +36,8 @@ final class GridArrays {
     private final Band samplesX;
     private final Band samplesY;
 
-    /** Fields of a windowed spectrum with one real value per DFT bin: parts of complex amplitudes, or terms of powers. */
+    /** Fields with one real value per DFT bin: parts of amplitudes, or terms of powers; {@code [field - first][bin]}. */
     private interface Fields {
-        /** Returns the values of some fields, {@code [field - first][bin]}. */
         double[][] range(int first, int end);
     }
 

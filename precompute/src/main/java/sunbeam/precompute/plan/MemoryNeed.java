@@ -37,7 +37,6 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
         textures = List.copyOf(textures);
     }
 
-    /** Returns the memory that a plan needs for a use of its shader. */
     static MemoryNeed of(SpectrumPlan plan, MethodUse use, int rows) {
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();

@@ -1,6 +1,6 @@
 package sunbeam.precompute.plan;
 
-import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
@@ -54,23 +54,18 @@ public record VisibleRange(
                 List.of());
     }
 
-    /** Returns the smallest range that holds these pairs of directions, of which there is at least one. */
-    public static VisibleRange of(Iterable<DirectionPair> pairs) {
-        double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
-        double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        List<DirectionPair> all = new ArrayList<>();
-        for (DirectionPair pair : pairs) {
-            all.add(pair);
-            double[] uvw = {pair.u(), pair.v(), -pair.w()};
-            for (int axis = 0; axis < 3; axis++) {
-                low[axis] = Math.min(low[axis], uvw[axis]);
-                high[axis] = Math.max(high[axis], uvw[axis]);
-            }
-        }
-        if (low[0] > high[0]) {
-            throw new IllegalArgumentException("no directions");
-        }
-        return new VisibleRange(low[0], high[0], low[1], high[1], low[2], high[2], Optional.empty(), all);
+    /**
+     * Returns the smallest range that holds these pairs of directions.
+     *
+     * @param pairs at least one pair
+     */
+    public static VisibleRange of(List<DirectionPair> pairs) {
+        DoubleSummaryStatistics u = pairs.stream().mapToDouble(DirectionPair::u).summaryStatistics();
+        DoubleSummaryStatistics v = pairs.stream().mapToDouble(DirectionPair::v).summaryStatistics();
+        DoubleSummaryStatistics w =
+                pairs.stream().mapToDouble(pair -> -pair.w()).summaryStatistics();
+        return new VisibleRange(
+                u.getMin(), u.getMax(), v.getMin(), v.getMax(), w.getMin(), w.getMax(), Optional.empty(), pairs);
     }
 
     /** True if single points of the intervals can occur alone, as in maps and lists, so that a table may hold only those. */

@@ -129,7 +129,6 @@ final class LogPolarConvolution {
         return new Line(stride);
     }
 
-    /** Work memory for one ray. */
     final class Line {
         private final int stride;
         private final double[] averages;

@@ -116,7 +116,6 @@ public final class SlopeBaker implements ColorBaker {
         return new Slice(planes, factors);
     }
 
-    /** Bakes samples of one (u, v) and one step. */
     private void bake(Nodes nodes, float[] uvw, int from, int to, float[] xyz) {
         Slice[] slices = new Slice[to - from];
         for (int i = 0; i < slices.length; i++) {

@@ -7,61 +7,48 @@ import sunbeam.precompute.expansion.PhaseNodes;
 
 /** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. */
 final class BinPowers {
-    private final int rows;
-    private final int columns;
-    private final int terms;
-    // [row][(column * terms + term) * 2]: real and imaginary parts
-    private final double[][] values;
+    private final FourierTable table;
+    private final Complex[] turns;
     // [node][term]
     private final double[][] coefficients;
 
     BinPowers(FourierTable table, PhaseNodes nodes) {
-        rows = table.bandY().count();
-        columns = table.bandX().count();
-        terms = table.terms();
-        values = IntStream.range(0, rows)
-                .parallel()
-                .mapToObj(row -> row(table, row))
-                .toArray(double[][]::new);
+        this.table = table;
+        turns = new Complex[table.terms()];
+        Arrays.setAll(turns, table.expansion().kind()::turn);
         coefficients = new double[nodes.count()][];
         Arrays.setAll(coefficients, q -> table.expansion().coefficients(nodes.node(q)));
     }
 
-    private double[] row(FourierTable table, int row) {
-        double[] result = new double[Math.multiplyExact(columns, 2 * terms)];
-        for (int n = 0; n < terms; n++) {
-            Complex turn = table.expansion().kind().turn(n);
-            for (int column = 0; column < columns; column++) {
-                double real = table.real()[n][row * columns + column];
-                double imaginary = table.imaginary()[n][row * columns + column];
-                int at = 2 * (column * terms + n);
-                result[at] = real * turn.getReal() - imaginary * turn.getImaginary();
-                result[at + 1] = real * turn.getImaginary() + imaginary * turn.getReal();
-            }
+    /** Collects a bin's terms, real and imaginary part of each in turn. */
+    private double[] collect(int bin, double[] terms) {
+        for (int n = 0; n < turns.length; n++) {
+            double real = table.real()[n][bin];
+            double imaginary = table.imaginary()[n][bin];
+            terms[2 * n] = real * turns[n].getReal() - imaginary * turns[n].getImaginary();
+            terms[2 * n + 1] = real * turns[n].getImaginary() + imaginary * turns[n].getReal();
         }
-        return result;
+        return terms;
     }
 
-    int bins() {
-        return rows * columns;
+    private double[] terms(int bin) {
+        return collect(bin, new double[2 * turns.length]);
     }
 
     double[] at(int bin) {
-        double[] powers = new double[coefficients.length];
-        at(bin, powers);
-        return powers;
-    }
-
-    private void at(int bin, double[] powers) {
-        Arrays.setAll(powers, q -> power(bin, coefficients[q]));
+        double[] terms = terms(bin);
+        return Arrays.stream(coefficients)
+                .mapToDouble(node -> power(terms, node))
+                .toArray();
     }
 
     /** Returns the mean power of a bin at three nodes, so that a zero at one of them does not hide it. */
     double strength(int bin) {
         int nodes = coefficients.length;
-        return (power(bin, coefficients[nodes / 6])
-                        + power(bin, coefficients[nodes / 2])
-                        + power(bin, coefficients[5 * nodes / 6]))
+        double[] terms = terms(bin);
+        return (power(terms, coefficients[nodes / 6])
+                        + power(terms, coefficients[nodes / 2])
+                        + power(terms, coefficients[5 * nodes / 6]))
                 / 3;
     }
 
@@ -72,17 +59,20 @@ final class BinPowers {
      * @return {@code [function][bin]}
      */
     double[][] sums(double[][] functions) {
-        double[][] sums = new double[functions.length][bins()];
-        int pairs = terms * (terms + 1) / 2;
-        boolean fewTerms = pairs * (2 + functions.length) < coefficients.length * (2 * terms + functions.length);
+        double[][] sums = new double[functions.length][table.bins()];
+        int pairs = turns.length * (turns.length + 1) / 2;
+        boolean fewTerms = pairs * (2 + functions.length) < coefficients.length * (2 * turns.length + functions.length);
         double[][] weights = fewTerms ? pairWeights(functions, pairs) : functions;
-        IntStream.range(0, rows).parallel().forEach(row -> {
+        int columns = table.bandX().count();
+        IntStream.range(0, table.bandY().count()).parallel().forEach(row -> {
+            double[] terms = new double[2 * turns.length];
             double[] inputs = new double[weights[0].length];
             for (int bin = row * columns; bin < (row + 1) * columns; bin++) {
+                collect(bin, terms);
                 if (fewTerms) {
-                    products(bin, inputs);
+                    products(terms, inputs);
                 } else {
-                    at(bin, inputs);
+                    Arrays.setAll(inputs, q -> power(terms, coefficients[q]));
                 }
                 for (int n = 0; n < weights.length; n++) {
                     sums[n][bin] = sum(weights[n], inputs);
@@ -100,8 +90,8 @@ final class BinPowers {
         for (int n = 0; n < functions.length; n++) {
             for (int q = 0; q < coefficients.length; q++) {
                 int pair = 0;
-                for (int a = 0; a < terms; a++) {
-                    for (int b = a; b < terms; b++) {
+                for (int a = 0; a < turns.length; a++) {
+                    for (int b = a; b < turns.length; b++) {
                         double twice = a == b ? 1 : 2;
                         weights[n][pair++] += twice * functions[n][q] * coefficients[q][a] * coefficients[q][b];
                     }
@@ -112,16 +102,13 @@ final class BinPowers {
     }
 
     /** Re(F_a F_b*) of a bin's terms, a <= b. */
-    private void products(int bin, double[] products) {
-        double[] row = values[bin / columns];
-        int first = 2 * (bin % columns) * terms;
-        int end = first + 2 * terms;
+    private static void products(double[] terms, double[] products) {
         int pair = 0;
-        for (int a = first; a < end; a += 2) {
-            double real = row[a];
-            double imaginary = row[a + 1];
-            for (int b = a; b < end; b += 2) {
-                products[pair++] = real * row[b] + imaginary * row[b + 1];
+        for (int a = 0; a < terms.length; a += 2) {
+            double real = terms[a];
+            double imaginary = terms[a + 1];
+            for (int b = a; b < terms.length; b += 2) {
+                products[pair++] = real * terms[b] + imaginary * terms[b + 1];
             }
         }
     }
@@ -134,15 +121,12 @@ final class BinPowers {
         return sum;
     }
 
-    private double power(int bin, double[] factors) {
-        double[] row = values[bin / columns];
-        int at = 2 * (bin % columns) * terms;
+    private static double power(double[] terms, double[] factors) {
         double real = 0;
         double imaginary = 0;
-        for (double factor : factors) {
-            real += factor * row[at];
-            imaginary += factor * row[at + 1];
-            at += 2;
+        for (int n = 0; n < factors.length; n++) {
+            real += factors[n] * terms[2 * n];
+            imaginary += factors[n] * terms[2 * n + 1];
         }
         return real * real + imaginary * imaginary;
     }

@@ -1,11 +1,11 @@
 package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
-import java.util.PriorityQueue;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.apache.commons.math3.util.KthSelector;
 import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.expansion.PhaseNodes;
@@ -36,13 +36,13 @@ final class PowerBasis {
         nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
         PhaseOctaves octaves = new PhaseOctaves(nodes);
         BinPowers powers = new BinPowers(table, nodes);
-        int[] bins = sample(powers);
-        double[][] rows = Arrays.stream(bins).mapToObj(powers::at).toArray(double[][]::new);
+        double[][] rows =
+                Arrays.stream(sample(powers, table.bins())).mapToObj(powers::at).toArray(double[][]::new);
         double[] mirror = mirror(table, powers);
         double[] typical = typical(rows, octaves, mirror);
         double[] weights = new double[nodes.count()];
         Arrays.setAll(weights, q -> nodes.weight(q) / (typical[q] * typical[q]));
-        functions = basis(rows, mirror, weights, brilliant(bins, powers), octaves, tolerance);
+        functions = basis(rows, mirror, weights, octaves, tolerance);
         double[][] weighted = new double[functions.length][nodes.count()];
         for (int n = 0; n < weighted.length; n++) {
             for (int q = 0; q < nodes.count(); q++) {
@@ -84,24 +84,9 @@ final class PowerBasis {
         return mean;
     }
 
-    private static boolean[] brilliant(int[] bins, BinPowers powers) {
-        double[] strengths = Arrays.stream(bins).mapToDouble(powers::strength).toArray();
-        double strongest = Arrays.stream(strengths).max().orElse(0);
-        boolean[] brilliant = new boolean[bins.length];
-        for (int i = 0; i < bins.length; i++) {
-            brilliant[i] = strengths[i] >= BRILLIANT * strongest;
-        }
-        return brilliant;
-    }
-
     /** The mirror's power, then the singular vectors of the rows' remainders. */
     private double[][] basis(
-            double[][] rows,
-            double[] mirror,
-            double[] weights,
-            boolean[] brilliant,
-            PhaseOctaves octaves,
-            double tolerance) {
+            double[][] rows, double[] mirror, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] first = mirror.clone();
         double length = Math.sqrt(product(mirror, mirror, weights));
         Arrays.setAll(first, q -> length > 0 ? mirror[q] / length : 0);
@@ -128,7 +113,7 @@ final class PowerBasis {
                 .parallel()
                 .map(i -> functionsNeeded(rows[i], all, weights, octaves, tolerance))
                 .toArray();
-        return Arrays.copyOf(all, basisSize(functionsNeeded, brilliant));
+        return Arrays.copyOf(all, basisSize(functionsNeeded, rows));
     }
 
     private static double product(double[] a, double[] b, double[] weights) {
@@ -163,43 +148,30 @@ final class PowerBasis {
     }
 
     /** Functions that suffice for all brilliant rows and 99 of 100 others: a limit of the mean error would drop a grating's weak orders. */
-    private static int basisSize(int[] functionsNeeded, boolean[] brilliant) {
+    private int basisSize(int[] functionsNeeded, double[][] rows) {
         int[] sorted = Arrays.stream(functionsNeeded).sorted().toArray();
         int most = sorted[sorted.length - 1 - sorted.length / 100];
-        for (int i = 0; i < functionsNeeded.length; i++) {
-            most = brilliant[i] ? Math.max(most, functionsNeeded[i]) : most;
+        double strongest = Arrays.stream(rows).mapToDouble(this::mean).max().orElse(0);
+        for (int i = 0; i < rows.length; i++) {
+            most = mean(rows[i]) >= BRILLIANT * strongest ? Math.max(most, functionsNeeded[i]) : most;
         }
         return most;
     }
 
     /** Returns the strongest bins, whose tails outshine their surroundings, and a random sample. */
-    private static int[] sample(BinPowers powers) {
-        double[] strengths = new double[powers.bins()];
+    private static int[] sample(BinPowers powers, int bins) {
+        double[] strengths = new double[bins];
         Arrays.parallelSetAll(strengths, powers::strength);
-        double strong = largest(strengths, STRONGEST_BINS);
+        double strong = new KthSelector().select(strengths.clone(), null, Math.max(0, bins - STRONGEST_BINS));
         // Among equally strong bins, as a grating has, the first ones.
         long stronger = Arrays.stream(strengths).filter(s -> s > strong).count();
         IntStream strongest = IntStream.concat(
-                IntStream.range(0, strengths.length).filter(bin -> strengths[bin] > strong),
-                IntStream.range(0, strengths.length)
+                IntStream.range(0, bins).filter(bin -> strengths[bin] > strong),
+                IntStream.range(0, bins)
                         .filter(bin -> strengths[bin] == strong && strong > 0)
                         .limit(STRONGEST_BINS - stronger));
-        IntStream random =
-                new SplittableRandom(SEED).ints(Math.min(RANDOM_BINS, strengths.length), 0, strengths.length);
+        IntStream random = new SplittableRandom(SEED).ints(Math.min(RANDOM_BINS, bins), 0, bins);
         return IntStream.concat(strongest, random).toArray();
-    }
-
-    private static double largest(double[] values, int count) {
-        PriorityQueue<Double> largest = new PriorityQueue<>(count);
-        for (double value : values) {
-            if (largest.size() < count) {
-                largest.add(value);
-            } else if (value > largest.element()) {
-                largest.remove();
-                largest.add(value);
-            }
-        }
-        return largest.element();
     }
 
     CoefficientTable coefficients() {

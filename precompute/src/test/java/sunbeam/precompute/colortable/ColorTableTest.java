@@ -29,7 +29,7 @@ class ColorTableTest {
     @Test
     void aLevelIsTheMeanOfTheFinestOverItsSurroundings() {
         HeightMap map = Surfaces.random(24, 20, 150e-9, 400e-9, 4);
-        ColorTable levels = ColorTable.within(1e-2, ENSEMBLE, map.relief(), false);
+        ColorTable levels = ColorTable.within(1e-2, ENSEMBLE, map.relief(), false, 0);
         double sigma = levels.sigma();
         for (int number : new int[] {1, 2, 3}) {
             ColorTable.Level level = levels.levels().get(levels.pointLevelCount() + number);
@@ -54,9 +54,10 @@ class ColorTableTest {
 
     @Test
     void aCoherentAverageHasOneLevel() {
-        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD, 1e-6, false).levels())
+        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD, 1e-6, false, 0)
+                        .levels())
                 .hasSize(1);
-        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, false)
+        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, false, 0)
                         .levels())
                 .hasSizeGreaterThan(5);
     }
@@ -64,23 +65,23 @@ class ColorTableTest {
     @Test
     void shortestWindowsHaveOneLevelAndThatOfPoints() {
         GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
-        assertThat(ColorTable.within(1e-3, area, 1e-6, false).levels()).hasSize(1);
-        assertThat(ColorTable.within(1e-2, area, 1e-6, false).levels()).hasSize(2);
+        assertThat(ColorTable.within(1e-3, area, 1e-6, false, 0).levels()).hasSize(1);
+        assertThat(ColorTable.within(1e-2, area, 1e-6, false, 0).levels()).hasSize(2);
     }
 
     @Test
     void meansAreInterpolatedAlongLinesButNotPointsAndNotLoneOrders() {
-        ColorTable fine = ColorTable.within(1e-3, ENSEMBLE, 1e-6, false);
+        ColorTable fine = ColorTable.within(1e-3, ENSEMBLE, 1e-6, false, 0);
         assertThat(fine.pointLevelCount()).isZero();
         assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
-        ColorTable coarse = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false);
+        ColorTable coarse = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false, 0);
         assertThat(coarse.pointLevelCount()).isOne();
         assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
         assertThat(coarse.levels().get(0).design().step())
                 .isLessThan(coarse.levels().get(1).design().step());
         assertThat(coarse.levels().subList(1, coarse.levels().size()))
                 .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
-        ColorTable lone = ColorTable.within(1e-2, ENSEMBLE, 1e-6, true);
+        ColorTable lone = ColorTable.within(1e-2, ENSEMBLE, 1e-6, true, 0);
         assertThat(lone.pointLevelCount()).isZero();
         assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
     }

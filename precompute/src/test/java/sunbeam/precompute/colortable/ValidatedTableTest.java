@@ -251,7 +251,7 @@ class ValidatedTableTest {
         GaussianArea area = GaussianArea.STANDARD
                 .with(CoherenceWindow.ofCoherenceLength(6e-6))
                 .with(Average.ENSEMBLE);
-        ColorTable levels = ColorTable.within(TOLERANCE, area, 0.3e-6, false);
+        ColorTable levels = ColorTable.within(TOLERANCE, area, 0.3e-6, false, 0);
         ColorBaker smooth = ValidatedTableTest::smooth;
         ColorBaker other = (uvw, token) -> colors(uvw, place -> 3 + Math.sin(place[0]));
         BitSet tiles = ONE_LIGHT.tiles(TileGrid.of(levels.levels().get(0)));
