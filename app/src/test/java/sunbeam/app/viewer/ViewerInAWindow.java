@@ -199,8 +199,8 @@ public abstract class ViewerInAWindow {
         });
     }
 
-    /** Presses keys together, such as Ctrl and S, once the picture has the focus, which it requests if there is no window manager. */
-    void press(int... keys) throws Exception {
+    /** Waits until the picture has the focus, which it requests if there is no window manager. */
+    void focus() throws Exception {
         PictureView view = viewer.window().picture();
         awaitOnEvents(() -> {
             if (!view.isFocusOwner()) {
@@ -208,6 +208,11 @@ public abstract class ViewerInAWindow {
             }
             return view.isFocusOwner();
         });
+    }
+
+    /** Presses keys together, such as Ctrl and S, once the picture has the focus. */
+    void press(int... keys) throws Exception {
+        focus();
         arrivals.await(KeyEvent.KEY_PRESSED, keys.length, () -> {
             for (int key : keys) {
                 robot.keyPress(key);

@@ -6,8 +6,6 @@ import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.Dimension;
 import java.awt.image.BufferedImage;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -17,7 +15,6 @@ import javax.swing.JTextField;
 import jrtr.GraphicsException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.files.input.PngText;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.SceneSettings;
@@ -86,17 +83,6 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             made.start(new Dimension(80, 60), shape);
             return made;
         });
-    }
-
-    @Test
-    void aSavedPictureSaysHowItWasMade() throws Exception {
-        Path picture = folder.resolve("picture.png");
-        onEvents(() -> viewer.files().savePicture(picture));
-        await(() -> Files.exists(picture));
-        assertThat(PngText.read(picture))
-                .containsKeys("Scene", "Patch", "Method", "Size", "Exposure", "Parameters")
-                .containsEntry("Plan", loaded().method().summary())
-                .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
     }
 
     @Test
