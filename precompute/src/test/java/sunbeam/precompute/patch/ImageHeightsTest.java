@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,19 +55,6 @@ class ImageHeightsTest {
         double[] stored = {1, Double.NaN, Double.NEGATIVE_INFINITY};
 
         assertSamples(read(TestImages.gray32f(3, 1, (c, r, b) -> stored[c]), "holes.tiff", 1), stored);
-    }
-
-    @Test
-    void readsSigned16BitTiffWithItsSign() throws IOException {
-        byte[] data = ByteBuffer.allocate(6)
-                .order(ByteOrder.LITTLE_ENDIAN)
-                .putShort((short) -32768)
-                .putShort((short) -1)
-                .putShort((short) 32767)
-                .array();
-        Path file = new TinyTiff(3, 1, 16, data).with(TinyTiff.SAMPLE_FORMAT, 2).write(folder.resolve("signed.tif"));
-
-        assertSamples(TestImages.samples(file, 65_535), -32768, -1, 32767);
     }
 
     @ParameterizedTest
