@@ -10,12 +10,12 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
@@ -140,6 +140,9 @@ public final class BrdfMapCommand extends FileCommand {
                             + " width x 3, row 0 on top, CIE XYZ, NaN outside the disc; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
+    /** A patch with its choices: a scan's size limits the coherence length. */
+    private record Surface(DiffractionSetup setup, Choices choices) {}
+
     @Override
     public Integer call() {
         Choices choices = turn.choices().over(MethodOptions.averaged(methodOptions.choices()));
@@ -148,7 +151,7 @@ public final class BrdfMapCommand extends FileCommand {
 
     private int draw(Choices asked) {
         check();
-        DisplayOptions.Exposure exposureRule = exposure.parse();
+        ToDoubleFunction<List<LinearPicture>> exposureRule = exposure.parse();
         exposure.check();
         certify.check(Methods.of(asked));
         RefractiveIndex material = material(asked);
@@ -158,21 +161,19 @@ public final class BrdfMapCommand extends FileCommand {
         AtomicFile.checkWritable(linear, resume.beforeLoading(overwrite()));
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
-        List<DiffractionSetup> setups = compared
+        List<Surface> surfaces = compared
                 .load(patchOptions, asked, environment().progress())
                 .stream()
                 .map(patch -> new DiffractionSetup(patch, environment(), err).withLight(spectrum))
+                .map(setup -> new Surface(setup, setup.limitToScan(asked, err)))
                 .toList();
-        // The choices differ by patch: a scan's size limits the coherence length.
-        List<Choices> choices =
-                setups.stream().map(setup -> setup.limitToScan(asked, err)).toList();
-        String names =
-                setups.stream().map(setup -> setup.patch().name()).limit(3).collect(Collectors.joining("-"));
+        List<Patch> patches =
+                surfaces.stream().map(surface -> surface.setup.patch()).toList();
+        String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
         PrintWriter out = out(picture, linear);
         Optional<Path> linearFile = Optional.ofNullable(linear);
-        String identity =
-                resume.identity(setups.stream().map(DiffractionSetup::patch).toList());
+        String identity = resume.identity(patches);
         OptionalInt finished = resume.finished(identity, picture, linearFile, err);
         if (finished.isPresent()) {
             Stream.concat(Stream.of(picture), linearFile.stream()).forEach(out::println);
@@ -180,11 +181,15 @@ public final class BrdfMapCommand extends FileCommand {
         }
         AtomicFile.checkWritable(picture, overwrite(resume.named(output, picture)));
         AtomicFile.checkWritable(linear, overwrite());
-        List<MaterialMap> materials = plan(setups, choices, material, towards);
+        List<MaterialMap> materials = surfaces.stream()
+                .map(surface -> plan(surface, material, towards))
+                .toList();
         MaterialMap firstMap = materials.get(0);
+        Choices choices = surfaces.get(0).choices;
         Map<String, Object> report = new LinkedHashMap<>();
-        List<Map<String, Object>> surfaces = json.isGiven() ? surfaces(setups, choices) : List.of();
-        report.put("surfaces", surfaces);
+        List<Map<String, Object>> fields =
+                json.isGiven() ? surfaces.stream().map(this::fields).toList() : List.of();
+        report.put("surfaces", fields);
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
@@ -194,7 +199,7 @@ public final class BrdfMapCommand extends FileCommand {
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
-            double factor = exposureRule.of(
+            double factor = exposureRule.applyAsDouble(
                     maps.stream().map(MaterialMap.Result::picture).toList());
             certificate = certify.certificate(count -> new Certifier(
                             firstMap.exact(),
@@ -215,8 +220,8 @@ public final class BrdfMapCommand extends FileCommand {
             text.put("Light", light.describe() + wide);
             text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
             text.put("Energy", asked.written(ENERGY));
-            text.put("Method", choices.get(0).get(METHOD).label());
-            text.put("Options", Methods.describe(choices.get(0)));
+            text.put("Method", choices.get(METHOD).label());
+            text.put("Options", Methods.describe(choices));
             text.put("Index", index.describe(material));
             text.put("Renderer", context.info().renderer());
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
@@ -229,7 +234,7 @@ public final class BrdfMapCommand extends FileCommand {
                             asked)
                     : sheet.plain();
             written = write(picture, image, text, first);
-            surfaces.stream()
+            fields.stream()
                     .limit(1)
                     .forEach(surface -> surface.put("thumbnail_px", List.of(0, 0, image.getWidth(), image.getWidth())));
             report.put("exposure", factor);
@@ -246,7 +251,7 @@ public final class BrdfMapCommand extends FileCommand {
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }
-        ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices.get(0), json.text(out), err);
+        ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices, json.text(out), err);
         return (certified == ExitCode.OK ? doubt : certified).code();
     }
 
@@ -287,32 +292,22 @@ public final class BrdfMapCommand extends FileCommand {
         return material;
     }
 
-    private List<MaterialMap> plan(
-            List<DiffractionSetup> setups, List<Choices> choices, RefractiveIndex material, Direction towards) {
-        List<MaterialMap> materials = new ArrayList<>();
-        for (int i = 0; i < setups.size(); i++) {
-            MaterialMap map = new MaterialMap(setups.get(i), choices.get(i), material, towards);
-            materials.add(map);
-            String name = setups.size() > 1 ? setups.get(i).patch().name() : "";
-            methodOptions.print(name, map.plan(), err());
-        }
-        return materials;
+    private MaterialMap plan(Surface surface, RefractiveIndex material, Direction towards) {
+        MaterialMap map = new MaterialMap(surface.setup, surface.choices, material, towards);
+        methodOptions.print(compared.areSeveral() ? surface.setup.patch().name() : "", map.plan(), err());
+        return map;
     }
 
-    private List<Map<String, Object>> surfaces(List<DiffractionSetup> setups, List<Choices> choices) {
-        double theta = Double.parseDouble(light.written(LightOptions.THETA_I));
-        List<Map<String, Object>> surfaces = new ArrayList<>();
-        for (int i = 0; i < setups.size(); i++) {
-            Patch patch = setups.get(i).patch();
-            GratingPeriod period = GratingPeriod.of(patch).turned(choices.get(i).get(ROTATE_PATCH));
-            Map<String, Object> surface = ReportFields.of(patch, period, Verdict.of(patch, period, theta));
-            surface.put("theta_i_deg", theta);
-            surface.put("phi_i_deg", Double.parseDouble(light.written(LightOptions.PHI_I)));
-            surface.put("method", choices.get(i).get(METHOD).label());
-            surface.put("options", Methods.describe(choices.get(i)));
-            surfaces.add(surface);
-        }
-        return surfaces;
+    private Map<String, Object> fields(Surface surface) {
+        double theta = light.degrees(LightOptions.THETA_I);
+        Patch patch = surface.setup.patch();
+        GratingPeriod period = GratingPeriod.of(patch).turned(surface.choices.get(ROTATE_PATCH));
+        Map<String, Object> fields = ReportFields.of(patch, period, Verdict.of(patch, period, theta));
+        fields.put("theta_i_deg", theta);
+        fields.put("phi_i_deg", light.degrees(LightOptions.PHI_I));
+        fields.put("method", surface.choices.get(METHOD).label());
+        fields.put("options", Methods.describe(surface.choices));
+        return fields;
     }
 
     private static void show(MaterialMap.Result map, TevClient viewer) {

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -122,13 +123,13 @@ public final class ColorCommand extends FileCommand {
     private int run(Choices choices) {
         resume.requireMany();
         Ending.PNG.require("--output", output);
-        double theta = theta();
+        double theta = light.degrees(LightOptions.THETA_I);
         if (angles.count() < 2 || Math.max(-angles.minimum(), angles.maximum()) + angles.step() / 2 >= HORIZON) {
             throw new UsageException(
                     "--angles: give two angles or more that lie, with half a step, within -90 to 90 degrees");
         }
         RefractiveIndex material = index.parse();
-        DisplayOptions.Exposure exposed = exposure.parse();
+        ToDoubleFunction<List<LinearPicture>> exposed = exposure.parse();
         exposure.check();
         Methods.of(choices);
         if (output != null) {
@@ -262,24 +263,17 @@ public final class ColorCommand extends FileCommand {
     }
 
     /**
-     * Returns the light's angle to the normal in degrees, as it was typed: a conversion to radians and back would change the last digits.
-     */
-    private double theta() {
-        return Double.parseDouble(light.written(LightOptions.THETA_I));
-    }
-
-    /**
      * Returns the exposure for all surfaces. The automatic one is the geometric mean of their exposures, so that a bright surface does not
      * leave the others black.
      */
-    private double factor(DisplayOptions.Exposure exposed, List<SurfaceColors> surfaces) {
+    private double factor(ToDoubleFunction<List<LinearPicture>> exposed, List<SurfaceColors> surfaces) {
         List<LinearPicture> pictures =
                 surfaces.stream().map(SurfaceColors::meteredColors).toList();
         if (!exposure.isOfAll()) {
-            return exposed.of(pictures);
+            return exposed.applyAsDouble(pictures);
         }
         return Math.exp(pictures.stream()
-                .mapToDouble(picture -> Math.log(exposed.of(picture)))
+                .mapToDouble(picture -> Math.log(exposed.applyAsDouble(List.of(picture))))
                 .average()
                 .orElseThrow());
     }

@@ -1,5 +1,7 @@
 package sunbeam.app.cli.evaluate;
 
+import static sunbeam.precompute.method.Methods.METHOD;
+
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -69,31 +71,13 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
+    // Methods that compute power at a wavelength; gem and table compute colors only.
+    private static final MethodType[] POWER = {FullMethod.TYPE, NmmMethod.TYPE, PqMethod.TYPE, ReferenceMethod.TYPE};
     // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter
     // between coherence areas, that of a repeated patch is exact, and that of the option --period is roughly known.
     private static final double GROWN_FACTOR = 1.35;
     private static final double EXACT_FACTOR = 1.1;
     private static final double GIVEN_FACTOR = 1.2;
-
-    /** Methods that compute power at a wavelength; gem and table compute colors only. */
-    @SuppressWarnings("ImmutableEnumChecker") // a MethodType does not change
-    private enum Evaluator {
-        FULL(FullMethod.TYPE),
-        NMM(NmmMethod.TYPE),
-        PQ(PqMethod.TYPE),
-        REFERENCE(ReferenceMethod.TYPE);
-
-        private final MethodType type;
-
-        Evaluator(MethodType type) {
-            this.type = type;
-        }
-
-        @Override
-        public String toString() {
-            return type.label();
-        }
-    }
 
     @Mixin
     private PatchOptions patchOptions;
@@ -102,16 +86,7 @@ public final class EvaluateCommand extends FileCommand {
     private GratingOptions grating;
 
     @Mixin
-    private final MethodOptions methodOptions = MethodOptions.of(
-            Arrays.stream(Evaluator.values()).map(evaluator -> evaluator.type).toArray(MethodType[]::new));
-
-    @Option(
-            names = "--method",
-            paramLabel = "METHOD",
-            defaultValue = "full",
-            description = "Method that computes the response: ${COMPLETION-CANDIDATES}; `help brdf-map` describes them."
-                    + " reference is exact, for a few hundred directions. Default: ${DEFAULT-VALUE}.")
-    private Evaluator method;
+    private final MethodOptions methodOptions = MethodOptions.of(POWER);
 
     @Option(
             names = "--output",
@@ -122,13 +97,16 @@ public final class EvaluateCommand extends FileCommand {
 
     @Override
     public Integer call() {
-        Choices choices = methodOptions.choices().with(Methods.METHOD, method.type);
+        Choices choices = methodOptions.choices();
         return choices.located(() -> evaluate(choices)).code();
     }
 
     private ExitCode evaluate(Choices asked) {
         grating.check();
         Methods.of(asked);
+        if (!Arrays.asList(POWER).contains(asked.get(METHOD))) {
+            throw DiffractionSetup.withoutPower();
+        }
         if (output != null) {
             files(output).checkWritable();
         }
@@ -257,7 +235,7 @@ public final class EvaluateCommand extends FileCommand {
         Map<String, Object> tree = evaluation.tree();
         GaussianArea area = GaussianArea.of(choices);
         tree.put("program", "Sunbeam " + Environment.version());
-        tree.put("method", method.type.label());
+        tree.put("method", choices.get(METHOD).label());
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
         tree.put("average", ValueKind.name(area.average()));
@@ -279,8 +257,9 @@ public final class EvaluateCommand extends FileCommand {
     }
 
     private String title(Choices choices) {
-        return method.type.label()
+        MethodType method = choices.get(METHOD);
+        return method.label()
                 + (Preset.isThesis(choices) ? ", preset thesis" : "")
-                + (method == Evaluator.PQ ? ", " + ValueKind.name(PqMethod.interpolation(choices)) : "");
+                + (method.equals(PqMethod.TYPE) ? ", " + ValueKind.name(PqMethod.interpolation(choices)) : "");
     }
 }

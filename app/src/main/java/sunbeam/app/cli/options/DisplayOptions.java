@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -43,13 +44,16 @@ public final class DisplayOptions {
     @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)
     private String primaries;
 
-    /** Parses {@code --exposure} and reads the picture that it may name; called before anything is computed. */
-    public Exposure parse() {
-        if (isOfAll()) {
-            return LinearPicture::exposure;
-        }
-        if (isOfFirst()) {
-            return pictures -> LinearPicture.exposure(pictures[0]);
+    /**
+     * Parses {@code --exposure} and reads the picture that it may name; called before anything is computed.
+     *
+     * @return function that chooses one factor of linear colors for all of its pictures
+     */
+    public ToDoubleFunction<List<LinearPicture>> parse() {
+        if (isAutomatic()) {
+            int limit = isOfAll() ? Integer.MAX_VALUE : 1;
+            return pictures ->
+                    LinearPicture.exposure(pictures.stream().limit(limit).toArray(LinearPicture[]::new));
         }
         if (exposure.toLowerCase(Locale.ROOT).endsWith(".png")) {
             double recorded = recorded();
@@ -107,16 +111,5 @@ public final class DisplayOptions {
                     + ": it has no text 'Exposure' with a number above 0; name a picture that Sunbeam has written");
         }
         return value;
-    }
-
-    /** Function that chooses the exposure, a factor of linear colors, which may depend on the pictures. */
-    @FunctionalInterface
-    public interface Exposure {
-        /** Returns the one factor for all of these pictures. */
-        double of(LinearPicture... pictures);
-
-        default double of(List<LinearPicture> pictures) {
-            return of(pictures.toArray(LinearPicture[]::new));
-        }
     }
 }

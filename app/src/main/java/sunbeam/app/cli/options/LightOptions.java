@@ -57,6 +57,11 @@ public final class LightOptions extends SettingOptions {
         return "theta " + written(THETA_I) + ", phi " + written(PHI_I) + " degrees";
     }
 
+    /** Returns an angle in degrees, as it was typed: a conversion to radians and back would change the last digits. */
+    public double degrees(Setting<Double> angle) {
+        return Double.parseDouble(written(angle));
+    }
+
     /** Returns an angle in degrees, as a number without the unit. */
     public String written(Setting<Double> angle) {
         return Angles.format(choices().get(angle)).replace(" deg", "");

@@ -34,14 +34,12 @@ public final class MethodOptions extends SettingOptions {
         super(settings, helpTexts);
     }
 
-    /** Returns the options that at least one of these methods has. */
+    /** Returns the options that at least one of these methods has, and {@code --method} if there are several. */
     public static MethodOptions of(MethodType... types) {
-        return new MethodOptions(
-                Arrays.stream(types)
-                        .flatMap(type -> type.settings().stream())
-                        .distinct()
-                        .toList(),
-                Map.of());
+        Stream<Setting<?>> settings =
+                Arrays.stream(types).flatMap(type -> type.settings().stream()).distinct();
+        Stream<Setting<?>> method = types.length > 1 ? Stream.of(Methods.METHOD) : Stream.of();
+        return new MethodOptions(Stream.concat(method, settings).toList(), Map.of());
     }
 
     /**

@@ -258,6 +258,6 @@ public record DiffractionSetup(
     public static SettingException withoutPower() {
         return new SettingException(
                 Methods.METHOD,
-                "has colors, but no power at a wavelength; leave out the column wavelength, or use another method");
+                "has colors, but no power at a wavelength; use another method, or leave out a list's column wavelength");
     }
 }
