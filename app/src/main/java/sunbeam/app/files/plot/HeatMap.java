@@ -183,9 +183,9 @@ public final class HeatMap {
     }
 
     BufferedImage draw(ChartRenderingInfo info) {
-        ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()), 0, 1);
+        ValueAxis horizontal = PlotStyle.horizontal(Plot.Axis.linear(frame.xLabel()));
         horizontal.setRange(values.xRange()[0], values.xRange()[1]);
-        ValueAxis upright = PlotStyle.upright(Plot.Axis.linear(frame.yLabel()), 0, 1);
+        ValueAxis upright = PlotStyle.upright(Plot.Axis.linear(frame.yLabel()));
         upright.setRange(values.yRange()[0], values.yRange()[1]);
         XYPlot plot = PlotStyle.plot(horizontal, upright);
         plot.setInsets(RectangleInsets.ZERO_INSETS);
@@ -261,7 +261,7 @@ public final class HeatMap {
         boolean linear = colors.scale() == Plot.Scale.LINEAR;
         double low = linear ? colors.low() : Math.log10(colors.low());
         double high = linear ? colors.high() : Math.log10(colors.high());
-        NumberAxis axis = (NumberAxis) PlotStyle.upright(Plot.Axis.linear(colors.label()), low, high);
+        NumberAxis axis = (NumberAxis) PlotStyle.upright(Plot.Axis.linear(colors.label()));
         axis.setRange(low, high);
         if (!linear) {
             axis.setNumberFormatOverride(PlotStyle.POWERS_BY_EXPONENT);

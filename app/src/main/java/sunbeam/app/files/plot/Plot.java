@@ -1,16 +1,15 @@
 package sunbeam.app.files.plot;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
@@ -34,20 +33,9 @@ public final class Plot {
     private boolean fromZero;
     private RectangleEdge legendEdge = RectangleEdge.RIGHT;
 
-    private enum Form {
-        LINE,
-        POINTS,
-        RINGS,
-        OUTLINE
-    }
+    private int ringSeries;
 
-    private record Series(String name, double[] x, double[] y, Form form, int color) {
-        XYDataset dataset() {
-            DefaultXYDataset dataset = new DefaultXYDataset();
-            dataset.addSeries(name, new double[][] {x, y});
-            return dataset;
-        }
-    }
+    private record Series(XYDataset dataset, XYLineAndShapeRenderer renderer) {}
 
     public enum Scale {
         LINEAR,
@@ -91,27 +79,27 @@ public final class Plot {
 
     /** Adds a line through points without marks, for many points on a smooth curve. */
     public Plot line(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.LINE, allSeries.size()));
+        return line(name, x, y, allSeries.size());
     }
 
     /** Adds a line in the color of the series with the given number. */
     public Plot line(String name, double[] x, double[] y, int color) {
-        return add(new Series(name, x, y, Form.LINE, color));
+        return add(name, x, y, joined(PlotStyle.color(color), PlotStyle.LINE));
     }
 
     /** Adds a thin gray line, such as the border of the possible values. */
     public Plot outline(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.OUTLINE, allSeries.size()));
+        return add(name, x, y, joined(PlotStyle.OUTLINE, PlotStyle.THIN));
     }
 
     /** Adds points without a line. */
     public Plot points(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.POINTS, allSeries.size()));
+        return points(name, x, y, allSeries.size());
     }
 
     /** Adds points in the color and with the mark of the series with the given number. */
     public Plot points(String name, double[] x, double[] y, int color) {
-        return add(new Series(name, x, y, Form.POINTS, color));
+        return add(name, x, y, marked(PlotStyle.color(color), PlotStyle.shape(color)));
     }
 
     /**
@@ -141,24 +129,25 @@ public final class Plot {
      * square frames.
      */
     public Plot rings(String name, double[] x, double[] y) {
-        return add(new Series(name, x, y, Form.RINGS, allSeries.size()));
+        XYLineAndShapeRenderer renderer = marked(PlotStyle.INK, ringSeries++ == 0 ? PlotStyle.RING : PlotStyle.FRAME);
+        renderer.setSeriesShapesFilled(0, false);
+        renderer.setSeriesOutlineStroke(0, PlotStyle.RING_STROKE);
+        renderer.setUseOutlinePaint(true);
+        renderer.setSeriesOutlinePaint(0, PlotStyle.INK);
+        return add(name, x, y, renderer);
     }
 
     /** Draws the picture; there must be a series. */
     public BufferedImage draw() {
-        DoubleSummaryStatistics xRange = range(Series::x);
-        DoubleSummaryStatistics yRange = range(Series::y);
-        XYPlot plot = PlotStyle.plot(
-                PlotStyle.horizontal(frame.x(), xRange.getMin(), xRange.getMax()),
-                PlotStyle.upright(frame.y(), yRange.getMin(), yRange.getMax()));
+        XYPlot plot = PlotStyle.plot(PlotStyle.horizontal(frame.x()), PlotStyle.upright(frame.y()));
         if (fromZero) {
             ((NumberAxis) plot.getRangeAxis()).setAutoRangeIncludesZero(true);
         }
         for (int index = 0; index < allSeries.size(); index++) {
-            Series series = allSeries.get(index);
-            plot.setDataset(index, series.dataset());
-            plot.setRenderer(index, renderer(series));
+            plot.setDataset(index, allSeries.get(index).dataset);
+            plot.setRenderer(index, allSeries.get(index).renderer);
         }
+        PlotStyle.adaptUnits(plot);
         // Series are drawn in the order in which they were added, so that rings lie in front.
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
@@ -194,50 +183,25 @@ public final class Plot {
         PngWriter.write(target, overwrite, draw(), text);
     }
 
-    private Plot add(Series series) {
-        allSeries.add(series);
+    private Plot add(String name, double[] x, double[] y, XYLineAndShapeRenderer renderer) {
+        DefaultXYDataset dataset = new DefaultXYDataset();
+        dataset.addSeries(name, new double[][] {x, y});
+        allSeries.add(new Series(dataset, renderer));
         return this;
     }
 
-    private DoubleSummaryStatistics range(Function<Series, double[]> axis) {
-        return allSeries.stream()
-                .flatMapToDouble(series -> Arrays.stream(axis.apply(series)))
-                .filter(value -> !Double.isNaN(value))
-                .summaryStatistics();
-    }
-
-    private XYLineAndShapeRenderer renderer(Series series) {
-        boolean outline = series.form == Form.OUTLINE;
-        boolean joined = outline || series.form == Form.LINE;
-        boolean marked = !outline && series.form != Form.LINE;
-        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(joined, marked);
-        renderer.setSeriesPaint(0, paint(series));
-        renderer.setSeriesStroke(0, outline ? PlotStyle.THIN : PlotStyle.LINE);
-        renderer.setSeriesShape(0, PlotStyle.shape(series.color));
+    private static XYLineAndShapeRenderer joined(Color color, BasicStroke stroke) {
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
+        renderer.setSeriesPaint(0, color);
+        renderer.setSeriesStroke(0, stroke);
         renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
-        if (series.form == Form.RINGS) {
-            renderer.setSeriesShape(0, isFirstOfRings(series) ? PlotStyle.RING : PlotStyle.FRAME);
-            renderer.setSeriesShapesFilled(0, false);
-            renderer.setSeriesOutlineStroke(0, PlotStyle.RING_STROKE);
-            renderer.setUseOutlinePaint(true);
-            renderer.setSeriesOutlinePaint(0, PlotStyle.INK);
-        }
         return renderer;
     }
 
-    private static Color paint(Series series) {
-        return switch (series.form) {
-            case RINGS -> PlotStyle.INK;
-            case OUTLINE -> PlotStyle.OUTLINE;
-            default -> PlotStyle.color(series.color);
-        };
-    }
-
-    private boolean isFirstOfRings(Series series) {
-        return allSeries.stream()
-                .filter(other -> other.form == Form.RINGS)
-                .findFirst()
-                .filter(series::equals)
-                .isPresent();
+    private static XYLineAndShapeRenderer marked(Color color, Shape shape) {
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);
+        renderer.setSeriesPaint(0, color);
+        renderer.setSeriesShape(0, shape);
+        return renderer;
     }
 }

@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.text.NumberFormat;
+import java.util.List;
 import java.util.Locale;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
@@ -24,6 +25,7 @@ import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.util.ShapeUtils;
+import org.jfree.data.Range;
 
 /** Style of all plots: white, sans serif, thin grid, colors that color-blind people can distinguish. */
 final class PlotStyle {
@@ -93,15 +95,15 @@ final class PlotStyle {
         return SHAPES[index % SHAPES.length];
     }
 
-    static ValueAxis horizontal(Plot.Axis description, double low, double high) {
-        return axis(description, low, high, new RectangleInsets(2, 10, 2, 10));
+    static ValueAxis horizontal(Plot.Axis description) {
+        return axis(description, new RectangleInsets(2, 10, 2, 10));
     }
 
-    static ValueAxis upright(Plot.Axis description, double low, double high) {
-        return axis(description, low, high, new RectangleInsets(10, 4, 10, 4));
+    static ValueAxis upright(Plot.Axis description) {
+        return axis(description, new RectangleInsets(10, 4, 10, 4));
     }
 
-    private static ValueAxis axis(Plot.Axis description, double low, double high, RectangleInsets labelMargins) {
+    private static ValueAxis axis(Plot.Axis description, RectangleInsets labelMargins) {
         NumberFormat labels = description.scale() == Plot.Scale.LINEAR ? NUMBERS : POWERS;
         ValueAxis axis;
         if (description.scale() == Plot.Scale.LINEAR) {
@@ -113,7 +115,6 @@ final class PlotStyle {
         } else {
             LogAxis logarithmic = new LogAxis(description.label());
             logarithmic.setNumberFormatOverride(labels);
-            logarithmic.setStandardTickUnits(high < LARGEST_DOUBLINGS_RATIO * low ? DOUBLINGS : DECADES);
             axis = logarithmic;
         }
         axis.setLabelFont(LABEL_FONT);
@@ -126,6 +127,17 @@ final class PlotStyle {
         axis.setTickMarkOutsideLength(4);
         axis.setAxisLineVisible(false);
         return axis;
+    }
+
+    /** Gives logarithmic axes labels that suit the range of the data. */
+    static void adaptUnits(XYPlot plot) {
+        for (ValueAxis axis : List.of(plot.getDomainAxis(), plot.getRangeAxis())) {
+            if (axis instanceof LogAxis logarithmic) {
+                Range range = plot.getDataRange(axis);
+                boolean isShort = range.getUpperBound() < LARGEST_DOUBLINGS_RATIO * range.getLowerBound();
+                logarithmic.setStandardTickUnits(isShort ? DOUBLINGS : DECADES);
+            }
+        }
     }
 
     static XYPlot plot(ValueAxis x, ValueAxis y) {
