@@ -53,17 +53,10 @@ class ColorTableTest {
     }
 
     @Test
-    void aCoherentAverageHasOneLevel() {
+    void coherentAveragesAndShortestWindowsHaveOneLevel() {
         assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD, 1e-6, false, 0)
                         .levels())
                 .hasSize(1);
-        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD.with(Average.ENSEMBLE), 1e-6, false, 0)
-                        .levels())
-                .hasSizeGreaterThan(5);
-    }
-
-    @Test
-    void shortestWindowsHaveOneLevelAndThatOfPoints() {
         GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
         assertThat(ColorTable.within(1e-3, area, 1e-6, false, 0).levels()).hasSize(1);
         assertThat(ColorTable.within(1e-2, area, 1e-6, false, 0).levels()).hasSize(2);

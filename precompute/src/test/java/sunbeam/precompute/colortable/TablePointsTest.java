@@ -12,10 +12,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 
@@ -160,21 +158,6 @@ class TablePointsTest {
                 .orElseThrow();
         // 2,000 random ones of 8,000 miss the last hundred with a probability of 1e-12.
         assertThat(Math.toDegrees(Math.acos(steepest))).isGreaterThan(79);
-    }
-
-    @Test
-    void aShorterWindowADeeperReliefAndAToleranceAreFollowed() {
-        GaussianArea ensemble = GaussianArea.STANDARD.with(Average.ENSEMBLE);
-        CoherenceWindow shorter = CoherenceWindow.ofCoherenceLength(6.5e-6);
-        TableDesign standard = TableDesign.within(1e-3, ensemble, 0.4e-6);
-        TableDesign wide = TableDesign.within(1e-3, ensemble.with(shorter), 0.4e-6);
-        assertThat(wide.step()).isCloseTo(10 * standard.step(), within(1e-12));
-        // One coherence area has zeros between speckles.
-        assertThat(TableDesign.within(1e-3, GaussianArea.STANDARD.with(shorter), 0.4e-6)
-                        .step())
-                .isLessThan(0.75 * wide.step());
-        assertThat(TableDesign.within(1e-4, ensemble, 0.4e-6).step()).isLessThan(0.7 * standard.step());
-        assertThat(TableDesign.within(1e-3, ensemble, 4e-6).slices()).isGreaterThan(4 * standard.slices());
     }
 
     @Test

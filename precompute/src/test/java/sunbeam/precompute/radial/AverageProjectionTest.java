@@ -82,24 +82,4 @@ class AverageProjectionTest {
             assertThat(sum(filter, order, stride)).isCloseTo(expected, within(5e-4 * expected));
         }
     }
-
-    /** Smooth sequences are sums of B-splines with these coefficients, so that functions need not be smooth. */
-    @ParameterizedTest
-    @ValueSource(ints = {2, 3, 4, 5})
-    void smoothSequencesAreSumsOfBSplines(int stride) {
-        double[] bell = new double[LENGTH];
-        Arrays.setAll(bell, i -> Math.exp(-Math.pow((i - 50) / 12.0, 2)));
-        AverageProjection interpolation = new AverageProjection(stride, LENGTH);
-        double[] coefficients = interpolation.coefficients(bell);
-        double[] sum = new double[LENGTH];
-        for (int i = 0; i < LENGTH; i++) {
-            for (int knot = 0; knot < coefficients.length; knot++) {
-                sum[i] += coefficients[knot] * spline((double) (i - interpolation.firstMiddle()) / stride - knot);
-            }
-            sum[i] /= stride;
-        }
-        // A cubic spline errs by 0.0013 times the fourth derivative, 12 at most in units of the bell's width, and the
-        // fourth power of 5 / 12.
-        assertThat(sum).containsExactly(bell, within(1e-3));
-    }
 }
