@@ -76,9 +76,7 @@ public final class SceneLoader {
      * Loads a scene's parts, one per patch and reflectance component; the scene's picture is their sum.
      *
      * @return parts, ordered by patch
-     * @throws sunbeam.precompute.files.InputException if mesh, texture, orientation map, patch map or index cannot be used
-     * @throws sunbeam.precompute.files.InputException if a patch cannot be used
-     * @throws sunbeam.precompute.files.InputException if its descriptor cannot be used
+     * @throws sunbeam.precompute.files.InputException if mesh, texture, map, index, patch or its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if a choice about patch or method cannot be used; names its source
      */
     public List<SceneData> parts(Scene scene) {

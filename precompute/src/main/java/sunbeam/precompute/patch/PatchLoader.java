@@ -40,8 +40,7 @@ public final class PatchLoader {
      * Loads and prepares a patch.
      *
      * @param cache cache of the heights of built-in patches
-     * @throws InputException if there is no such patch, or its file cannot be used
-     * @throws sunbeam.precompute.files.InputException if its descriptor is malformed
+     * @throws InputException if there is no such patch, or its file or descriptor cannot be used
      * @throws SettingException if a choice contradicts the patch or is absurd
      */
     public static Patch load(PatchRequest request, HeightCache cache) {
@@ -184,9 +183,8 @@ public final class PatchLoader {
      */
     record PatchDescriptor(Path file, Path heights, Choices choices) {
         /**
-         * @throws InputException if the descriptor cannot be read or its heights are missing
-         * @throws sunbeam.precompute.files.InputException if the descriptor is malformed
-         * @throws sunbeam.precompute.setting.SettingException if one of its values cannot be used
+         * @throws InputException if the descriptor cannot be read or is malformed, or its heights are missing
+         * @throws SettingException if one of its values cannot be used
          */
         static PatchDescriptor read(Path file) {
             MeasuredHeights.requireReadable(file);
