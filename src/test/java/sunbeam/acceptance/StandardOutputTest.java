@@ -1,7 +1,6 @@
 package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,8 +13,13 @@ import org.junit.jupiter.api.Test;
 class StandardOutputTest extends InWorkplace {
     @Test
     void aFileOfTheNameMinusIsStandardOutputAndReportsGoElsewhere() throws Exception {
-        SunbeamResult result = workplace.succeed("mesh plane --output -");
+        // Meshes need no graphics, so that a display which does not answer is no fault.
+        SunbeamResult result = workplace
+                .command("mesh plane --output -")
+                .with("DISPLAY", ":9876")
+                .run();
 
+        assertThat(result.exitCode()).as("%s", result).isZero();
         assertThat(result.stdout().lines())
                 .hasSizeGreaterThan(128)
                 .allMatch(line -> line.matches("(#|v|vt|vn|f) .*"), "of an OBJ file");
@@ -60,15 +64,5 @@ class StandardOutputTest extends InWorkplace {
 
         Complaint.assertThatIt(result, Complaint.CANNOT_WRITE, "the program that reads it has ended");
         assertThat(result.stderr()).doesNotContain("another folder");
-    }
-
-    @Test
-    void aReportThatADiskHasNoRoomForIsAFailure() throws Exception {
-        assumeTrue(Files.exists(Path.of("/dev/full")), "skipped: no /dev/full, the disk that is always full");
-        SunbeamResult result = workplace
-                .commandBy("exec $SUNBEAM > /dev/full", "inspect --patch blaze --output a.png")
-                .run();
-
-        Complaint.assertThatIt(result, Complaint.CANNOT_WRITE, "cannot write to standard output");
     }
 }
