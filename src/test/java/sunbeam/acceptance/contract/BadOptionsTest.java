@@ -30,7 +30,6 @@ class BadOptionsTest extends InWorkplace {
                 "brdf-map --preset these|--preset \"these\" is not one of none, thesis",
                 "brdf-map --output map.png --linear map.png|--linear map.png would be linear colors, which its name does not say; end it with .npy",
                 "brdf-mop|unknown command 'brdf-mop' (did you mean brdf-map",
-                "brdf-map blaze --periodic yes|'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes",
                 "brdf-map --tolerance 1%|--tolerance \"1%\" is no number; write 0.01 for that many percent",
                 "brdf-map --exposure Automatic|--exposure 'Automatic' is neither auto",
                 "brdf-map --average ensembel|is not one of coherent, ensemble (did you mean ensemble?)",

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.acceptance.Complaint;
@@ -68,6 +69,14 @@ class BadPatchTest extends InWorkplace {
     })
     void aScaleThatCannotBe(String options, String words) throws Exception {
         assertRefused(Complaint.USAGE, "--patch scan.png " + options, words);
+    }
+
+    @Test
+    void aWordThatNamesNoSurface() throws Exception {
+        Complaint.assertThatIt(
+                workplace.here("brdf-map blaze --periodic yes"),
+                Complaint.UNUSABLE_INPUT,
+                "'yes' is neither a built-in patch nor an existing file; a name with blanks needs quotes");
     }
 
     private void assertRefused(int exitCode, String options, String words) throws Exception {
