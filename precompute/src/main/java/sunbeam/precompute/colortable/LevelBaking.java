@@ -30,8 +30,11 @@ public final class LevelBaking {
     private final Interpolation interpolation;
     // Texels along the side of the square that a tile's prefilter reads.
     private final int inputSide;
-    // Square roots of X, Y, Z of the texels that a tile owns, by its number; NaN if not evaluated yet.
-    private final Map<Integer, float[]> samples = new HashMap<>();
+    // By tile number.
+    private final Map<Integer, Samples> samples = new HashMap<>();
+
+    /** Square roots of X, Y, Z of the texels that a tile owns, and those texels that are evaluated. */
+    private record Samples(float[] roots, BitSet known) {}
 
     public LevelBaking(TileGrid grid, NumberFormat numbers) {
         this(grid, numbers, ColorBaker.LARGEST_BATCH);
@@ -147,21 +150,19 @@ public final class LevelBaking {
                     }
                 }));
         float[] xyz = baker.bake(uvw, token);
-        missingTexels.keySet().forEach(tile -> samples.computeIfAbsent(tile, number -> unknown()));
+        missingTexels
+                .keySet()
+                .forEach(tile -> samples.computeIfAbsent(
+                        tile, number -> new Samples(new float[SIDE * SIDE * COLORS], new BitSet())));
         columns.parallelStream()
                 .forEach(column -> column.forEach((sample, tile, texel) -> {
-                    float[] roots = samples.get(tile);
+                    Samples ofTile = samples.get(tile);
+                    ofTile.known.set(texel);
                     for (int c = 0; c < COLORS; c++) {
                         // The truncated sum of terms may be slightly negative in dark directions.
-                        roots[COLORS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[COLORS * sample + c]));
+                        ofTile.roots[COLORS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[COLORS * sample + c]));
                     }
                 }));
-    }
-
-    private static float[] unknown() {
-        float[] roots = new float[SIDE * SIDE * COLORS];
-        Arrays.fill(roots, Float.NaN);
-        return roots;
     }
 
     private Map<Integer, BitSet> missingTexels(BitSet tiles) {
@@ -181,18 +182,10 @@ public final class LevelBaking {
         });
         missingTexels.forEach((tile, texels) -> {
             if (samples.containsKey(tile)) {
-                clearKnown(texels, samples.get(tile));
+                texels.andNot(samples.get(tile).known);
             }
         });
         return missingTexels;
-    }
-
-    private static void clearKnown(BitSet texels, float[] roots) {
-        for (int texel = texels.nextSetBit(0); texel >= 0; texel = texels.nextSetBit(texel + 1)) {
-            if (!Float.isNaN(roots[COLORS * texel + COLORS - 1])) {
-                texels.clear(texel);
-            }
-        }
     }
 
     /** Marks the texels that the prefilter of the tile at place {@code reader} reads. */
@@ -218,15 +211,9 @@ public final class LevelBaking {
         float[] transposed = storedRowsTransposed(rows);
         interpolation.toCoefficients(transposed, inputSide, STORED_SIDE * COLORS);
         float[] stored = new float[TILE_NUMBERS];
-        for (int row = 0; row < STORED_SIDE; row++) {
-            int to = CHANNELS * STORED_SIDE * row;
-            for (int column = 0; column < STORED_SIDE; column++) {
-                int from = COLORS * ((column + MARGIN) * STORED_SIDE + row);
-                stored[to] = transposed[from];
-                stored[to + 1] = transposed[from + 1];
-                stored[to + 2] = transposed[from + 2];
-                to += CHANNELS;
-            }
+        for (int texel = 0; texel < STORED_SIDE * STORED_SIDE; texel++) {
+            int from = (texel % STORED_SIDE + MARGIN) * STORED_SIDE + texel / STORED_SIDE;
+            System.arraycopy(transposed, COLORS * from, stored, CHANNELS * texel, COLORS);
         }
         return numbers.encoded(stored);
     }
@@ -241,9 +228,8 @@ public final class LevelBaking {
                 int inTile = (left + column) % SIDE;
                 run = Math.min(SIDE - inTile, inputSide - column);
                 int tileInSlice = (top + row) / SIDE * grid.columns() + (left + column) / SIDE;
-                float[] roots = samples.get(place[2] * grid.perSlice() + tileInSlice);
                 System.arraycopy(
-                        roots,
+                        samples.get(place[2] * grid.perSlice() + tileInSlice).roots,
                         COLORS * ((top + row) % SIDE * SIDE + inTile),
                         plane,
                         COLORS * (row * inputSide + column),
@@ -256,13 +242,9 @@ public final class LevelBaking {
     private float[] storedRowsTransposed(float[] plane) {
         float[] transposed = new float[inputSide * STORED_SIDE * COLORS];
         for (int row = 0; row < STORED_SIDE; row++) {
-            int from = COLORS * inputSide * (row + MARGIN);
             for (int column = 0; column < inputSide; column++) {
-                int to = COLORS * (column * STORED_SIDE + row);
-                transposed[to] = plane[from];
-                transposed[to + 1] = plane[from + 1];
-                transposed[to + 2] = plane[from + 2];
-                from += COLORS;
+                int from = inputSide * (row + MARGIN) + column;
+                System.arraycopy(plane, COLORS * from, transposed, COLORS * (column * STORED_SIDE + row), COLORS);
             }
         }
         return transposed;

@@ -49,10 +49,6 @@ public interface Expansion {
         return 0;
     }
 
-    default Complex basis(int n, double s) {
-        return new Complex(realBasis(n, s), imaginaryBasis(n, s));
-    }
-
     /** Returns all c_n(zeta), n from 0 to terms() - 1, for zeta in {@link #minimumPhase()}..{@link #maximumPhase()}. */
     double[] coefficients(double zeta);
 

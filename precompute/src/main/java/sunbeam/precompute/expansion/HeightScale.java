@@ -1,5 +1,6 @@
 package sunbeam.precompute.expansion;
 
+import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
@@ -21,15 +22,7 @@ public record HeightScale(double center, double halfRange) {
 
     /** Returns the scale centered on the mean height, as in the thesis. */
     public static HeightScale mean(HeightLevels heights) {
-        int[] counts = heights.histogram();
-        double[] levels = heights.levels();
-        double sum = 0;
-        double samples = 0;
-        for (int i = 0; i < counts.length; i++) {
-            sum += counts[i] * (levels[i] - heights.minimum());
-            samples += counts[i];
-        }
-        double center = heights.minimum() + sum / samples;
+        double center = StatUtils.mean(heights.map().heights());
         double reach = Math.max(heights.maximum() - center, center - heights.minimum());
         return new HeightScale(center, Math.max(FLAT_HALF_RANGE, reach));
     }

@@ -69,7 +69,7 @@ class ExpansionTest {
                 .parallel()
                 .map(s -> {
                     Complex[] basis = new Complex[expansion.terms()];
-                    Arrays.setAll(basis, n -> expansion.basis(n, s));
+                    Arrays.setAll(basis, n -> new Complex(expansion.realBasis(n, s), expansion.imaginaryBasis(n, s)));
                     double sum = 0;
                     for (int q = 0; q < nodes.count(); q++) {
                         sum += nodes.weight(q) * squaredError(nodes.node(q) * s, basis, coefficients[q]);
@@ -125,8 +125,7 @@ class ExpansionTest {
         for (double s = -1; s <= 1; s += 0.01) {
             Complex rest = new Complex(Math.cos(zeta * s), -Math.sin(zeta * s));
             for (int n = 0; n < terms; n++) {
-                rest = rest.subtract(
-                        taylor.kind().turn(n).multiply(taylor.basis(n, s)).multiply(coefficients[n]));
+                rest = rest.subtract(taylor.kind().turn(n).multiply(taylor.realBasis(n, s) * coefficients[n]));
             }
             worst = Math.max(worst, rest.abs());
         }
