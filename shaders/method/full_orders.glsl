@@ -22,7 +22,7 @@ uniform float windowSigmaFrequency;
 
 // Distance from an order's center, in standard deviations, at which its power is 1e-9 of its maximum, which is invisible.
 const float FLANK_REACH = 6.5;
-// Standard deviation of an order in wavelength, meters, below which corners of the CIE's tables influence its color (ColorArrays).
+// Standard deviation of an order in wavelength, meters, below which corners of the CIE's tables influence its color (ShaderArrays).
 const float NARROW_ORDER = 0.4e-9;
 
 struct Ray {

@@ -14,10 +14,9 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
@@ -110,7 +109,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     private static ArrayLayout ownLayout(boolean weighted) {
         return weighted
                 ? ArrayLayout.flat("orderWeights", CENTERS, WIDTHS, 4).linear()
-                : ColorArrays.cieWeightsLayout();
+                : ShaderArrays.cieWeightsLayout();
     }
 
     private ShaderTables tables(Surface surface, SpectrumPlan plan, ShaderTables bins) {
@@ -130,7 +129,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
             addWidths(surface, tables, sigma);
             return fresnel.applyTo(tables.build(bins.windowSigma(), bins.specularReach()));
         }
-        tables.array(ColorArrays.cieWeights(surface.cie()))
+        tables.array(ShaderArrays.cieWeights(surface.cie()))
                 .reals("orderStep", WAVELENGTH_STEP)
                 .reals("cieWhite", surface.cie().white());
         // The thesis's form has a white disc, up to the |(u, v)| at which the shortest wavelength meets the first bin.
@@ -163,8 +162,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         tables.array(TableArray.of(ownLayout(true), texels))
                 .reals("windowSigmaFrequency", sigma)
                 .reals("orderWidest", WIDEST_ORDER)
-                .reals("orderPlaceMap", SpectrumArrays.textureMap(first, last, CENTERS))
-                .reals("orderWidthMap", SpectrumArrays.textureMap(narrowest, WIDEST_ORDER, WIDTHS));
+                .reals("orderPlaceMap", ShaderArrays.textureMap(first, last, CENTERS))
+                .reals("orderWidthMap", ShaderArrays.textureMap(narrowest, WIDEST_ORDER, WIDTHS));
     }
 
     /** Returns W of one order for X, Y, Z, integrated over 1 / lambda: dlambda = lambda^2 d(1 / lambda). */

@@ -33,11 +33,10 @@ import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
+import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.spectrum.PeriodSpectrum;
@@ -223,8 +222,8 @@ public record PqMethod(
             ArrayLayout terms = termsLayout();
             int samples = CoefficientTable.sampleCount(expansion, 1);
             List<ArrayLayout> layouts = List.of(
-                    SpectrumArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms()),
-                    ColorArrays.wavelengthsLayout(wavelengths),
+                    ShaderArrays.coefficientsLayout(COEFFICIENTS, samples, expansion.terms()),
+                    ShaderArrays.wavelengthsLayout(wavelengths),
                     terms);
             // One complex transform in double precision, before and after its second axis, and one layer of texels.
             long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
@@ -238,7 +237,7 @@ public record PqMethod(
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
-            SpectrumArrays.define(tables, true, expansion.terms());
+            ShaderArrays.define(tables, true, expansion.terms());
             // Its effective area, 4 pi sigma^2, equals the replicas' area.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             if (interpolation == PeriodInterpolation.RING) {
@@ -248,11 +247,11 @@ public record PqMethod(
                         .defineIn(tables);
             }
             return fresnel.applyTo(tables.define("PERIOD_LAYERS", terms.layers())
-                    .array(SpectrumArrays.coefficients(COEFFICIENTS, coefficients))
-                    .array(ColorArrays.wavelengths(wavelengths))
+                    .array(ShaderArrays.coefficients(COEFFICIENTS, coefficients))
+                    .array(ShaderArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
                     .reals("heightHalfRange", expansion.scale().halfRange())
-                    .reals("periodPhaseMap", SpectrumArrays.phaseMap(coefficients))
+                    .reals("periodPhaseMap", ShaderArrays.phaseMap(coefficients))
                     .reals(
                             "periodScale",
                             interpolation.oversampling() * map.width(),

@@ -10,10 +10,9 @@ import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
@@ -69,14 +68,14 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     @Override
     public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
         List<ArrayLayout> layouts = binLayouts(plan);
-        layouts.add(ColorArrays.wavelengthsLayout(wavelengths));
+        layouts.add(ShaderArrays.wavelengthsLayout(wavelengths));
         return layouts;
     }
 
     @Override
     public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
         return binTables("full_bins", plan, table, neighborhood)
-                .array(ColorArrays.wavelengths(wavelengths))
+                .array(ShaderArrays.wavelengths(wavelengths))
                 .integers("wavelengthCount", wavelengths.count())
                 .build(plan.window().sigmaMeters(), plan.specularReach());
     }
@@ -95,7 +94,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         layouts.add(terms(plan.bandX(), plan.bandY(), expansion.terms()));
         if (expansion.kind() != Expansion.Kind.TAYLOR) {
             int samples = CoefficientTable.sampleCount(expansion, 1);
-            layouts.add(SpectrumArrays.singleLayout(COEFFICIENTS, samples, expansion.terms()));
+            layouts.add(ShaderArrays.singleLayout(COEFFICIENTS, samples, expansion.terms()));
         }
         return layouts;
     }
@@ -143,12 +142,12 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     private static void addExpansion(ShaderTables.Builder tables, FourierTable table) {
         Expansion expansion = table.expansion();
         boolean sampled = expansion.kind() != Expansion.Kind.TAYLOR;
-        SpectrumArrays.define(tables, sampled, table.terms());
+        ShaderArrays.define(tables, sampled, table.terms());
         tables.reals("heightHalfRange", expansion.scale().halfRange());
         if (sampled) {
             CoefficientTable coefficients = CoefficientTable.sampled(expansion);
-            tables.array(SpectrumArrays.singleCoefficients(COEFFICIENTS, coefficients))
-                    .reals("expansionPhaseMap", SpectrumArrays.phaseMap(coefficients));
+            tables.array(ShaderArrays.singleCoefficients(COEFFICIENTS, coefficients))
+                    .reals("expansionPhaseMap", ShaderArrays.phaseMap(coefficients));
         }
     }
 

@@ -8,9 +8,9 @@ import sunbeam.precompute.expansion.CoefficientTable;
 import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.shader.TermsLayout;
 import sunbeam.precompute.spectrum.FourierTable;
@@ -65,7 +65,7 @@ final class GridArrays {
         int samples = CoefficientTable.sampleCount(plan.expansion(), coherent ? 1 : PowerSpectrum.BANDWIDTH);
         int functions = coherent ? terms : CHANNELS * texels;
         List<ArrayLayout> layouts = new ArrayList<>(List.of(
-                SpectrumArrays.coefficientsLayout(name + "Coefficients", samples, functions),
+                ShaderArrays.coefficientsLayout(name + "Coefficients", samples, functions),
                 pointLayout(texels, use).array()));
         if (use == MethodUse.COLOR) {
             raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
@@ -147,8 +147,8 @@ final class GridArrays {
         GridResampler points = new GridResampler(interpolated(pointX, table.x()), interpolated(pointY, table.y()));
         tables.define(prefix + "_TEXELS", texels)
                 .define(prefix + "_POINT_TOGETHER", point.together())
-                .array(SpectrumArrays.coefficients(name + "Coefficients", coefficients))
-                .reals(name + "PhaseMap", SpectrumArrays.phaseMap(coefficients))
+                .array(ShaderArrays.coefficients(name + "Coefficients", coefficients))
+                .reals(name + "PhaseMap", ShaderArrays.phaseMap(coefficients))
                 .reals(name + "Scale", 1 / step)
                 .array(TableArray.computed(
                         point.array(), layer -> layer(fields, count, layer, point, points, Order.ROWS)))

@@ -8,11 +8,10 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.OrderSampling.BandRule;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ColorArrays;
 import sunbeam.precompute.shader.KernelPolynomials;
+import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
-import sunbeam.precompute.shader.SpectrumArrays;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 import sunbeam.precompute.text.Text;
@@ -123,7 +122,7 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             layouts.addAll(new GridArrays(this, plan, average).layouts(use));
         }
-        layouts.add(ColorArrays.cieWeightsLayout());
+        layouts.add(ShaderArrays.cieWeightsLayout());
         return layouts;
     }
 
@@ -149,7 +148,7 @@ public record GridSampling(
         }
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
         plan.area().average().defineIn(tables);
-        SpectrumArrays.define(tables, true, table.terms());
+        ShaderArrays.define(tables, true, table.terms());
         KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
         tables.define("COHERENT_TEXELS", 0)
                 .define("ENSEMBLE_TEXELS", 0)
@@ -158,7 +157,7 @@ public record GridSampling(
         for (Average average : averages(plan, use)) {
             new GridArrays(this, plan, average).addTo(tables, table, use);
         }
-        tables.array(ColorArrays.cieWeights(cie));
+        tables.array(ShaderArrays.cieWeights(cie));
         if (use == MethodUse.COLOR) {
             band.addTo(tables);
             tables.reals("gridNodeStep", nodeStep)

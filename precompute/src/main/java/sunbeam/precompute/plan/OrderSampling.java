@@ -6,7 +6,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
-import sunbeam.precompute.shader.ColorArrays;
+import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.FourierTable;
@@ -125,7 +125,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     @Override
     public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
         List<ArrayLayout> layouts = BinSampling.binLayouts(plan);
-        layouts.add(ColorArrays.cieWeightsLayout());
+        layouts.add(ShaderArrays.cieWeightsLayout());
         return layouts;
     }
 
@@ -133,7 +133,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
         ShaderTables.Builder tables = BinSampling.binTables("full_orders", plan, table, neighborhood);
         band.addTo(tables);
-        tables.array(ColorArrays.cieWeights(cie))
+        tables.array(ShaderArrays.cieWeights(cie))
                 .reals("cieWhite", cie.white())
                 .reals("windowSigmaFrequency", plan.window().sigmaFrequency())
                 .define("ORDERS_RESOLVED", resolved.isPresent() ? 1 : 0);

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.builtin.BuiltInPatches.RandomBumps;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** Light of randomly placed bumps against its mean over all draws by statistics alone, without heights or Fourier transforms. */
