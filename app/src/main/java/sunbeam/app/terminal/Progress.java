@@ -6,10 +6,10 @@ import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 import me.tongfei.progressbar.ProgressState;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 
 /** Progress of one long task. {@link ProgressDisplay} starts it; the task closes it at its end. Thread-safe. */
-public final class Progress implements BakeToken {
+public final class Progress implements ColorBaker.Token {
     static final Duration DELAY = Duration.ofSeconds(2);
     /** Share of the steps done from which the time left is estimated. */
     private static final double LEAST_DONE = 0.02;

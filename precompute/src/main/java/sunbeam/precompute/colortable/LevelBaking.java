@@ -65,7 +65,7 @@ public final class LevelBaking {
      *
      * @return {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order of tiles
      */
-    public List<byte[]> bake(BitSet tiles, ColorBaker baker, BakeToken token) {
+    public List<byte[]> bake(BitSet tiles, ColorBaker baker, ColorBaker.Token token) {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
         // Tiles are sorted by angle around the grid's center, so that a batch is a wedge: few of the rays of (u, v)
@@ -124,7 +124,7 @@ public final class LevelBaking {
         void visit(int sample, int tile, int texel);
     }
 
-    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, BakeToken token) {
+    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, ColorBaker.Token token) {
         List<Column> columns = new ArrayList<>();
         int count = 0;
         int next;

@@ -70,7 +70,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             TablePoints points,
             CachedTiles cached,
             Function<TableDesign, ColorBaker> bakers,
-            LongFunction<BakeToken> tokens) {
+            LongFunction<ColorBaker.Token> tokens) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         BitSet tiles = points.tiles(grid);
         if (!cached.present(0, tiles).equals(tiles)) {
@@ -84,7 +84,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         read.forEach((tile, coefficients) -> pages.add(0, tile, coefficients));
         List<DirectionPair> samples = points.samples();
         try (ColorBaker baker = bakers.apply(grid.design());
-                BakeToken token = tokens.apply(samples.size())) {
+                ColorBaker.Token token = tokens.apply(samples.size())) {
             ValidatedTable table = of(grid, levels.numbers(), pages, baker, token, samples);
             return Optional.of(table).filter(validated -> validated.excess(levels.tolerance()) <= 1);
         }
@@ -95,7 +95,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             NumberFormat numbers,
             AtlasPages pages,
             ColorBaker baker,
-            BakeToken token,
+            ColorBaker.Token token,
             List<DirectionPair> samples) {
         TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, pages::coefficient);
         ErrorStatistics errors = errors(lookUp, baker.direct(), token, samples);
@@ -106,12 +106,12 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             TileGrid grid,
             BitSet tiles,
             Function<TableDesign, ColorBaker> bakers,
-            LongFunction<BakeToken> tokens,
+            LongFunction<ColorBaker.Token> tokens,
             List<DirectionPair> samples) {
         LevelBaking baking = new LevelBaking(grid, NumberFormat.FLOAT);
         AtlasPages pages = new AtlasPages(List.of(grid), NumberFormat.FLOAT);
         try (ColorBaker baker = bakers.apply(grid.design());
-                BakeToken token = tokens.apply(baking.missing(tiles) + samples.size())) {
+                ColorBaker.Token token = tokens.apply(baking.missing(tiles) + samples.size())) {
             Iterator<byte[]> coefficients = baking.bake(tiles, baker, token).iterator();
             tiles.stream().forEach(tile -> pages.add(0, tile, coefficients.next()));
             return of(grid, NumberFormat.FLOAT, pages, baker, token, samples);
@@ -133,7 +133,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             TablePoints points,
             TableDesign coarsest,
             Function<TableDesign, ColorBaker> bakers,
-            LongFunction<BakeToken> tokens,
+            LongFunction<ColorBaker.Token> tokens,
             Predicate<MemoryNeed> room,
             Consumer<TableDesign> refused,
             Diagnostics diagnostics) {
@@ -178,7 +178,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
 
     /** Returns the relative errors at the first samples, until {@link #ENOUGH} of them are bright. */
     private static ErrorStatistics errors(
-            TableLookUp table, ColorBaker exact, BakeToken token, List<DirectionPair> samples) {
+            TableLookUp table, ColorBaker exact, ColorBaker.Token token, List<DirectionPair> samples) {
         List<Comparison> bright = new ArrayList<>();
         for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
             List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));

@@ -5,7 +5,6 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
@@ -53,7 +52,7 @@ public final class LevelBakers {
     }
 
     /** Shows the progress of baking a number of samples, until the caller closes it. */
-    public BakeToken progress(long samples) {
+    public ColorBaker.Token progress(long samples) {
         return sources.progress(samples);
     }
 

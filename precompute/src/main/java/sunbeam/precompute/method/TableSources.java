@@ -1,6 +1,5 @@
 package sunbeam.precompute.method;
 
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
@@ -20,7 +19,7 @@ public interface TableSources {
     ColorBaker baker(ShaderTables tables);
 
     /** Shows the progress of baking a number of samples, until the caller closes it. */
-    BakeToken progress(long samples);
+    ColorBaker.Token progress(long samples);
 
     /** True if tiles of any table of the surface are cached. */
     boolean hasTiles();

@@ -4,7 +4,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 
 /**
@@ -33,7 +32,7 @@ final class DirectBaker implements ColorBaker {
     }
 
     @Override
-    public float[] bake(float[] uvw, BakeToken token) {
+    public float[] bake(float[] uvw, ColorBaker.Token token) {
         float[] xyz = new float[uvw.length];
         int[] columns = columns(uvw);
         IntStream.range(0, columns.length - 1).parallel().forEach(column -> {

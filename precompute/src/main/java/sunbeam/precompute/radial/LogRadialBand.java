@@ -3,7 +3,7 @@ package sunbeam.precompute.radial;
 import java.util.Arrays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
@@ -174,7 +174,7 @@ final class LogRadialBand {
             this.tileRays = firstRay(sector + 1) + MARGIN + 1 - firstRay;
         }
 
-        float[] bake(float[] uvw, BakeToken token) {
+        float[] bake(float[] uvw, ColorBaker.Token token) {
             float[][] planes = planes(token);
             float[] xyz = new float[uvw.length];
             double[] alongRay = new double[QuinticSpline.TAPS];
@@ -239,7 +239,7 @@ final class LogRadialBand {
         }
 
         /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z) of each slice, {@code [slice * 3 + color][position * tileRays + ray]}. */
-        private float[][] planes(BakeToken token) {
+        private float[][] planes(ColorBaker.Token token) {
             float[][] planes = new float[COLORS * slices.depths().length][tileRays * positions.count()];
             LogPolarConvolution.Line line = convolution.line(powers.stride());
             int next;

@@ -8,7 +8,6 @@ import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
@@ -93,17 +92,17 @@ public final class RadialBaker implements ColorBaker {
     }
 
     @Override
-    public float[] bake(float[] uvw, BakeToken token) {
+    public float[] bake(float[] uvw, ColorBaker.Token token) {
         return bake(uvw, samples -> DepthInterpolation.fewest(samples, sliceStep), token);
     }
 
     /** Bakes with fixed slices of w: a sample's color does not depend on the other samples. */
-    public float[] bakeRepeatably(float[] uvw, BakeToken token) {
+    public float[] bakeRepeatably(float[] uvw, ColorBaker.Token token) {
         DepthInterpolation slices = DepthInterpolation.fixed(sliceStep);
         return bake(uvw, samples -> slices, token);
     }
 
-    private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, BakeToken token) {
+    private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, ColorBaker.Token token) {
         int[] tiles = tiles(uvw);
         int middle = firstTiles[bands.size()];
         int[] ends = new int[middle + 1];
@@ -127,7 +126,7 @@ public final class RadialBaker implements ColorBaker {
                 System.arraycopy(uvw, COLORS * samples[i], tileUvw, COLORS * i, COLORS);
             }
             float[] colors = tile == middle
-                    ? direct.bake(tileUvw, BakeToken.NONE)
+                    ? direct.bake(tileUvw, ColorBaker.Token.NONE)
                     : tile(tile, slices.apply(tileUvw)).bake(tileUvw, token);
             for (int i = 0; i < samples.length; i++) {
                 System.arraycopy(colors, COLORS * i, xyz, COLORS * samples[i], COLORS);

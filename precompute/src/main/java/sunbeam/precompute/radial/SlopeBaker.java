@@ -5,7 +5,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.spectrum.PowerSpectrum;
@@ -63,7 +62,7 @@ public final class SlopeBaker implements ColorBaker {
     }
 
     @Override
-    public float[] bake(float[] uvw, BakeToken token) {
+    public float[] bake(float[] uvw, ColorBaker.Token token) {
         float[] xyz = new float[uvw.length];
         int[] columns = DirectBaker.columns(uvw);
         Map<Integer, Nodes> nodes = new ConcurrentHashMap<>();

@@ -74,7 +74,7 @@ class LevelBakingTest {
             float[] tile = baked.computeIfAbsent(number, key -> {
                 BitSet one = new BitSet();
                 one.set(key);
-                List<byte[]> tiles = new LevelBaking(grid, NumberFormat.FLOAT).bake(one, WAVES, BakeToken.NONE);
+                List<byte[]> tiles = new LevelBaking(grid, NumberFormat.FLOAT).bake(one, WAVES, ColorBaker.Token.NONE);
                 return NumberFormatTest.decoded(tiles.get(0), NumberFormat.FLOAT);
             });
             return tile[index];
@@ -109,7 +109,7 @@ class LevelBakingTest {
             token.step(uvw.length / 3);
             return waves(uvw);
         };
-        BakeToken token = samples -> {
+        ColorBaker.Token token = samples -> {
             if (done[0] > all / 2) {
                 throw new CancellationException();
             }
@@ -117,8 +117,8 @@ class LevelBakingTest {
         };
         assertThatThrownBy(() -> baking.bake(tiles, canceled, token)).isInstanceOf(CancellationException.class);
         assertThat(baking.missing(tiles)).isEqualTo(all - done[0]).isLessThan(3 * all / 4);
-        List<byte[]> resumed = baking.bake(tiles, WAVES, BakeToken.NONE);
-        List<byte[]> whole = new LevelBaking(GRID, NumberFormat.FLOAT).bake(tiles, WAVES, BakeToken.NONE);
+        List<byte[]> resumed = baking.bake(tiles, WAVES, ColorBaker.Token.NONE);
+        List<byte[]> whole = new LevelBaking(GRID, NumberFormat.FLOAT).bake(tiles, WAVES, ColorBaker.Token.NONE);
         assertThat(resumed).containsExactlyElementsOf(whole);
     }
 
@@ -131,13 +131,13 @@ class LevelBakingTest {
         both.or(right);
         LevelBaking together = new LevelBaking(GRID, NumberFormat.FLOAT);
         long all = together.missing(both);
-        List<byte[]> made = together.bake(both, WAVES, BakeToken.NONE);
+        List<byte[]> made = together.bake(both, WAVES, ColorBaker.Token.NONE);
         assertThat(together.missing(both)).isZero();
         LevelBaking apart = new LevelBaking(GRID, NumberFormat.FLOAT);
         long first = apart.missing(left);
-        apart.bake(left, WAVES, BakeToken.NONE);
+        apart.bake(left, WAVES, ColorBaker.Token.NONE);
         assertThat(first + apart.missing(right)).as("samples in all").isEqualTo(all);
-        List<byte[]> later = apart.bake(right, WAVES, BakeToken.NONE);
+        List<byte[]> later = apart.bake(right, WAVES, ColorBaker.Token.NONE);
         int[] numbers = both.stream().toArray();
         int[] ofRight = right.stream().toArray();
         for (int i = 0; i < ofRight.length; i++) {

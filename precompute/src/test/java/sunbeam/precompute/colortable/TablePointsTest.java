@@ -91,7 +91,7 @@ class TablePointsTest {
             }
             return places;
         };
-        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, BakeToken.NONE);
+        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, ColorBaker.Token.NONE);
         assertThat(tiles.cardinality()).isPositive();
         assertThat(points.memory(DESIGN).textureBytes())
                 .isGreaterThanOrEqualTo(AtlasPages.texels(tiles.cardinality()).bytes());

@@ -39,20 +39,20 @@ class ValidatedTableTest {
     }
 
     /** Power of two orders that cancel on lines: it is smooth, but its root has a kink. */
-    private static float[] cancelling(float[] uvw, BakeToken token) {
+    private static float[] cancelling(float[] uvw, ColorBaker.Token token) {
         return colors(uvw, place -> Math.pow(Math.sin(9 * place[0] + 4 * place[1] + place[2]), 2) + 1e-7);
     }
 
-    private static float[] smooth(float[] uvw, BakeToken token) {
+    private static float[] smooth(float[] uvw, ColorBaker.Token token) {
         return colors(uvw, place -> 2 + Math.sin(place[0] + place[1]) + 0.1 * place[2]);
     }
 
-    private static float[] dark(float[] uvw, BakeToken token) {
+    private static float[] dark(float[] uvw, ColorBaker.Token token) {
         return colors(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
     }
 
     /** White noise. */
-    private static float[] noisy(float[] uvw, BakeToken token) {
+    private static float[] noisy(float[] uvw, ColorBaker.Token token) {
         Random random = new Random(3);
         return colors(uvw, place -> 1 + random.nextDouble());
     }
@@ -84,7 +84,7 @@ class ValidatedTableTest {
                 points,
                 coarsest,
                 bakers,
-                samples -> BakeToken.NONE,
+                samples -> ColorBaker.Token.NONE,
                 need -> room,
                 refused,
                 new ValidatedTable.Diagnostics(messages::add, messages::add));
@@ -126,8 +126,8 @@ class ValidatedTableTest {
             double phi = 2 * Math.PI * random.nextDouble();
             double sine = Math.sqrt(1 - z * z);
             DirectionPair pair = new DirectionPair(LIGHT, new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z));
-            float exact =
-                    cancelling(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, BakeToken.NONE)[1];
+            float exact = cancelling(
+                    new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, ColorBaker.Token.NONE)[1];
             errors.add(Math.abs(xyz(made, pair)[1] - exact) / exact);
         }
         errors.sort(null);
@@ -222,7 +222,7 @@ class ValidatedTableTest {
     /** The table of one light from cached tiles of {@link #smooth}, checked against a baker. */
     private static Optional<ValidatedTable> lookUp(ColorTable levels, BitSet missing, ColorBaker baker) {
         CachedTiles tiles = cached(levels, missing);
-        return ValidatedTable.cached(levels, ONE_LIGHT, tiles, design -> baker, samples -> BakeToken.NONE);
+        return ValidatedTable.cached(levels, ONE_LIGHT, tiles, design -> baker, samples -> ColorBaker.Token.NONE);
     }
 
     /** Tiles of all lights in memory. */
@@ -238,8 +238,8 @@ class ValidatedTableTest {
 
             @Override
             public Map<Integer, byte[]> read(int level, BitSet tiles) {
-                List<byte[]> made =
-                        new LevelBaking(grid, levels.numbers()).bake(tiles, ValidatedTableTest::smooth, BakeToken.NONE);
+                List<byte[]> made = new LevelBaking(grid, levels.numbers())
+                        .bake(tiles, ValidatedTableTest::smooth, ColorBaker.Token.NONE);
                 int[] numbers = tiles.stream().toArray();
                 return IntStream.range(0, numbers.length).boxed().collect(Collectors.toMap(i -> numbers[i], made::get));
             }
@@ -261,7 +261,8 @@ class ValidatedTableTest {
         ValidatedTable found = lookUp(levels, new BitSet(), smooth).orElseThrow();
         assertThat(found.grid().slices()).isEqualTo(levels.slices());
         DirectionPair pair = new DirectionPair(LIGHT, Direction.ofDegrees(50, 200));
-        double exact = smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, BakeToken.NONE)[0];
+        double exact =
+                smooth(new float[] {(float) pair.u(), (float) pair.v(), (float) pair.w()}, ColorBaker.Token.NONE)[0];
         assertThat(xyz(found, pair)[0]).isCloseTo(exact, within(TOLERANCE * exact));
         assertThat(lookUp(levels, one, smooth)).isEmpty();
         assertThat(lookUp(levels, new BitSet(), other)).isEmpty();

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -147,7 +147,7 @@ class RadialBakerTest {
             places[3 * i + 2] = -1.5f;
         }
         float[] xyz =
-                baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009).bake(places, BakeToken.NONE);
+                baker(spectrum(map, ENSEMBLE, area, tolerance), area, 0.0009).bake(places, ColorBaker.Token.NONE);
         double order = xyz[3 * 39 + 2];
         assertThat(order).isGreaterThan(1e-3);
         double largest = 0;
@@ -193,8 +193,8 @@ class RadialBakerTest {
             places[3 * i + 2] = -0.5f - 4e-3f * i;
         }
         RadialBaker colors = smallBaker();
-        float[] exact = colors.direct().bake(places, BakeToken.NONE);
-        float[] xyz = colors.bake(places, BakeToken.NONE);
+        float[] exact = colors.direct().bake(places, ColorBaker.Token.NONE);
+        float[] xyz = colors.bake(places, ColorBaker.Token.NONE);
         double[] errors = new double[places.length / 3];
         for (int i = 0; i < errors.length; i++) {
             double brightest = Math.max(exact[3 * i], Math.max(exact[3 * i + 1], exact[3 * i + 2]));
@@ -211,9 +211,9 @@ class RadialBakerTest {
     void aRepeatableColorDoesNotDependOnItsBatch() {
         RadialBaker colors = smallBaker();
         float[] samples = places(40);
-        float[] together = colors.bakeRepeatably(samples, BakeToken.NONE);
+        float[] together = colors.bakeRepeatably(samples, ColorBaker.Token.NONE);
         for (int i = 0; i < samples.length; i += 3) {
-            float[] alone = colors.bakeRepeatably(Arrays.copyOfRange(samples, i, i + 3), BakeToken.NONE);
+            float[] alone = colors.bakeRepeatably(Arrays.copyOfRange(samples, i, i + 3), ColorBaker.Token.NONE);
             assertThat(alone).containsExactly(Arrays.copyOfRange(together, i, i + 3));
         }
     }
@@ -221,7 +221,7 @@ class RadialBakerTest {
     @Test
     void aCanceledBatchEnds() {
         RadialBaker colors = smallBaker();
-        BakeToken canceled = samples -> {
+        ColorBaker.Token canceled = samples -> {
             throw new CancellationException();
         };
         assertThatThrownBy(() -> colors.bake(places(40), canceled)).isInstanceOf(CancellationException.class);

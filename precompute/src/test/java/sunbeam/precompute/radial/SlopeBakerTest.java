@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -43,7 +43,7 @@ class SlopeBakerTest {
             tilted[3 * i + 1] = (float) (place[1] + y * SLOPES * place[2]);
             tilted[3 * i + 2] = (float) place[2];
         }
-        float[] colors = points.direct().bake(tilted, BakeToken.NONE);
+        float[] colors = points.direct().bake(tilted, ColorBaker.Token.NONE);
         double[] sum = new double[3];
         for (int i = 0; i < colors.length; i++) {
             sum[i % 3] += weights[i / 3] * colors[i];
@@ -68,8 +68,8 @@ class SlopeBakerTest {
                 new double[] {0.9, 0.3, -1.4},
                 new double[] {-0.2, 1.1, -0.8});
         for (double[] place : places) {
-            float[] found =
-                    colors.bake(new float[] {(float) place[0], (float) place[1], (float) place[2]}, BakeToken.NONE);
+            float[] found = colors.bake(
+                    new float[] {(float) place[0], (float) place[1], (float) place[2]}, ColorBaker.Token.NONE);
             double[] mean = mean(points, place);
             for (int c = 0; c < 3; c++) {
                 // Cubic polynomials between windows and quadratic splines between frequencies: a thousandth each where

@@ -2,7 +2,6 @@ package sunbeam.app.cli.export;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
@@ -95,7 +94,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
      * Bakes all texels that any two directions reach. They are sorted by azimuth, so that a batch is a wedge and different batches share
      * few rays.
      */
-    void bake(ColorBaker baker, BakeToken token) {
+    void bake(ColorBaker baker, ColorBaker.Token token) {
         int[] byAngle = IntStream.range(0, shape.texels())
                 .filter(texel -> slices(texel) > 0)
                 .mapToLong(texel -> ((long) Float.floatToIntBits(angle(texel)) << Integer.SIZE) + texel)
@@ -112,7 +111,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         }
     }
 
-    private void bake(int[] texels, int samples, ColorBaker baker, BakeToken token) {
+    private void bake(int[] texels, int samples, ColorBaker baker, ColorBaker.Token token) {
         float[] uvw = new float[CHANNELS * samples];
         int at = 0;
         for (int texel : texels) {

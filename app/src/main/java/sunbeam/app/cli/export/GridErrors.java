@@ -12,7 +12,6 @@ import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -111,7 +110,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
                 places[3 * i + 1] = (float) pairs.get(i).v();
                 places[3 * i + 2] = (float) pairs.get(i).w();
             }
-            float[] xyz = baker.direct().bake(places, BakeToken.NONE);
+            float[] xyz = baker.direct().bake(places, ColorBaker.Token.NONE);
             for (int i = 0; i < pairs.size() && bright.size() < SUM_PAIRS / 2; i++) {
                 Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
                 if (one.bright()) {

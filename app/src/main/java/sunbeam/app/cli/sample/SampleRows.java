@@ -7,7 +7,7 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -38,7 +38,7 @@ final class SampleRows {
     private final ColorTable.Level finest;
     private final RadialBaker colors;
     private final PairDensity density;
-    private final BakeToken token;
+    private final ColorBaker.Token token;
     // X, Y, Z of the first rows of a file; null before they are computed.
     private float[] firstXyz;
     private long firstRow;
@@ -47,7 +47,7 @@ final class SampleRows {
      * @param plan plan with the ensemble average
      * @param token receives the progress of rows
      */
-    SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, BakeToken token) {
+    SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, ColorBaker.Token token) {
         ColorTable table = plan.table();
         this.finest = table.levels().get(0);
         this.colors = new RadialBaker(spectrum, cie, finest);
@@ -75,7 +75,7 @@ final class SampleRows {
             places[CHANNELS * i + 1] = (float) PairDensity.v(cell);
             places[CHANNELS * i + 2] = (float) (-DEPTHS[i % DEPTHS.length] * deepest);
         }
-        float[] xyz = blurred.bakeRepeatably(places, BakeToken.NONE);
+        float[] xyz = blurred.bakeRepeatably(places, ColorBaker.Token.NONE);
         float[] weights = new float[PairDensity.SIDE * PairDensity.SIDE];
         for (int i = 0; i < xyz.length; i++) {
             int cell = cells[i / (CHANNELS * DEPTHS.length)];

@@ -16,7 +16,6 @@ import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
@@ -141,7 +140,7 @@ public record DiffractionSetup(
             }
 
             @Override
-            public BakeToken progress(long samples) {
+            public ColorBaker.Token progress(long samples) {
                 return progress.start("Colors of " + surface.name(), samples);
             }
 

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
@@ -86,7 +85,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         return tiles.collect(BitSet::new, BitSet::set, BitSet::or);
     }
 
-    private Scheduler.BakedTiles bake(int level, BitSet tiles, BakeToken token) {
+    private Scheduler.BakedTiles bake(int level, BitSet tiles, ColorBaker.Token token) {
         Map<Integer, byte[]> all = new TreeMap<>(cached().read(level, tiles));
         BitSet missing = (BitSet) tiles.clone();
         all.keySet().forEach(missing::clear);
@@ -104,7 +103,7 @@ final class CachedBaker implements Scheduler.TileBaker {
 
     List<Scheduler.BakedTiles> bakeAll(TileSet tiles) {
         List<Scheduler.BakedTiles> all = new ArrayList<>();
-        try (BakeToken progress = bakers.progress(missing(tiles))) {
+        try (ColorBaker.Token progress = bakers.progress(missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     all.add(bake(level, tiles.of(level), progress));
@@ -131,7 +130,7 @@ final class CachedBaker implements Scheduler.TileBaker {
      * Validates baked tiles at some footprints. If the table misses its tolerance, warns once and discards the cached tiles. Without effect
      * if all tiles came from the cache.
      */
-    void validate(FootprintSample.Tabulated sample, BakeToken token) {
+    void validate(FootprintSample.Tabulated sample, ColorBaker.Token token) {
         if (hasBaked && !warned) {
             VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {
                 warned = true;
@@ -141,12 +140,12 @@ final class CachedBaker implements Scheduler.TileBaker {
         }
     }
 
-    ErrorStatistics errors(FootprintSample.Tabulated sample, BakeToken token) {
+    ErrorStatistics errors(FootprintSample.Tabulated sample, ColorBaker.Token token) {
         return sample.errors((level, places) -> evaluate(level, places, token));
     }
 
     /** Evaluates colors of a level, not yet multiplied by the level's scale, or of {@link #POINTS} of the patch. */
-    float[] evaluate(int level, float[] places, BakeToken token) {
+    float[] evaluate(int level, float[] places, ColorBaker.Token token) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
         for (int from = 0; from < places.length; from += 3 * SAMPLE_BATCH) {

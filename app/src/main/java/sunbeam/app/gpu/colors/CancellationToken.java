@@ -1,10 +1,10 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.concurrent.CancellationException;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 
 /** Cancels a job cooperatively. Thread-safe. */
-public final class CancellationToken implements BakeToken {
+public final class CancellationToken implements ColorBaker.Token {
     private volatile boolean isCancelled;
 
     public void cancel() {

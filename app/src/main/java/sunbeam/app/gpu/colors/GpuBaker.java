@@ -9,7 +9,6 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.shader.ShaderTables;
@@ -54,7 +53,7 @@ public final class GpuBaker implements ColorBaker {
     }
 
     @Override
-    public float[] bake(float[] uvw, BakeToken token) {
+    public float[] bake(float[] uvw, ColorBaker.Token token) {
         int count = uvw.length / 3;
         float[] xyz = new float[uvw.length];
         for (int start = 0; start < count; start += SIDE * SIDE) {

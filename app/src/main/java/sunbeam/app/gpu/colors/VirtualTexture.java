@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Texture;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -105,7 +105,7 @@ public final class VirtualTexture implements AutoCloseable {
         residency.expect(missing);
         baker.bakeAll(missing).forEach(residency::add);
         if (!sample.isEmpty()) {
-            baker.validate(tabulated(), BakeToken.NONE);
+            baker.validate(tabulated(), ColorBaker.Token.NONE);
         }
     }
 
@@ -133,7 +133,7 @@ public final class VirtualTexture implements AutoCloseable {
     /** Returns the errors of the table at a sample of the feedback's footprints, whose tiles must be resident. Clears the feedback. */
     public ErrorStatistics errors() {
         feedback.clear();
-        return baker.errors(tabulated(), BakeToken.NONE);
+        return baker.errors(tabulated(), ColorBaker.Token.NONE);
     }
 
     /**

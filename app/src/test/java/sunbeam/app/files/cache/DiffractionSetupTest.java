@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.BakeToken;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
@@ -182,7 +181,7 @@ class DiffractionSetupTest {
                         tiles,
                         new RadialBaker(
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
-                        BakeToken.NONE);
+                        ColorBaker.Token.NONE);
         try (CachedTiles kept = setup("a")
                 .sources(DiffractionSetupTest::refuseColors, line -> {})
                 .tiles(all)) {

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.colortable.AtlasPages;
-import sunbeam.precompute.colortable.BakeToken;
+import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.LevelBaking;
@@ -57,7 +57,7 @@ class ColorTableShaderTest {
             AtlasPages cells = new AtlasPages(List.of(grid), numbers);
             BitSet tiles = grid.reachable();
             Iterator<byte[]> made = new LevelBaking(grid, numbers)
-                    .bake(tiles, (uvw, token) -> waves(uvw), BakeToken.NONE)
+                    .bake(tiles, (uvw, token) -> waves(uvw), ColorBaker.Token.NONE)
                     .iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, made.next()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
@@ -65,7 +65,7 @@ class ColorTableShaderTest {
             float[] places = places(1000);
             float[] shown;
             try (GpuBaker colors = GpuBaker.of(tables.build(1e-5, 0.1))) {
-                shown = colors.bake(places, BakeToken.NONE);
+                shown = colors.bake(places, ColorBaker.Token.NONE);
             }
             TableLookUp table = new TableLookUp(List.of(grid), numbers, cells::coefficient);
             for (int i = 0; i < shown.length; i += 3) {
