@@ -6,6 +6,7 @@ import java.awt.datatransfer.StringSelection;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3fc;
@@ -18,6 +19,9 @@ import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
 public final class PointInspector {
@@ -170,7 +174,7 @@ public final class PointInspector {
         Direction wr = measured.pick().wr();
         measuring.run(
                 () -> wi.z() > 0 && wr.z() > 0
-                        ? Spectrum.of(data, new DirectionPair(wi, wr), () -> !inputs.equals(pick.requestedInputs))
+                        ? spectrum(data, new DirectionPair(wi, wr), () -> !inputs.equals(pick.requestedInputs))
                         : new double[0],
                 powers -> {
                     if (inputs.equals(pick.requestedInputs)) {
@@ -184,6 +188,27 @@ public final class PointInspector {
                     }
                     message.accept(problem);
                 });
+    }
+
+    /**
+     * Returns powers relative to a mirror at the plot's wavelengths, by direct summation over the height samples, without color table or
+     * series expansion; an empty array once {@code outdated} is true.
+     */
+    private static double[] spectrum(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
+        GaussianArea area = data.scene().method().seeing(data.patch()).area();
+        ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
+        boolean coherent = area.average() == Average.COHERENT;
+        double[] powers = new double[SpectrumPlot.COUNT];
+        for (int i = 0; i < powers.length; i++) {
+            if (outdated.getAsBoolean()) {
+                return new double[0];
+            }
+            double wavelength = SpectrumPlot.wavelength(i);
+            powers[i] = coherent
+                    ? reference.coherent(pair, wavelength)
+                    : reference.powers(pair, wavelength).ensemble();
+        }
+        return powers;
     }
 
     public void copy() {

@@ -24,8 +24,11 @@ public final class SpectrumPlot extends JComponent {
     private static final int MARGIN = 16;
     private static final int STRIP = 6;
     private static final int BELOW = MARGIN + STRIP;
-    private static final double FIRST_NANOMETERS = 380;
-    private static final double RANGE_NANOMETERS = 400;
+    /** Number of wavelengths of a spectrum, in equal steps from 380 to 780 nm. */
+    static final int COUNT = 81;
+
+    private static final double FIRST_WAVELENGTH = 380e-9;
+    private static final double RANGE = 400e-9;
     private static final String AWAITED = "Spectrum: being made";
     private static final Color OLD = new Color(0x60686f);
     private static final CieTable LIGHT = CieTable.load();
@@ -50,13 +53,6 @@ public final class SpectrumPlot extends JComponent {
             this.color = color;
             this.stroke = stroke;
         }
-
-        /** Returns the linearly interpolated power at a share of the wavelength axis, 0 to 1. */
-        double at(double share) {
-            double at = share * (powers.length - 1);
-            int below = (int) Math.min(powers.length - 2.0, at);
-            return powers[below] + (at - below) * (powers[below + 1] - powers[below]);
-        }
     }
 
     SpectrumPlot() {
@@ -80,6 +76,18 @@ public final class SpectrumPlot extends JComponent {
         addMouseMotionListener(mouse);
     }
 
+    /** Returns a wavelength of spectra in meters. */
+    static double wavelength(int index) {
+        return FIRST_WAVELENGTH + RANGE * index / (COUNT - 1);
+    }
+
+    /** Returns the linearly interpolated power at a share of the wavelength axis, 0 to 1. */
+    private static double at(double[] powers, double share) {
+        double at = share * (powers.length - 1);
+        int below = (int) Math.max(0, Math.min(powers.length - 2.0, at));
+        return powers[below] + (at - below) * (powers[below + 1] - powers[below]);
+    }
+
     private void point(int column) {
         pointed = column;
         repaint();
@@ -96,12 +104,14 @@ public final class SpectrumPlot extends JComponent {
         }
         StringBuilder text = new StringBuilder();
         for (double[] powers : known) {
-            double[] xyz = Spectrum.xyz(powers);
+            // For the CIE 1931 observer; Y is 1 for a mirror.
+            double[] xyz = LIGHT.times(wavelength -> at(powers, (wavelength - FIRST_WAVELENGTH) / RANGE))
+                    .white();
             text.append(Text.format("diffracted XYZ, D65  %.6g, %.6g, %.6g\n", xyz[0], xyz[1], xyz[2]));
         }
         text.append("wavelength (nm)").append("\tpower".repeat(known.size()));
         for (int i = 0; i < known.get(0).length; i++) {
-            text.append(Text.format("\n%.0f", 1e9 * Spectrum.wavelength(i)));
+            text.append(Text.format("\n%.0f", 1e9 * wavelength(i)));
             for (double[] powers : known) {
                 text.append(Text.format("\t%.6g", powers[i]));
             }
@@ -166,15 +176,15 @@ public final class SpectrumPlot extends JComponent {
         double[] xyz = new double[3];
         for (int x = 0; x < getWidth(); x++) {
             for (int c = 0; c < 3; c++) {
-                xyz[c] = LIGHT.at(wavelength(x) * 1e-9, c);
+                xyz[c] = LIGHT.at(FIRST_WAVELENGTH + RANGE * share(x), c);
             }
             graphics.setColor(new Color(DISPLAY.rgb(xyz)));
             graphics.fillRect(x, top, 1, STRIP);
         }
     }
 
-    private double wavelength(int x) {
-        return FIRST_NANOMETERS + RANGE_NANOMETERS * x / Math.max(1, getWidth() - 1);
+    private double share(int x) {
+        return (double) x / Math.max(1, getWidth() - 1);
     }
 
     private void paintPointed(Graphics2D graphics, int bottom) {
@@ -182,11 +192,11 @@ public final class SpectrumPlot extends JComponent {
             return;
         }
         graphics.drawLine(pointed, MARGIN, pointed, bottom);
+        double nanometers = 1e9 * (FIRST_WAVELENGTH + RANGE * share(pointed));
         String words = curves.stream()
                 .filter(curve -> curve.powers.length > 0)
-                .map(curve ->
-                        Text.format("%.3g", curve.at((wavelength(pointed) - FIRST_NANOMETERS) / RANGE_NANOMETERS)))
-                .collect(Collectors.joining(", ", Text.format("%.0f nm: ", wavelength(pointed)), ""));
+                .map(curve -> Text.format("%.3g", at(curve.powers, share(pointed))))
+                .collect(Collectors.joining(", ", Text.format("%.0f nm: ", nanometers), ""));
         graphics.drawString(words, getWidth() - graphics.getFontMetrics().stringWidth(words), 10);
     }
 

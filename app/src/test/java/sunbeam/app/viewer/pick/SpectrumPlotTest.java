@@ -6,9 +6,10 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
-/** The plot's text while spectra are missing. */
+/** The plot of spectra and its numbers. */
 final class SpectrumPlotTest {
     private static final double[] POWERS = {0, 1, 0.5};
 
@@ -28,6 +29,17 @@ final class SpectrumPlotTest {
         assertThat(painted(plot)).as("there").isEqualTo(painted(other));
         plot.await(1, true);
         assertThat(painted(plot)).as("a second one beside it").isNotEqualTo(painted(other));
+    }
+
+    @Test
+    void theNumbersOfAMirrorHaveTheColorOfDaylight() {
+        SpectrumPlot plot = new SpectrumPlot();
+        double[] powers = new double[SpectrumPlot.COUNT];
+        Arrays.fill(powers, 1);
+        plot.show(0, powers);
+        // D65 by CIE 15, whose range of 360 to 830 nm adds nothing to four digits.
+        assertThat(plot.numbers())
+                .contains("XYZ, D65  0.950", ", 1.00000, 1.08", "\n380\t1.00000\n385\t", "\n780\t1.00000");
     }
 
     private static int[] painted(SpectrumPlot plot) {
