@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -70,5 +71,20 @@ class HardCasesTest extends InOneWorkplace {
             }
         }
         assertThat(compared).isPositive();
+    }
+
+    /** The repository itself has the surfaces and exact values of the strongest tests. */
+    @Test
+    void syntheticSurfacesAndTheirExactValuesAreInTheRepository() throws Exception {
+        assertThat(cases()).hasSizeGreaterThanOrEqualTo(20).allSatisfy(hard -> {
+            assertThat(SharedData.hardCase(hard.name()).resolve("in.csv")).isRegularFile();
+            if (hard.patch().endsWith(".json")) {
+                assertThat(SharedData.hardCase(hard.name()).resolve(hard.patch()))
+                        .isRegularFile();
+            }
+        });
+        assertThat(SharedData.patch("blaze")).startsWith(Sunbeam.repository());
+        assertThat(SharedData.reference("power", "blaze").size()).isPositive();
+        assertThat(SharedData.reference("xyz", "blaze").size()).isPositive();
     }
 }
