@@ -21,18 +21,15 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.measure.errors.Certificate;
-import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Methods;
-import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
@@ -58,7 +55,6 @@ import sunbeam.precompute.text.Text;
 public final class ExportCommand extends FileCommand {
     private static final double SMALLEST_ANGLE = 5;
     private static final int MOST_SAMPLES = 10_000;
-    private static final long SEED = 3;
     /** Bands of 10 nm from 380 to 780 nm. */
     private static final int BANDS = 41;
 
@@ -167,7 +163,12 @@ public final class ExportCommand extends FileCommand {
                 setup,
                 choices,
                 read,
-                errors(setup, baker, read, writer),
+                GridErrors.of(
+                        setup,
+                        baker,
+                        read,
+                        writer.errorWeights(setup.cie()),
+                        samples == null ? OptionalInt.empty() : OptionalInt.of(samples)),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
         List<Path> written = format.write(output, overwrite(), writer.files(grid, baker, metadata));
         PrintWriter out = out(output);
@@ -220,20 +221,6 @@ public final class ExportCommand extends FileCommand {
         } catch (IllegalArgumentException wrong) {
             throw new UsageException("--bands " + wrong.getMessage());
         }
-    }
-
-    private GridErrors errors(DiffractionSetup setup, GridBaker baker, ColorGrid read, TableWriter writer) {
-        CieTable weights = writer.errorWeights(setup.cie());
-        boolean isLight = weights.equals(setup.cie());
-        GaussianArea area = read.level().area();
-        return GridErrors.of(
-                isLight ? "X, Y, Z" : "three of " + weights.description(),
-                isLight ? read : baker.under(weights, read),
-                setup.withLight(weights).exact(new ReferenceMethod(area)),
-                baker.baker(weights, read.level()),
-                new DirectionSampler(setup.patch().heights(), area.window(), SEED),
-                samples == null ? OptionalInt.empty() : OptionalInt.of(samples),
-                setup.progress());
     }
 
     private long most() {

@@ -9,13 +9,16 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import sunbeam.app.cli.report.ReportFields;
+import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;
-import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 
@@ -28,6 +31,7 @@ import sunbeam.precompute.reference.ExactLight.Quadrature;
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
 record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics sums) {
+    private static final long SEED = 3;
     private static final int SUM_PAIRS = 1000;
     /** Number of pairs that are compared with the exact reference if they are cheap. */
     private static final int REFERENCE_PAIRS = 4;
@@ -38,27 +42,28 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
     private static final int MOST_TRIES = 20 * SUM_PAIRS;
 
     /**
-     * @param quantity name of the compared numbers
-     * @param grid grid as a reader of the file sees it
-     * @param exact exact reference under the window of the grid's level
-     * @param baker baker of the grid's level
+     * Measures the errors of a grid.
+     *
+     * @param read grid as a reader of the file sees it
+     * @param weights weights over wavelength of the compared numbers: those of the light, or of three bands
      * @param samples number of pairs for which the reference is evaluated; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
      */
     static GridErrors of(
-            String quantity,
-            ColorGrid grid,
-            ExactLight exact,
-            ColorBaker baker,
-            DirectionSampler sampler,
-            OptionalInt samples,
-            ProgressDisplay display) {
+            DiffractionSetup setup, GridBaker gridBaker, ColorGrid read, CieTable weights, OptionalInt samples) {
+        boolean isLight = weights.equals(setup.cie());
+        GaussianArea area = read.level().area();
+        ColorGrid grid = isLight ? read : gridBaker.under(weights, read);
+        ExactLight exact = setup.withLight(weights).exact(new ReferenceMethod(area));
+        ColorBaker baker = gridBaker.baker(weights, read.level());
+        DirectionSampler sampler = new DirectionSampler(setup.patch().heights(), area.window(), SEED);
         List<DirectionPair> uniform = new ArrayList<>();
         List<DirectionPair> aimed = new ArrayList<>();
         List<Comparison> many = new ArrayList<>(compare(grid, baker, sampler::uniform, uniform));
         many.addAll(compare(grid, baker, sampler::aimed, aimed));
         List<DirectionPair> few = choose(aimed, uniform, exact::products, samples);
-        List<Comparison> compared = display.map(
-                "Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
+        List<Comparison> compared = setup.progress()
+                .map("Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
+        String quantity = isLight ? "X, Y, Z" : "three of " + weights.description();
         return new GridErrors(quantity, Comparison.relative(compared), Comparison.relative(many));
     }
 
