@@ -257,7 +257,7 @@ final class ColorSheet {
         return view.strip() + " at " + angle(view.thetaRDegrees());
     }
 
-    private static void add(Plot plot, String name, ViewSpectrum spectrum, int color) {
+    private static void add(Plot plot, String name, ColorReport.Spectrum spectrum, int color) {
         double largest = Math.max(
                 Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
         double[] shares = Arrays.stream(spectrum.radiances())

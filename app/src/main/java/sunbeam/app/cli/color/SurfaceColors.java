@@ -55,18 +55,19 @@ final class SurfaceColors {
     private final DiffractionSetup setup;
     private final Method method;
     private final RefractiveIndex index;
-    private final List<ReflectionPart> parts;
+    private final List<Part> parts;
     private final GratingPeriod period;
     private final double turn;
     private final double azimuthDegrees;
     private final OptionalDouble lightAzimuthDegrees;
     private final double theta;
     private final List<ViewColor.View> views = new ArrayList<>();
-    private final List<MethodPlan> plans = new ArrayList<>();
     private final List<double[]> colors = new ArrayList<>();
     private final CoherenceWindow window;
     private final int directions;
     private final double angleStep;
+
+    private record Part(ReflectionPart reflection, MethodPlan plan) {}
 
     /**
      * Chooses the directions and plans the method for them.
@@ -98,7 +99,6 @@ final class SurfaceColors {
         this.method = method;
         this.index = index;
         this.theta = theta;
-        parts = ReflectionPart.of(index, setup.cie());
         turn = light.get(ROTATE_PATCH);
         period = GratingPeriod.of(setup.patch()).turned(turn);
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
@@ -112,9 +112,9 @@ final class SurfaceColors {
         }
         VisibleRange range = VisibleRange.of(
                 views.stream().flatMap(view -> view.pairs().stream()).toList());
-        for (ReflectionPart part : parts) {
-            plans.add(method.plan(setup.surface().withLight(part.cie()), range));
-        }
+        parts = ReflectionPart.of(index, setup.cie()).stream()
+                .map(part -> new Part(part, method.plan(setup.surface().withLight(part.cie()), range)))
+                .toList();
     }
 
     private ViewColor.View view(boolean along, double thetaR) {
@@ -139,7 +139,7 @@ final class SurfaceColors {
     }
 
     MethodPlan plan() {
-        return plans.get(0);
+        return parts.get(0).plan;
     }
 
     /** Evaluates X, Y, Z of the relative radiance for each view. */
@@ -148,10 +148,10 @@ final class SurfaceColors {
                 views.stream().flatMap(view -> view.pairs().stream()).toList();
         List<Query> queries = pairs.stream().map(pair -> new Query(pair, 0)).toList();
         views.forEach(view -> colors.add(new double[3]));
-        for (int p = 0; p < parts.size(); p++) {
-            List<float[]> powers = evaluate(context, p, MethodUse.COLOR, queries);
+        for (Part part : parts) {
+            List<float[]> powers = evaluate(context, part.plan, MethodUse.COLOR, queries);
             for (int i = 0; i < queries.size(); i++) {
-                double gain = parts.get(p).gain(pairs.get(i)) / directions;
+                double gain = part.reflection.gain(pairs.get(i)) / directions;
                 for (int c = 0; c < 3; c++) {
                     colors.get(i / directions)[c] += gain * powers.get(i)[c];
                 }
@@ -159,11 +159,11 @@ final class SurfaceColors {
         }
     }
 
-    private List<float[]> evaluate(RenderContext context, int part, MethodUse use, List<Query> queries) {
+    private List<float[]> evaluate(RenderContext context, MethodPlan plan, MethodUse use, List<Query> queries) {
         // Progress of several surfaces appears one after the other on one line of the terminal, so it names the
         // surface.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
-        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plans.get(part), use, GpuBaker::of));
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = setup.progress().start(label, queries.size())) {
             return renderer.evaluate(queries, progress::step);
@@ -240,8 +240,8 @@ final class SurfaceColors {
                 purest);
     }
 
-    private ViewSpectrum spectrum(RenderContext context, ViewColor.View view) {
-        double[] wavelengths = ViewSpectrum.fineWavelengths();
+    private ColorReport.Spectrum spectrum(RenderContext context, ViewColor.View view) {
+        double[] wavelengths = ColorReport.Spectrum.fineWavelengths();
         List<Query> queries = Arrays.stream(wavelengths)
                 .boxed()
                 .flatMap(wavelength -> view.pairs().stream().map(pair -> new Query(pair, wavelength)))
@@ -250,7 +250,7 @@ final class SurfaceColors {
         ReflectionPart grazing = new ReflectionPart(setup.cie(), 0, 1);
         double mirror = ReflectionPart.mirror(index, setup.cie());
         int column = setup.exact(method).ensemble() ? 1 : 0;
-        List<float[]> powers = evaluate(context, 0, MethodUse.SPECTRAL, queries);
+        List<float[]> powers = evaluate(context, plan(), MethodUse.SPECTRAL, queries);
         double[] radiances = new double[wavelengths.length];
         for (int i = 0; i < queries.size(); i++) {
             DirectionPair pair = view.pairs().get(i % directions);
@@ -258,6 +258,6 @@ final class SurfaceColors {
             double reflected = normal * unit.gain(pair) + (1 - normal) * grazing.gain(pair);
             radiances[i / directions] += reflected / mirror * powers.get(i)[column] / directions;
         }
-        return ViewSpectrum.of(view, radiances);
+        return ColorReport.Spectrum.of(view, radiances);
     }
 }

@@ -52,7 +52,7 @@ class ColorSheetTest {
                 65e-6,
                 "a plan",
                 colors,
-                ViewSpectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0)),
+                ColorReport.Spectrum.of(purest.view(), fine(i -> i == 0 ? 1 : 0)),
                 Optional.of(purest));
     }
 
@@ -92,8 +92,8 @@ class ColorSheetTest {
                 i -> gaussian.applyAsDouble(i) * (i % 10 < 5 ? 2 : 0) * ((int) i / 10 == 17 ? 3 : 1);
         ViewColor.View view = seen(true, 0).view();
         // The quartiles of a normal distribution.
-        assertThat(ViewSpectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
+        assertThat(ColorReport.Spectrum.of(view, fine(gaussian)).width()).isCloseTo(2 * 0.6745 * 40e-9, within(0.1e-9));
         // The grain has a fifth of the light, so the quartiles move closer by about a fifth.
-        assertThat(ViewSpectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
+        assertThat(ColorReport.Spectrum.of(view, fine(speckled)).width()).isBetween(40e-9, 60e-9);
     }
 }

@@ -118,19 +118,6 @@ class MethodOptionsTest {
     }
 
     @Test
-    void theHelpTellsStandardValuesAndNamesOptions() {
-        String help = new CommandLine(new MethodOptions()).getUsageMessage().replaceAll("\\s+", " ");
-        assertThat(help).contains("--coherence-length=LENGTH Four standard deviations", "Default: 65 um.");
-        assertThat(help).contains("--method=METHOD How colors are computed: full, table", "Default: full.");
-    }
-
-    @Test
-    void anOptionGivenTwiceIsAMistake() {
-        assertThatThrownBy(() -> parse("--terms 5 --terms 6"))
-                .isInstanceOf(CommandLine.OverwrittenOptionException.class);
-    }
-
-    @Test
     void aSecondCommandLineForgetsTheFirst() {
         CommandLine line = new CommandLine(new MethodOptions());
         MethodOptions options = line.getCommand();

@@ -4,12 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
@@ -17,19 +16,10 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Parses surfaces from command lines. */
-class PatchOptionsTest {
-    @TempDir
-    Path folder;
-
+class PatchOptionsTest extends CommandLineFixture {
     /** Writes a grating in text: 40 x 20 samples, 4 um wide, tilted by 39 nm. */
     private Path scan() throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (int row = 0; row < 20; row++) {
-            for (int column = 0; column < 40; column++) {
-                text.append(column + 20 * Math.sin(2 * Math.PI * column / 7.3)).append(column == 39 ? "\n" : " ");
-            }
-        }
-        return Files.writeString(folder.resolve("scan.txt"), text);
+        return scan("scan.txt", "", 40, 20, (column, row) -> column + 20 * Math.sin(2 * Math.PI * column / 7.3));
     }
 
     private static Choices method(String... words) {
