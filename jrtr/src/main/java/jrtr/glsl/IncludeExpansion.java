@@ -75,10 +75,11 @@ final class IncludeExpansion {
         switch (keyword) {
             case "include" -> include(line, directive.group(2));
             case "version" -> version(line, code);
-            case "line" -> throw fault(line, "#line is not allowed: files and lines are tracked without it");
             default -> {
-                requireAscii(line, code);
-                requireVersionFirst(line, code);
+                boolean ascii = code.chars().allMatch(character -> character <= 126);
+                require(!keyword.equals("line"), line, "#line is not allowed: files and lines are tracked without it");
+                require(ascii, line, "GLSL allows characters beyond ASCII in comments only");
+                require(versionSeen || code.isBlank(), line, "#version must come before this line");
                 emit(line, code);
             }
         }
@@ -86,19 +87,17 @@ final class IncludeExpansion {
 
     private void include(ShaderSource.Line line, String argument) {
         Matcher quoted = QUOTED_NAME.matcher(argument);
-        if (!quoted.matches()) {
-            throw fault(line, "#include needs a file name in double quotes");
-        }
-        requireVersionFirst(line, "#include");
+        require(quoted.matches(), line, "#include needs a file name in double quotes");
+        require(versionSeen, line, "#version must come before this line");
         String name = withDefines(line, quoted.group(1));
         checkName(name, line.file() + ":" + line.number() + ": #include ");
-        refuseCycle(line, name);
+        List<String> cycle = new ArrayList<>(openFiles);
+        Collections.reverse(cycle);
+        require(!openFiles.contains(name), line, "cycle of includes: " + String.join(" -> ", cycle) + " -> " + name);
         if (included.add(name)) {
-            appendFile(
-                    name,
-                    library.text(name)
-                            .orElseThrow(() ->
-                                    fault(line, "included file " + name + " is missing from the shader library")));
+            String content = library.text(name).orElse(null);
+            require(content != null, line, "included file " + name + " is missing from the shader library");
+            appendFile(name, content);
         } else {
             emit(line, "");
         }
@@ -107,43 +106,22 @@ final class IncludeExpansion {
     private String withDefines(ShaderSource.Line line, String name) {
         return DEFINE_IN_NAME.matcher(name).replaceAll(match -> {
             String value = defines.get(match.group(1));
-            if (value == null) {
-                throw fault(line, "#include uses the define " + match.group(1) + ", which is not set");
-            }
+            require(value != null, line, "#include uses the define " + match.group(1) + ", which is not set");
             return Matcher.quoteReplacement(value);
         });
     }
 
-    private void refuseCycle(ShaderSource.Line line, String name) {
-        if (openFiles.contains(name)) {
-            List<String> cycle = new ArrayList<>(openFiles);
-            Collections.reverse(cycle);
-            throw fault(line, "cycle of includes: " + String.join(" -> ", cycle) + " -> " + name);
-        }
-    }
-
     private void version(ShaderSource.Line line, String code) {
-        if (openFiles.size() > 1) {
-            throw fault(line, "#version belongs in the root file " + openFiles.getLast() + " only");
-        }
-        if (versionSeen) {
-            throw fault(line, "#version stands here for the second time");
-        }
+        require(openFiles.size() == 1, line, "#version belongs in the root file " + openFiles.getLast() + " only");
+        require(!versionSeen, line, "#version stands here for the second time");
         versionSeen = true;
         emit(line, code);
-        List<String> prologue = prologue(defines);
-        for (int index = 0; index < prologue.size(); index++) {
-            emit(new ShaderSource.Line(PROLOGUE_FILE, index + 1, prologue.get(index)), prologue.get(index));
+        int number = 1;
+        for (Map.Entry<String, String> define : new TreeMap<>(defines).entrySet()) {
+            checkDefine(define.getKey(), define.getValue());
+            String text = ("#define " + define.getKey() + " " + define.getValue()).stripTrailing();
+            emit(new ShaderSource.Line(PROLOGUE_FILE, number++, text), text);
         }
-    }
-
-    private static List<String> prologue(Map<String, String> defines) {
-        List<String> lines = new ArrayList<>();
-        new TreeMap<>(defines).forEach((name, value) -> {
-            checkDefine(name, value);
-            lines.add(("#define " + name + " " + value).stripTrailing());
-        });
-        return lines;
     }
 
     private static void checkDefine(String name, String value) {
@@ -155,18 +133,6 @@ final class IncludeExpansion {
         if (!oneLineOfAscii || value.endsWith("\\")) {
             throw new GraphicsException(
                     "shader define " + name + ": the value '" + value + "' must be one line of plain ASCII");
-        }
-    }
-
-    private void requireVersionFirst(ShaderSource.Line line, String code) {
-        if (!versionSeen && !code.isBlank()) {
-            throw fault(line, "#version must come before this line");
-        }
-    }
-
-    private static void requireAscii(ShaderSource.Line line, String code) {
-        if (code.chars().anyMatch(character -> character > 126)) {
-            throw fault(line, "GLSL allows characters beyond ASCII in comments only");
         }
     }
 
@@ -182,7 +148,9 @@ final class IncludeExpansion {
         origins.add(origin);
     }
 
-    private static GraphicsException fault(ShaderSource.Line line, String message) {
-        return new GraphicsException(line.describe(message));
+    private static void require(boolean condition, ShaderSource.Line line, String message) {
+        if (!condition) {
+            throw new GraphicsException(line.describe(message));
+        }
     }
 }

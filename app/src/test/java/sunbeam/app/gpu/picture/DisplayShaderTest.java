@@ -11,7 +11,6 @@ import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.ShaderProgram;
-import jrtr.gl.Texture;
 import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -26,20 +25,6 @@ import sunbeam.precompute.color.DisplayTransform.Tone;
 class DisplayShaderTest extends InAContext {
     // The shader's matrices have seven digits behind the point, its numbers 24 bits.
     private static final double DIGITS = 1e-7;
-
-    private static float[] drawn(String shader, int width, Map<String, Texture> textures, double exposure, Tone tone) {
-        ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
-        try (ShaderProgram program = context.createFullScreenProgram(
-                        library.orElse(Shaders.library()).load("test.frag"));
-                FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(width, 1))) {
-            if (!textures.isEmpty()) {
-                program.set("exposure", (float) exposure);
-                program.set("toneStart", (float) tone.start());
-            }
-            context.drawFullScreen(program, textures, target, Tile.whole(width, 1));
-            return target.read(0);
-        }
-    }
 
     /** All chromaticities, also impossible ones, at luminances from black to infinitely bright; some colors without luminance. */
     private static List<float[]> colors() {
@@ -70,11 +55,18 @@ class DisplayShaderTest extends InAContext {
         for (int i = 0; i < colors.size(); i++) {
             System.arraycopy(colors.get(i), 0, texels, 4 * i, 4);
         }
+        ShaderLibrary library = name -> name.equals("test.frag") ? Optional.of(shader) : Optional.empty();
         float[] shown;
         try (FloatTexture texture = context.createFloatTexture(
-                "xyz", FloatTexture.Spec.flat(colors.size(), 1, FloatTexture.Format.RGBA32F))) {
+                        "xyz", FloatTexture.Spec.flat(colors.size(), 1, FloatTexture.Format.RGBA32F));
+                ShaderProgram program = context.createFullScreenProgram(
+                        library.orElse(Shaders.library()).load("test.frag"));
+                FloatTarget target = context.createFloatTarget("test", FloatTarget.Spec.color(colors.size(), 1))) {
             texture.upload(texels);
-            shown = drawn(shader, colors.size(), Map.of("xyz", texture), exposure, tone);
+            program.set("exposure", (float) exposure);
+            program.set("toneStart", (float) tone.start());
+            context.drawFullScreen(program, Map.of("xyz", texture), target, Tile.whole(colors.size(), 1));
+            shown = target.read(0);
         }
 
         double[] expected = new double[3];
