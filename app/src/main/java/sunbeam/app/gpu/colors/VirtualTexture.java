@@ -26,7 +26,7 @@ public final class VirtualTexture implements AutoCloseable {
     private final Residency residency;
     private final TileSet feedback;
     private final CachedBaker.PrefetchSet prefetchSet;
-    private final FootprintSample sample = new FootprintSample();
+    private final Footprints.Sample sample = new Footprints.Sample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
     // True if the cache has all tiles of the table; checked by the scheduler's executor.
@@ -110,8 +110,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /** Returns the sample's bright footprints with their colors in the table, and starts a new sample. */
-    private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated = sample.tabulated(table(), residency);
+    private Footprints.Sample.Tabulated tabulated() {
+        Footprints.Sample.Tabulated tabulated = sample.tabulated(table(), residency);
         sample.clear();
         return tabulated;
     }
@@ -236,7 +236,7 @@ public final class VirtualTexture implements AutoCloseable {
     /** Validates the table at footprints of the last picture, whose tiles must be resident, once the scheduler is idle. */
     public void validate() {
         if (!sample.isEmpty()) {
-            FootprintSample.Tabulated tabulated = tabulated();
+            Footprints.Sample.Tabulated tabulated = tabulated();
             CancellationToken token = new CancellationToken();
             whenIdle(token, () -> baker.validate(tabulated, token));
         }
