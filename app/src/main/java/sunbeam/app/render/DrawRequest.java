@@ -1,6 +1,8 @@
 package sunbeam.app.render;
 
+import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import jrtr.Tile;
 import sunbeam.app.scene.Scene;
 
@@ -11,16 +13,25 @@ import sunbeam.app.scene.Scene;
  * @param width samples per row of the whole picture
  * @param height rows of samples of the whole picture
  * @param tile tile to draw, in samples; inside the picture
- * @param samples number of samples along a pixel's side
+ * @param samples samples of a pixel
  * @param stride every stride-th sample of every stride-th row is drawn; a power of two
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
+ * @param chosen the samples of the tile that are drawn, row by row, without a stride; empty for all
  */
-public record DrawRequest(Scene scene, int width, int height, Tile tile, int samples, int stride, boolean isCoarsest) {
+public record DrawRequest(
+        Scene scene,
+        int width,
+        int height,
+        Tile tile,
+        PixelSamples samples,
+        int stride,
+        boolean isCoarsest,
+        Optional<BitSet> chosen) {
     /** Returns a request for all samples of a tile of pixels. */
-    public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, int samples) {
-        Tile inSamples =
-                new Tile(samples * tile.x(), samples * tile.y(), samples * tile.width(), samples * tile.height());
-        return new DrawRequest(scene, samples * width, samples * height, inSamples, samples, 1, false);
+    public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, PixelSamples samples) {
+        int side = samples.side();
+        Tile inSamples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
+        return new DrawRequest(scene, side * width, side * height, inSamples, samples, 1, false, Optional.empty());
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */
@@ -29,11 +40,25 @@ public record DrawRequest(Scene scene, int width, int height, Tile tile, int sam
     }
 
     DrawRequest with(Scene other) {
-        return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest);
+        return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest, chosen);
     }
 
     DrawRequest coarsest() {
-        return new DrawRequest(scene, width, height, tile, samples, stride, true);
+        return new DrawRequest(scene, width, height, tile, samples, stride, true, chosen);
+    }
+
+    DrawRequest only(BitSet samplesOfTile) {
+        return new DrawRequest(scene, width, height, tile, samples, stride, isCoarsest, Optional.of(samplesOfTile));
+    }
+
+    /** Returns the request for the samples that are drawn in any case, from which adaptive samples choose the others. */
+    DrawRequest first() {
+        return samples.isAdaptive() ? only(samples.first(tile.width(), tile.height())) : this;
+    }
+
+    /** True if a sample is drawn; x and y count from the tile's top left. */
+    boolean draws(int x, int y) {
+        return chosen.isEmpty() || chosen.get().get(y * tile.width() + x);
     }
 
     int columns() {

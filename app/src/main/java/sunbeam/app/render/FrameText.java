@@ -22,18 +22,17 @@ import sunbeam.precompute.files.Sha256;
 public final class FrameText {
     private final List<SceneData> parts;
     private final String size;
-    private final int supersample;
+    private final PixelSamples samples;
     private final String inputs;
 
     /**
      * @param parts data of the scene, one for each patch and reflectance component
-     * @param supersample samples along a pixel's side
      * @param overlays description of what is drawn over the picture, which enters the hash; empty for nothing
      */
-    public FrameText(List<SceneData> parts, int width, int height, int supersample, String overlays) {
+    public FrameText(List<SceneData> parts, int width, int height, PixelSamples samples, String overlays) {
         this.parts = List.copyOf(parts);
         this.size = width + "x" + height;
-        this.supersample = supersample;
+        this.samples = samples;
         Mesh mesh = parts.get(0).mesh();
         Body body = parts.get(0).body();
         String meshAndBody = new Checksum()
@@ -56,7 +55,7 @@ public final class FrameText {
                         .orElse("")),
                 meshAndBody,
                 size,
-                "supersample " + supersample + overlays);
+                samples.describe() + overlays);
     }
 
     private String joined(Function<SceneData, String> of) {
@@ -81,7 +80,7 @@ public final class FrameText {
         text.put("Patch", joined(data -> data.patch().source()));
         text.put("Method", scene.method().method().type().label());
         text.put("Plan", parts.get(0).method().summary());
-        text.put("Size", size + ", " + supersample * supersample + " samples per pixel");
+        text.put("Size", size + ", " + samples.describe());
         text.put("Exposure", Double.toString(exposure));
         text.put("Renderer", renderer);
         text.put(PngText.PARAMETERS, identity(scene));

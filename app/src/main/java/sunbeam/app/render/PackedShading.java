@@ -40,13 +40,14 @@ final class PackedShading implements AutoCloseable {
      * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
      * @param buffer geometry of the block, also of pixels beside the part, since footprints are differences to neighbors
-     * @param part part to shade, in pixels from the block's corner
+     * @param piece part to shade
      * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are
      *     missing, the body's color without diffraction and the coverage {@link #MISSING_COVERAGE}
      */
-    float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part) {
+    float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
         int stride = request.stride();
-        int[] covered = covered(buffer.views(part), part, stride);
+        Tile part = piece.inBlock();
+        int[] covered = covered(buffer.views(part), piece, request);
         float[] lit = new float
                 [CHANNELS * SceneBlocks.ceilDiv(part.width(), stride) * SceneBlocks.ceilDiv(part.height(), stride)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
@@ -67,10 +68,14 @@ final class PackedShading implements AutoCloseable {
         VirtualTexture tiles = skin.virtualTexture().get();
         ShadingPass pass = new ShadingPass(request, 0, true);
         float[] drawn = draw(skin, buffer, packing, pass);
-        if (tiles.isScheduled() || !isMissing(drawn)) {
+        // A scheduler has requests for all samples but those that a pixel turns out to need.
+        if (!isMissing(drawn) || (tiles.isScheduled() && request.chosen().isEmpty())) {
             return drawn;
         }
         addFeedback(skin, request, buffer, packing);
+        if (tiles.isScheduled()) {
+            return drawn;
+        }
         tiles.bakeFeedback();
         drawn = draw(skin, buffer, packing, pass);
         if (isMissing(drawn)) {
@@ -99,7 +104,7 @@ final class PackedShading implements AutoCloseable {
     }
 
     private float[] meanOfDraws(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
-        int draws = skin.draws(request.scene(), request.samples());
+        int draws = skin.draws(request.scene(), request.samples().side());
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
             float[] drawn = draw(skin, buffer, packing, new ShadingPass(request, draw, true));
@@ -121,8 +126,9 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Adds the footprints of a part of a block to the feedback. The request's stride is 1. */
-    void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part) {
-        int[] covered = covered(buffer.views(part), part, 1);
+    void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
+        Tile part = piece.inBlock();
+        int[] covered = covered(buffer.views(part), piece, request);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
             upload(packing, covered, first, buffer, part, 1);
@@ -139,10 +145,12 @@ final class PackedShading implements AutoCloseable {
     }
 
     /**
-     * Returns the indices of the strided pixels that show skin, ordered square by square; the indices count row by row from the part's top
+     * Returns the indices of the request's pixels that show skin, ordered square by square; the indices count row by row from the part's top
      * left.
      */
-    private static int[] covered(float[] views, Tile part, int stride) {
+    private static int[] covered(float[] views, SceneBlocks.Piece piece, DrawRequest request) {
+        Tile part = piece.inBlock();
+        int stride = request.stride();
         int columns = SceneBlocks.ceilDiv(part.width(), stride);
         int rows = SceneBlocks.ceilDiv(part.height(), stride);
         int[] pixels = new int[columns * rows];
@@ -151,7 +159,8 @@ final class PackedShading implements AutoCloseable {
             for (int left = 0; left < columns; left += SQUARE) {
                 for (int y = top; y < Math.min(top + SQUARE, rows); y++) {
                     for (int x = left; x < Math.min(left + SQUARE, columns); x++) {
-                        if (views[CHANNELS * stride * (y * part.width() + x) + 3] > 0) {
+                        if (views[CHANNELS * stride * (y * part.width() + x) + 3] > 0
+                                && request.draws(piece.x() + x, piece.y() + y)) {
                             pixels[count++] = y * columns + x;
                         }
                     }

@@ -1,11 +1,14 @@
 package sunbeam.app.render;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import jrtr.Tile;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
@@ -22,14 +25,13 @@ public final class PartSum {
         this.sessions = List.copyOf(sessions);
     }
 
-    /** Bakes the tiles that a picture reads. */
-    public void prepare(Scene scene, int width, int height, int samples) {
-        prepare(SceneSession.parts(scene, width, height, samples));
+    /** Compares some colors of the tables that were baked for a picture with exact ones; warns of those that err too much. */
+    public void validate() {
+        tables().forEach(VirtualTexture::validate);
     }
 
-    /** Bakes the tiles that some tiles of one picture read. */
-    public void prepare(List<DrawRequest> parts) {
-        sessions.forEach(session -> session.prepare(parts));
+    private Stream<VirtualTexture> tables() {
+        return sessions.stream().flatMap(session -> session.virtualTexture().stream());
     }
 
     /** Returns the point under a pixel (see {@link SceneSession#pick}). */
@@ -37,17 +39,45 @@ public final class PartSum {
         return sessions.isEmpty() ? Optional.empty() : sessions.get(0).pick(x, y, width, height);
     }
 
-    /** Draws a tile of a picture (see {@link SceneSession#draw}). */
+    /** Draws all samples of a tile of a picture (see {@link SceneSession#draw}). */
     public ScenePicture draw(DrawRequest request) {
-        if (sessions.size() == 1) {
-            return sessions.get(0).draw(request);
-        }
-        return ScenePicture.sum(
-                request.perLight().stream().map(this::underOneLight).toList());
+        return draw(request, SceneSession::draw);
     }
 
-    private ScenePicture underOneLight(DrawRequest request) {
-        ScenePicture light = light(request, SceneSession::draw);
+    /**
+     * Draws a tile of a picture. Of adaptive samples those that a pixel does not need are copies of those that it has. If a scheduler bakes
+     * tiles and one is missing, the others are not drawn, and {@link VirtualTexture#hasFeedback}.
+     *
+     * @param exposure factor of linear colors, for the differences between samples on the display
+     */
+    public ScenePicture draw(DrawRequest request, double exposure) {
+        ScenePicture picture = draw(request.first());
+        if (!request.samples().isAdaptive()) {
+            return picture;
+        }
+        Scene scene = request.scene();
+        BitSet others = request.samples().spread(picture, scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
+        if (!others.isEmpty()) {
+            ScenePicture further = draw(request.only(others), SceneSession::drawResident);
+            if (tables().noneMatch(VirtualTexture::hasFeedback)) {
+                picture.replace(further, others);
+            }
+        }
+        return picture;
+    }
+
+    private ScenePicture draw(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
+        if (sessions.size() == 1) {
+            return drawing.apply(sessions.get(0), request);
+        }
+        return ScenePicture.sum(request.perLight().stream()
+                .map(light -> underOneLight(light, drawing))
+                .toList());
+    }
+
+    private ScenePicture underOneLight(
+            DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
+        ScenePicture light = light(request, drawing);
         return request.scene().hasBody() ? over(body(request), light, request.scene()) : light;
     }
 
@@ -99,13 +129,15 @@ public final class PartSum {
                     y,
                     Math.min(stride * coarseTile.width(), width - x),
                     Math.min(stride * coarseTile.height(), height - y));
-            DrawRequest request = new DrawRequest(scene, width, height, tile, 1, stride, false);
+            DrawRequest request = new DrawRequest(
+                    scene, width, height, tile, PixelSamples.uniform(1), stride, false, Optional.empty());
             light.put(light(request, SceneSession::drawResident), coarseTile.x(), coarseTile.y());
         });
         if (!isWhole) {
             return Optional.empty();
         }
-        ScenePicture body = body(new DrawRequest(scene, width, height, Tile.whole(width, height), 1, 1, false));
+        ScenePicture body =
+                body(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), PixelSamples.uniform(1)));
         return Optional.of(over(body, light.enlarged(stride, body, white), scene));
     }
 

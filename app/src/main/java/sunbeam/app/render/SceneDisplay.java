@@ -42,20 +42,19 @@ public final class SceneDisplay {
         Tile meter = meter(width, height);
         int columns = meter.width();
         int rows = meter.height();
-        int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
-        parts.prepare(meterParts(scene, width, height));
+        PixelSamples samples = PixelSamples.uniform(scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1);
         ScenePicture small = ScenePicture.empty(columns, rows);
         boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
             ScenePicture part = parts.draw(
                     DrawRequest.ofPixels(scene, columns, rows, tile, samples).coarsest());
-            small.put(part.reduced(samples), tile.x(), tile.y());
+            small.put(part.reduced(samples.side()), tile.x(), tile.y());
         });
         return isWhole ? OptionalDouble.of(LinearPicture.exposure(small.linear())) : OptionalDouble.empty();
     }
 
     static List<DrawRequest> meterParts(Scene scene, int width, int height) {
         Tile meter = meter(width, height);
-        return SceneSession.parts(scene, meter.width(), meter.height(), TABLE_SAMPLES).stream()
+        return SceneSession.parts(scene, meter.width(), meter.height(), PixelSamples.uniform(TABLE_SAMPLES)).stream()
                 .map(DrawRequest::coarsest)
                 .toList();
     }
@@ -115,7 +114,7 @@ public final class SceneDisplay {
     }
 
     /** Computes a sample's display light over the background; the sample's light is premultiplied by coverage. */
-    private static void transform(float[] rgba, int from, DisplayTransform display, double[] behind, double[] light) {
+    static void transform(float[] rgba, int from, DisplayTransform display, double[] behind, double[] light) {
         float uncovered = Math.max(0, 1 - rgba[from + 3]);
         display.light(rgba, from, light);
         for (int c = 0; c < 3; c++) {

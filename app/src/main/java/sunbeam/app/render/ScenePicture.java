@@ -1,5 +1,6 @@
 package sunbeam.app.render;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -37,6 +38,13 @@ public record ScenePicture(int width, int height, float[] rgba) {
             int from = CHANNELS * row * part.width;
             int to = CHANNELS * ((y + row) * width + x);
             System.arraycopy(part.rgba, from, rgba, to, CHANNELS * part.width);
+        }
+    }
+
+    /** Replaces some pixels by those of another picture of the same size. */
+    void replace(ScenePicture other, BitSet pixels) {
+        for (int i = pixels.nextSetBit(0); i >= 0; i = pixels.nextSetBit(i + 1)) {
+            System.arraycopy(other.rgba, CHANNELS * i, rgba, CHANNELS * i, CHANNELS);
         }
     }
 

@@ -34,9 +34,6 @@ public final class SceneSession implements AutoCloseable {
     private final Picking picking;
     private final UploadedScene uploaded;
     private long meshNanoseconds;
-    private BakedRequests lastBaked;
-
-    private record BakedRequests(Optional<VirtualTexture> tiles, List<DrawRequest> parts) {}
 
     /**
      * Uploads a scene.
@@ -95,10 +92,10 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Returns the tiles of a picture, block by block. Any other division draws the same picture; alternating between blocks is slower.
      *
-     * @param supersample samples along a pixel's side
+     * @param samples samples along a pixel's side
      */
-    public static List<Tile> tiles(int width, int height, int supersample) {
-        return SceneBlocks.of(supersample * width, supersample * height).tiles(supersample, TILE_SIDE);
+    public static List<Tile> tiles(int width, int height, int samples) {
+        return SceneBlocks.of(samples * width, samples * height).tiles(samples, TILE_SIDE);
     }
 
     /**
@@ -137,9 +134,15 @@ public final class SceneSession implements AutoCloseable {
         for (SceneBlocks.Piece piece :
                 SceneBlocks.of(request.width(), request.height()).split(request.tile())) {
             Tile inBlock = piece.inBlock();
-            float[] pixels = shading.shade(uploaded.skin(), request, drawn(geometry, piece), inBlock);
+            float[] pixels = shading.shade(uploaded.skin(), request, drawn(geometry, piece), piece);
             ground.ifPresent(below -> below.fillUncovered(
-                    pixels, request.scene(), geometry, piece.block(), inBlock, stride, request.samples()));
+                    pixels,
+                    request.scene(),
+                    geometry,
+                    piece.block(),
+                    inBlock,
+                    stride,
+                    request.samples().side()));
             part.put(
                     new ScenePicture(
                             SceneBlocks.ceilDiv(inBlock.width(), stride),
@@ -160,22 +163,6 @@ public final class SceneSession implements AutoCloseable {
         return buffer;
     }
 
-    /**
-     * Bakes all tiles of the color table that parts of one picture read. One call for all parts is faster than one per part. Without effect
-     * for methods without table.
-     */
-    public void prepare(List<DrawRequest> parts) {
-        BakedRequests wanted = new BakedRequests(virtualTexture(), parts);
-        if (virtualTexture().isEmpty() || wanted.equals(lastBaked)) {
-            return;
-        }
-        if (!virtualTexture().get().isComplete()) {
-            addFeedback(parts, () -> false);
-            virtualTexture().get().bakeFeedback();
-        }
-        lastBaked = wanted;
-    }
-
     /** Adds the footprints of all parts to the feedback. If interrupted, clears the feedback and returns false. */
     private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
         int lights = parts.get(0).scene().perLight().size();
@@ -186,7 +173,7 @@ public final class SceneSession implements AutoCloseable {
                     virtualTexture().ifPresent(VirtualTexture::clearFeedback);
                     return false;
                 }
-                addFeedback(parts.get(i).perLight().get(light));
+                addFeedback(parts.get(i).first().perLight().get(light));
             }
         }
         return true;
@@ -196,25 +183,25 @@ public final class SceneSession implements AutoCloseable {
         SkinGeometry geometry = uploaded.geometry(part.scene(), part.width(), part.height(), false);
         for (SceneBlocks.Piece piece :
                 SceneBlocks.of(part.width(), part.height()).split(part.tile())) {
-            shading.addFeedback(uploaded.skin(), part, drawn(geometry, piece), piece.inBlock());
+            shading.addFeedback(uploaded.skin(), part, drawn(geometry, piece), piece);
         }
     }
 
     /** Returns requests for all {@link #tiles} of a picture. */
-    public static List<DrawRequest> parts(Scene scene, int width, int height, int samples) {
-        return tiles(width, height, samples).stream()
+    public static List<DrawRequest> parts(Scene scene, int width, int height, PixelSamples samples) {
+        return tiles(width, height, samples.side()).stream()
                 .map(tile -> DrawRequest.ofPixels(scene, width, height, tile, samples))
                 .toList();
     }
 
     /** Returns the errors of the color table at some samples of a picture; empty for methods without table. */
-    public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, int samples) {
+    public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, PixelSamples samples) {
         if (virtualTexture().isEmpty()) {
             return Optional.empty();
         }
-        List<DrawRequest> all = parts(scene, width, height, samples);
-        prepare(all);
-        addFeedback(all, () -> false);
+        virtualTexture().get().clearFeedback();
+        addFeedback(parts(scene, width, height, samples), () -> false);
+        virtualTexture().get().bakeFeedback();
         return virtualTexture().map(VirtualTexture::errors);
     }
 
@@ -228,7 +215,7 @@ public final class SceneSession implements AutoCloseable {
      * @param interrupted polled before each part of the picture
      * @return true unless interrupted
      */
-    public boolean request(int width, int height, int samples, BooleanSupplier interrupted) {
+    public boolean request(int width, int height, PixelSamples samples, BooleanSupplier interrupted) {
         if (virtualTexture().isEmpty()) {
             return true;
         }

@@ -118,7 +118,12 @@ final class SkinSurface implements AutoCloseable {
         textures.putAll(buffer.textures());
         if (texture.isPresent()) {
             FootprintUniforms.apply(
-                    program, texture.get().table(), scene, MOST_TAPS, request.samples(), request.isCoarsest());
+                    program,
+                    texture.get().table(),
+                    scene,
+                    MOST_TAPS,
+                    request.samples().side(),
+                    request.isCoarsest());
             program.set("stride", (float) request.stride());
             program.set("lookUps", pass.hasColors() ? 1 : 0);
             program.set("nextLevel", (float) (pass.hasColors() ? 0 : pass.draw()));

@@ -56,7 +56,6 @@ class FillLightsTest extends InAContext {
 
     private float[] drawn(Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            session.prepare(SceneSession.parts(session.scene(), SIZE, SIZE, 1));
             return WholePicture.of(session, SIZE, SIZE).rgba();
         }
     }
@@ -101,7 +100,7 @@ class FillLightsTest extends InAContext {
 
     private int[] moving(Scene scene) {
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            session.prepare(SceneSession.parts(session.scene(), SIZE, SIZE, 1));
+            WholePicture.of(session, SIZE, SIZE);
             BufferedImage image = session.moving(SIZE, SIZE, 1, 1);
             return image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
         }

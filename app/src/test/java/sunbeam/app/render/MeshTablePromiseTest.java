@@ -30,7 +30,7 @@ import sunbeam.precompute.text.Text;
 class MeshTablePromiseTest extends InAContext {
     private static final double TOLERANCE = 1e-2;
     private static final int SIDE = 64;
-    private static final int SAMPLES = 2;
+    private static final PixelSamples SAMPLES = PixelSamples.uniform(2);
     private static final int COLUMNS = 200;
 
     @TempDir
@@ -129,7 +129,9 @@ class MeshTablePromiseTest extends InAContext {
                 .parts(scene)
                 .get(0);
         try (SceneSession session = new SceneSession(context, data)) {
-            session.prepare(SceneSession.parts(session.scene(), SIDE, SIDE, SAMPLES));
+            PartSum sum = new PartSum(List.of(session));
+            SceneSession.parts(session.scene(), SIDE, SIDE, SAMPLES).forEach(sum::draw);
+            sum.validate();
             ErrorStatistics errors =
                     session.tableErrors(session.scene(), SIDE, SIDE, SAMPLES).orElseThrow();
 

@@ -6,8 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
+import jrtr.Tile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,6 +19,7 @@ import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.ReflectionPart;
@@ -68,6 +73,45 @@ class PartSumTest extends InAContext {
             }
         }
         assertThat(brightest).as("the test looks at lit orders").isGreaterThan(1e-4);
+    }
+
+    /** At the rim of a body all 16 samples of a pixel count, elsewhere the 4 that it has in any case. */
+    @Test
+    void aPixelWhoseFirstSamplesDifferEqualsThatOfAllSamples() {
+        Scene scene = Scenes.load("elaphe");
+        PixelSamples adaptive = new PixelSamples(4, true);
+        try (SceneSession session =
+                new SceneSession(context, loader.parts(scene).get(0))) {
+            PartSum sum = new PartSum(List.of(session));
+            DrawRequest request = DrawRequest.ofPixels(scene, SIZE, SIZE, Tile.whole(SIZE, SIZE), adaptive);
+            float[] all = sum.draw(request).rgba();
+            float[] drawn = sum.draw(request, 1).rgba();
+            BitSet first = adaptive.first(4 * SIZE, 4 * SIZE);
+            int refined = 0;
+            for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+                int corner = 16 * SIZE * (pixel / SIZE) + 4 * (pixel % SIZE);
+                boolean isRefined = !repeatsFirstSamples(drawn, corner, first);
+                refined += isRefined ? 1 : 0;
+                for (int row = 0; row < 4; row++) {
+                    for (int sample = corner + 4 * SIZE * row; sample < corner + 4 * SIZE * row + 4; sample++) {
+                        if (isRefined || first.get(sample)) {
+                            assertThat(Arrays.copyOfRange(drawn, 4 * sample, 4 * sample + 4))
+                                    .as("sample %d of pixel %d", sample, pixel)
+                                    .isEqualTo(Arrays.copyOfRange(all, 4 * sample, 4 * sample + 4));
+                        }
+                    }
+                }
+            }
+            // A body of many scales, most of whose rims are within a pixel of this small picture; ground around it.
+            assertThat(refined).isBetween(SIZE * SIZE / 20, SIZE * SIZE / 2);
+        }
+    }
+
+    private static boolean repeatsFirstSamples(float[] rgba, int corner, BitSet first) {
+        return IntStream.range(0, 4).map(row -> corner + 4 * SIZE * row).allMatch(begin -> {
+            int from = 4 * first.nextSetBit(begin);
+            return IntStream.range(4 * begin, 4 * begin + 16).allMatch(i -> rgba[i] == rgba[from + i % 4]);
+        });
     }
 
     /** The brightest pixel and two less bright ones. */

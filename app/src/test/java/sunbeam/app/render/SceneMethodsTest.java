@@ -81,7 +81,8 @@ class SceneMethodsTest extends InAContext {
                 .with(MethodSettings.WAVELENGTH_STEP, 4e-9);
         try (SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
             // The session refuses partial sums.
-            assertThat(session.draw(DrawRequest.ofPixels(session.scene(), 8, 6, Tile.whole(8, 6), 1))
+            assertThat(session.draw(DrawRequest.ofPixels(
+                                    session.scene(), 8, 6, Tile.whole(8, 6), PixelSamples.uniform(1)))
                             .rgba())
                     .hasSize(4 * 8 * 6);
         }

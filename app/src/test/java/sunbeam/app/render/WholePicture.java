@@ -14,7 +14,7 @@ public final class WholePicture {
 
     public static ScenePicture of(SceneSession session, int width, int height) {
         ScenePicture picture = ScenePicture.empty(width, height);
-        for (DrawRequest part : SceneSession.parts(session.scene(), width, height, 1)) {
+        for (DrawRequest part : SceneSession.parts(session.scene(), width, height, PixelSamples.uniform(1))) {
             picture.put(session.draw(part), part.tile().x(), part.tile().y());
         }
         return picture;
@@ -27,8 +27,8 @@ public final class WholePicture {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
             Scene scene = parts.get(0).scene();
             PartSum sum = new PartSum(sessions);
-            sum.prepare(scene, width, height, 1);
-            return sum.draw(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
+            return sum.draw(
+                    DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), PixelSamples.uniform(1)));
         } finally {
             sessions.forEach(SceneSession::close);
         }

@@ -148,7 +148,8 @@ public final class CompareCommand extends FileCommand {
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
-        int samples = PixelSamples.alongSide(scene.method(), size.width(), size.height());
+        PixelSamples samples = PixelSamples.uniform(
+                PixelSamples.of(scene.method(), size.width(), size.height()).side());
         try (LoadingScene loading = LoadingScene.start(loader, scene);
                 RenderContext context = loading.offscreen();
                 FrameSequence frames = new FrameSequence(

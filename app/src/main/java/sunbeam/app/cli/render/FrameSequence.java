@@ -27,6 +27,7 @@ import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
 import sunbeam.app.render.LitPixels;
 import sunbeam.app.render.PartSum;
+import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.ScenePicture;
@@ -50,7 +51,7 @@ public final class FrameSequence implements AutoCloseable {
     private static final int FEWEST_PIXELS = 32;
 
     private final PictureSize size;
-    private final int supersample;
+    private final PixelSamples samples;
     private final String renderer;
     private final FrameText text;
     private final Overlays overlays;
@@ -65,7 +66,6 @@ public final class FrameSequence implements AutoCloseable {
      * Prepares to draw frames of the scene that these sessions hold.
      *
      * @param sessions sessions whose light is added, one for most scenes; closed with this object
-     * @param supersample samples along a pixel's side
      * @param overlays overlays of each frame
      * @param viewer viewer that shows tiles as they are drawn; or null
      * @param display display of the number of drawn pixels
@@ -74,7 +74,7 @@ public final class FrameSequence implements AutoCloseable {
             RenderContext context,
             List<SceneSession> sessions,
             PictureSize size,
-            int supersample,
+            PixelSamples samples,
             Overlays overlays,
             TevClient viewer,
             ProgressDisplay display) {
@@ -82,10 +82,10 @@ public final class FrameSequence implements AutoCloseable {
         this.viewer = viewer;
         this.overlays = overlays;
         this.size = size;
-        this.supersample = supersample;
+        this.samples = samples;
         this.renderer = context.info().renderer();
         this.sessions = List.copyOf(sessions);
-        this.text = new FrameText(parts(), size.width(), size.height(), supersample, overlays.describe());
+        this.text = new FrameText(parts(), size.width(), size.height(), samples, overlays.describe());
     }
 
     /** Returns the data of all sessions, whose light is added. */
@@ -125,9 +125,7 @@ public final class FrameSequence implements AutoCloseable {
             return places;
         }
         PartSum parts = new PartSum(sessions);
-        // Tables are baked before progress starts, as the time of baking says nothing about the time of drawing.
         exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
-        parts.prepare(scenes.get(first), size.width(), size.height(), supersample);
         long frames = Collections.frequency(missing, true);
         try (Progress progress = display.start("rendering", frames * size.width() * size.height())) {
             for (int i = first; i < scenes.size(); i++) {
@@ -149,18 +147,20 @@ public final class FrameSequence implements AutoCloseable {
                     parts,
                     scene,
                     progress,
-                    (tile, samples) -> picture.put(samples.reduced(supersample), tile.x(), tile.y()));
+                    (tile, drawn) -> picture.put(drawn.reduced(samples.side()), tile.x(), tile.y()));
         }
         return picture;
     }
 
-    /** @param use receives the samples of a tile, {@code supersample x supersample} for each pixel */
+    /** @param use receives the samples of a tile, {@code side x side} for each pixel */
     private void drawTiles(PartSum parts, Scene scene, Progress progress, BiConsumer<Tile, ScenePicture> use) {
-        parts.prepare(scene, size.width(), size.height(), supersample);
-        for (Tile tile : SceneSession.tiles(size.width(), size.height(), supersample)) {
-            use.accept(tile, parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, supersample)));
+        for (Tile tile : SceneSession.tiles(size.width(), size.height(), samples.side())) {
+            use.accept(
+                    tile,
+                    parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, samples), exposure));
             progress.step(tile.pixels());
         }
+        parts.validate();
     }
 
     private double exposure(Scene scene, PartSum parts) {
@@ -191,17 +191,17 @@ public final class FrameSequence implements AutoCloseable {
         }
         // Tiles are converted to screen colors while the next one is drawn.
         Deque<BackgroundTask<BufferedImage>> conversions = new ArrayDeque<>();
-        drawTiles(parts, scene, progress, (tile, samples) -> {
+        drawTiles(parts, scene, progress, (tile, drawn) -> {
             conversions.add(BackgroundTask.start(() -> {
                 BufferedImage part =
-                        SceneDisplay.image(samples, supersample, display, scene.get(SceneSettings.BACKGROUND));
+                        SceneDisplay.image(drawn, samples.side(), display, scene.get(SceneSettings.BACKGROUND));
                 image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
                 return part;
             }));
             if (conversions.size() > MOST_WAITING) {
                 conversions.remove().get();
             }
-            ScenePicture pixels = samples.reduced(supersample);
+            ScenePicture pixels = drawn.reduced(samples.side());
             if (missing) {
                 lit = lit.plus(LitPixels.of(pixels, display));
             }
@@ -226,7 +226,7 @@ public final class FrameSequence implements AutoCloseable {
         if (!missing) {
             return file;
         }
-        drawn = true;
+        this.drawn = true;
         overlays.paint(image, scene, sessions.get(0));
         return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
@@ -240,7 +240,7 @@ public final class FrameSequence implements AutoCloseable {
         List<SceneSession> points = new ArrayList<>();
         try {
             exact.forEach(part -> points.add(new SceneSession(context, part)));
-            return new SceneCertifier(size.width(), size.height(), supersample)
+            return new SceneCertifier(size.width(), size.height(), samples)
                     .certify(
                             new PartSum(sessions),
                             frame,
@@ -255,7 +255,7 @@ public final class FrameSequence implements AutoCloseable {
 
     List<ErrorStatistics> tableErrors(Scene frame) {
         return sessions.stream()
-                .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), supersample).stream())
+                .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), samples).stream())
                 .toList();
     }
 

@@ -90,9 +90,9 @@ public final class RenderCommand extends FileCommand {
             names = "--supersample",
             paramLabel = "N",
             description =
-                    "Each pixel is the mean of N x N, 1 to 8, in linear light. Default: 2 by method table, more in pictures"
-                            + " of less than 800 x 600 pixels; 1 by other methods. --certify"
-                            + " measures the anti-aliasing.")
+                    "Each pixel is the mean of N x N samples, 1 to 8. Default by method table: 4 samples, or where these"
+                            + " differ 4 x 4, more in pictures of less than 640 x 360 pixels; 1 by other methods."
+                            + " --certify measures the anti-aliasing.")
     private Integer supersample;
 
     @Mixin
@@ -144,9 +144,8 @@ public final class RenderCommand extends FileCommand {
         Scene scene = scenes.get(0);
         PrintWriter err = err();
         PrintWriter out = out(output, linear);
-        int samples = samples(scene);
-        String sampled = "; " + samples * samples
-                + (samples == 1 ? " sample a pixel" : " samples a pixel (--supersample " + samples + ")");
+        PixelSamples samples = samples(scene);
+        String sampled = "; " + samples.describe();
         try (TevClient viewer = tev.connect(err).orElse(null);
                 FrameSequence frames = new FrameSequence(
                         context,
@@ -214,8 +213,10 @@ public final class RenderCommand extends FileCommand {
         return ExitCode.OK.code();
     }
 
-    private int samples(Scene scene) {
-        return supersample != null ? supersample : PixelSamples.alongSide(scene.method(), size.width(), size.height());
+    private PixelSamples samples(Scene scene) {
+        return supersample != null
+                ? PixelSamples.uniform(supersample)
+                : PixelSamples.of(scene.method(), size.width(), size.height());
     }
 
     private void check() {

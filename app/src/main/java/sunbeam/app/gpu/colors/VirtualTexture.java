@@ -26,7 +26,7 @@ public final class VirtualTexture implements AutoCloseable {
     private final Residency residency;
     private final TileSet feedback;
     private final CachedBaker.PrefetchSet prefetchSet;
-    private final Footprints.Sample sample = new Footprints.Sample();
+    private final FootprintSample sample = new FootprintSample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
     // True if the cache has all tiles of the table; checked by the scheduler's executor.
@@ -45,15 +45,8 @@ public final class VirtualTexture implements AutoCloseable {
         return TileSet.none(grids.size());
     }
 
-    /**
-     * True if all tiles of the table are resident. Loads a table of few tiles from the cache at once, since that is faster than finding the
-     * tiles that footprints read.
-     */
+    /** True if all tiles of the table are resident. */
     public boolean isComplete() {
-        if (scheduler.isEmpty() && residency.isEmpty() && isWholeInCache()) {
-            feedback.add(prefetchSet.prefetched());
-            bakeFeedback();
-        }
         return prefetchSet.isWhole()
                 && residency.missing(prefetchSet.prefetched()).isEmpty();
     }
@@ -78,6 +71,11 @@ public final class VirtualTexture implements AutoCloseable {
         feedback.add(footprints.tiles(grids));
     }
 
+    /** True if footprints were added to the feedback since the tiles of the last were baked or requested. */
+    public boolean hasFeedback() {
+        return !feedback.isEmpty();
+    }
+
     /** Clears the feedback. */
     public void clearFeedback() {
         sample.clear();
@@ -85,33 +83,28 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Bakes the missing tiles of the feedback while the caller waits.
+     * Bakes the missing tiles of the feedback while the caller waits; of a table of few tiles all.
      *
      * @throws GraphicsException if memory does not suffice for the tiles
      */
     public void bakeFeedback() {
-        if (scheduler.isEmpty() && prefetchSet.isSmall()) {
+        if (scheduler.isPresent()) {
+            throw new IllegalStateException("a picture reads tiles that were not requested for it");
+        }
+        if (prefetchSet.isSmall()) {
             feedback.add(prefetchSet.prefetched());
         }
         TileSet missing = residency.missing(feedback);
         feedback.clear();
-        if (missing.isEmpty()) {
-            sample.clear();
-            return;
-        }
-        if (scheduler.isPresent()) {
-            throw new IllegalStateException("a picture reads tiles that were not requested for it");
-        }
-        residency.expect(missing);
-        baker.bakeAll(missing).forEach(residency::add);
-        if (!sample.isEmpty()) {
-            baker.validate(tabulated(), ColorBaker.Token.NONE);
+        if (!missing.isEmpty()) {
+            residency.expect(missing);
+            baker.bakeAll(missing).forEach(residency::add);
         }
     }
 
     /** Returns the sample's bright footprints with their colors in the table, and starts a new sample. */
-    private Footprints.Sample.Tabulated tabulated() {
-        Footprints.Sample.Tabulated tabulated = sample.tabulated(table(), residency);
+    private FootprintSample.Tabulated tabulated() {
+        FootprintSample.Tabulated tabulated = sample.tabulated(table(), residency);
         sample.clear();
         return tabulated;
     }
@@ -233,12 +226,13 @@ public final class VirtualTexture implements AutoCloseable {
         request(prefetchSet.prefetched());
     }
 
-    /** Validates the table at footprints of the last picture, whose tiles must be resident, once the scheduler is idle. */
+    /** Validates the table at footprints of the last picture, whose tiles must be resident; with a scheduler once it is idle. */
     public void validate() {
         if (!sample.isEmpty()) {
-            Footprints.Sample.Tabulated tabulated = tabulated();
+            FootprintSample.Tabulated tabulated = tabulated();
             CancellationToken token = new CancellationToken();
-            whenIdle(token, () -> baker.validate(tabulated, token));
+            Runnable validating = () -> baker.validate(tabulated, token);
+            scheduler.ifPresentOrElse(running -> running.whenIdle(token, validating), validating);
         }
     }
 

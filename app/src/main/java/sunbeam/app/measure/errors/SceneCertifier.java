@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import jrtr.Tile;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PartSum;
+import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.errors.Comparison;
@@ -17,9 +18,9 @@ import sunbeam.precompute.text.Text;
  * Compares pixels of a scene's picture (size in pixels) with the mean of many points in each, which is the pixel of a picture drawn with
  * that many samples. Only pixels that the mesh fills are compared, since at edges the error depends only on the number of samples.
  *
- * @param samples samples along a pixel's side in the picture to be compared
+ * @param samples samples of a pixel in the picture to be compared
  */
-public record SceneCertifier(int width, int height, int samples) {
+public record SceneCertifier(int width, int height, PixelSamples samples) {
     /** Points along a pixel's side; 256 in all. */
     public static final int POINTS = 16;
 
@@ -41,7 +42,7 @@ public record SceneCertifier(int width, int height, int samples) {
     public Certificate certify(PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
         List<Exact> means = means(exact, points, count, new SplittableRandom(Certificate.SEED));
         List<double[]> pixels =
-                drawn(drawn, scene, means.stream().map(Exact::pixel).toList());
+                drawn(drawn, scene, exposure, means.stream().map(Exact::pixel).toList());
         // The gain is 1, that of white: Comparison's floor for dark pixels needs no other scale.
         List<Comparison> compared = IntStream.range(0, means.size())
                 .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
@@ -52,13 +53,12 @@ public record SceneCertifier(int width, int height, int samples) {
         return Certificate.ofPixels(places, compared, exposure, Certificate.Limits.ANTI_ALIASED);
     }
 
-    private List<double[]> drawn(PartSum parts, Scene scene, List<Tile> pixels) {
+    private List<double[]> drawn(PartSum parts, Scene scene, double exposure, List<Tile> pixels) {
         List<DrawRequest> requests = pixels.stream()
                 .map(pixel -> DrawRequest.ofPixels(scene, width, height, pixel, samples))
                 .toList();
-        parts.prepare(requests);
         return requests.stream()
-                .map(request -> parts.draw(request).reduced(samples))
+                .map(request -> parts.draw(request, exposure).reduced(samples.side()))
                 .map(picture -> Comparison.xyz(picture.rgba(), 0))
                 .toList();
     }
@@ -77,7 +77,7 @@ public record SceneCertifier(int width, int height, int samples) {
         if (exact.pick(pixel.x(), pixel.y(), width, height).isEmpty()) {
             return Optional.empty();
         }
-        ScenePicture mean = exact.draw(DrawRequest.ofPixels(scene, width, height, pixel, POINTS))
+        ScenePicture mean = exact.draw(DrawRequest.ofPixels(scene, width, height, pixel, PixelSamples.uniform(POINTS)))
                 .reduced(POINTS);
         return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS)
                 ? Optional.of(Comparison.xyz(mean.rgba(), 0))

@@ -236,7 +236,10 @@ public final class GraphicsStage implements Stage {
                     double exposure = exposures.of(
                             state.firstPart(),
                             () -> LinearPicture.exposure(picture.reduced(1).linear()));
-                    double pixels = (double) state.width() * state.height() * samples() * samples();
+                    double pixels = (double) state.width()
+                            * state.height()
+                            * samples().side()
+                            * samples().side();
                     double seconds = pixels * current.tiles().secondsPerPixel();
                     return new Preview(image(picture, 1, exposure), stride, true, exposure, seconds);
                 });
@@ -246,23 +249,28 @@ public final class GraphicsStage implements Stage {
     public Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn) {
         int width = state.width();
         int height = state.height();
-        int samples = samples();
+        PixelSamples samples = samples();
         if (!meter(interrupted)) {
             return Optional.empty();
         }
         double exposure = metered.getAsDouble();
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
-        boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples), interrupted, tile -> {
+        boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
             BufferedImage part = image(
-                    current.sum().draw(DrawRequest.ofPixels(scene(), width, height, tile, samples)), samples, exposure);
+                    current.sum().draw(DrawRequest.ofPixels(scene(), width, height, tile, samples), exposure),
+                    samples.side(),
+                    exposure);
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
         if (!isWhole) {
             return Optional.empty();
         }
-        return Optional.of(new Final(whole, exposure));
+        List<VirtualTexture> incomplete =
+                current.colors().filter(VirtualTexture::hasFeedback).toList();
+        incomplete.forEach(VirtualTexture::request);
+        return incomplete.isEmpty() ? Optional.of(new Final(whole, exposure)) : Optional.empty();
     }
 
     private BufferedImage image(ScenePicture picture, int samples, double exposure) {
@@ -273,9 +281,9 @@ public final class GraphicsStage implements Stage {
         return state.firstPart().scene();
     }
 
-    /** Returns the number of samples along a pixel's side in the final picture; {@code render} uses the same. */
-    private int samples() {
-        return PixelSamples.alongSide(scene().method(), state.width(), state.height());
+    /** Returns the samples of the final picture's pixels; {@code render} uses the same. */
+    private PixelSamples samples() {
+        return PixelSamples.of(scene().method(), state.width(), state.height());
     }
 
     @Override

@@ -28,7 +28,6 @@ import sunbeam.app.render.FrameText;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneReader;
-import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.format.MeshFormat;
@@ -116,7 +115,7 @@ public final class FileActions {
         switch (kind) {
             case SCENE -> loadScene(file);
             case MESH -> loadMesh(file);
-            case TEXTURE -> model.change(scene -> scene.with(SceneSettings.TEXTURE, file.toString()));
+            case TEXTURE -> model.change(scene -> scene.withTexture(file.toString()));
             case PATCH, PICTURE -> loadPatch(file);
         }
     }
@@ -235,7 +234,7 @@ public final class FileActions {
         int height = image.getHeight();
         save(file, () -> {
             Scene scene = loaded.firstPart().scene();
-            int samples = PixelSamples.alongSide(scene.method(), width, height);
+            PixelSamples samples = PixelSamples.of(scene.method(), width, height);
             FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
             PngWriter.write(file, Overwrite.REPLACE, image, text.of(scene, exposure, renderer));
         });

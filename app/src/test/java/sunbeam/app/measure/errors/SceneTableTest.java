@@ -23,6 +23,7 @@ import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PartSum;
+import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneSession;
@@ -142,7 +143,7 @@ class SceneTableTest extends InAContext {
         Scene exact = plane(EYE, LIGHT, 20, ON_A_BODY, FullMethod.TYPE).withLight(wide);
         try (SceneSession full = new SceneSession(context, load(exact));
                 SceneSession table = new SceneSession(context, load(point))) {
-            SceneCertifier certifier = new SceneCertifier(24, 18, 1);
+            SceneCertifier certifier = new SceneCertifier(24, 18, PixelSamples.uniform(1));
             PartSum sum = new PartSum(List.of(full));
             PartSum tables = new PartSum(List.of(table));
             Certificate certificate = certifier.certify(tables, point.withLight(wide), sum, exact, 1, 12);
@@ -174,7 +175,7 @@ class SceneTableTest extends InAContext {
      * @param count number of pixels
      */
     private void assertTableHasTheMeanOfPoints(Function<MethodType, Scene> scene, double better, int count) {
-        SceneCertifier certifier = new SceneCertifier(24, 18, 1);
+        SceneCertifier certifier = new SceneCertifier(24, 18, PixelSamples.uniform(1));
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
         try (SceneSession full = new SceneSession(context, load(exact));
@@ -201,16 +202,16 @@ class SceneTableTest extends InAContext {
     }
 
     @Test
-    void aPictureIsTheSameHoweverItIsPreparedAndDivided() {
+    void aPictureIsTheSameHoweverItIsDivided() {
         int width = 24;
         int height = 18;
         try (SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
                 SceneSession other =
                         new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {
-            one.prepare(SceneSession.parts(one.scene(), width, height, 1));
             float[] whole = WholePicture.of(one, width, height).rgba();
             for (Tile tile : Tile.cover(width, height, 7)) {
-                float[] part = other.draw(DrawRequest.ofPixels(other.scene(), width, height, tile, 1))
+                float[] part = other.draw(
+                                DrawRequest.ofPixels(other.scene(), width, height, tile, PixelSamples.uniform(1)))
                         .rgba();
                 int row = tile.y() * width + tile.x();
                 assertThat(Arrays.copyOf(part, 4 * tile.width()))

@@ -21,7 +21,7 @@ import sunbeam.precompute.scan.SampleType;
 
 /** Reads accessors of glTF 2.0 (its section 3.6.2): dense and sparse ones, of all types of numbers. */
 record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
-    private static final int MOST_ELEMENTS = 3 * RawMesh.Builder.MOST_ELEMENTS;
+    private static final int MOST_ELEMENTS = 3 * RawMeshBuilder.MOST_ELEMENTS;
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
     private static final Map<Integer, SampleType> TYPES = Map.of(
             GL_BYTE, SampleType.SIGNED_8,
@@ -38,7 +38,7 @@ record GltfAccessors(GlTF gltf, GltfBuffers buffers) {
         }
     }
 
-    /** Returns the number of elements, at most three times {@link RawMesh.Builder#MOST_ELEMENTS}: the corners of that many triangles. */
+    /** Returns the number of elements, at most three times {@link RawMeshBuilder#MOST_ELEMENTS}: the corners of that many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
         if (count == null || count > MOST_ELEMENTS) {

@@ -32,7 +32,7 @@ final class GltfPrimitives {
     private final GlTF gltf;
     private final GltfAccessors accessors;
     private int primitives;
-    private final RawMesh.Builder mesh = new RawMesh.Builder();
+    private final RawMeshBuilder mesh = new RawMeshBuilder();
 
     GltfPrimitives(GlTF gltf, GltfAccessors accessors) {
         this.gltf = gltf;

@@ -21,7 +21,7 @@ final class ObjFile {
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
 
     private final BufferedReader reader;
-    private final RawMesh.Builder mesh = new RawMesh.Builder();
+    private final RawMeshBuilder mesh = new RawMeshBuilder();
     private long line;
 
     private long nextLine = 1;
@@ -104,7 +104,7 @@ final class ObjFile {
 
     private void face(StringTokenizer words) {
         int count = words.countTokens();
-        RawMesh.Builder.requireCorners(count);
+        RawMeshBuilder.requireCorners(count);
         int[] polygon = new int[3 * count];
         for (int corner = 0; corner < count; corner++) {
             corner(words.nextToken(), polygon, 3 * corner);
