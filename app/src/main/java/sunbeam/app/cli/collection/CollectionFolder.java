@@ -28,8 +28,8 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
-import sunbeam.app.files.plot.ThumbnailSheet;
-import sunbeam.app.files.plot.ThumbnailSheet.Thumbnail;
+import sunbeam.app.files.plot.Sheet;
+import sunbeam.app.files.plot.Sheet.Thumbnail;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.files.InputException;
@@ -179,16 +179,16 @@ final class CollectionFolder {
                 .distinct()
                 .collect(Collectors.groupingBy(file -> name(Path.of(file)), Collectors.counting()));
         try (Progress progress = display.start("Sheets", rows.size())) {
-            for (int first = 0; first < rows.size(); first += ThumbnailSheet.MOST) {
-                int end = Math.min(rows.size(), first + ThumbnailSheet.MOST);
+            for (int first = 0; first < rows.size(); first += Sheet.MOST_THUMBNAILS) {
+                int end = Math.min(rows.size(), first + Sheet.MOST_THUMBNAILS);
                 List<Thumbnail> page = rows.subList(first, end).parallelStream()
                         .map(row -> thumbnail(row, files))
                         .toList();
                 String title = command + ": surfaces " + (first + 1) + " to " + end + " of " + rows.size();
-                int number = 1 + first / ThumbnailSheet.MOST;
+                int number = 1 + first / Sheet.MOST_THUMBNAILS;
                 Path sheet = file("sheet", (number == 1 ? "" : "-" + number) + ".png");
                 written.add(PngWriter.write(
-                        sheet, Overwrite.REPLACE, ThumbnailSheet.draw(title, page), Map.of("Title", title)));
+                        sheet, Overwrite.REPLACE, Sheet.ofThumbnails(title, page), Map.of("Title", title)));
                 progress.step(page.size());
             }
         }

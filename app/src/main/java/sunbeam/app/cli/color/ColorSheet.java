@@ -12,7 +12,6 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import sunbeam.app.files.plot.FittedNames;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.color.Chromaticity;
@@ -58,7 +57,7 @@ final class ColorSheet {
 
     ColorSheet(List<ColorReport> reports, Map<String, Object> settings, CieTable cie) {
         this.reports = reports;
-        this.names = FittedNames.of(
+        this.names = Sheet.fittedNames(
                 reports.stream().map(report -> report.patch().name()).toList(), Sheet.FONT, WIDEST_NAME);
         this.settings = settings;
         this.cie = cie;

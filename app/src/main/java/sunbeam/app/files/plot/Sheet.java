@@ -3,10 +3,15 @@ package sunbeam.app.files.plot;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.Image;
 import java.awt.RenderingHints;
+import java.awt.font.FontRenderContext;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.jfree.chart.text.G2TextMeasurer;
 import org.jfree.chart.text.TextBlock;
@@ -24,10 +29,42 @@ public final class Sheet {
     private static final int MARGIN = 24;
     private static final int GAP = 8;
 
+    /** Most thumbnails of a page; ten rows are as high as a screen or two. */
+    public static final int MOST_THUMBNAILS = 60;
+
+    private static final int COLUMNS = 6;
+    private static final int CELL = 300;
+    private static final int CELL_GAP = 16;
+    private static final int LARGEST_HEIGHT = 260;
+    private static final Color FAILURE = new Color(0xB00020);
+    // Text is anti-aliased and letters begin at whole pixels, as in pictures.
+    private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, false);
+    private static final String ELLIPSIS = "\u2026";
+
     private final int width;
     private final List<Part> parts = new ArrayList<>();
 
     private record Part(int height, Consumer<Graphics2D> drawing) {}
+
+    /** A small picture above its name and a sentence; without a picture, the sentence says why. */
+    public record Thumbnail(Optional<BufferedImage> picture, String name, String sentence) {
+        /** Reduces a picture to the size of a thumbnail. */
+        public static BufferedImage reduced(BufferedImage picture) {
+            double scale = Math.min(
+                    1,
+                    Math.min(
+                            (CELL - CELL_GAP) / (double) picture.getWidth(),
+                            LARGEST_HEIGHT / (double) picture.getHeight()));
+            int width = (int) Math.max(1, scale * picture.getWidth());
+            int height = (int) Math.max(1, scale * picture.getHeight());
+            BufferedImage reduced = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
+            Graphics2D graphics = reduced.createGraphics();
+            // Drawn at once: a scaled instance keeps the whole picture.
+            graphics.drawImage(picture.getScaledInstance(width, height, Image.SCALE_AREA_AVERAGING), 0, 0, null);
+            graphics.dispose();
+            return reduced;
+        }
+    }
 
     public Sheet(int width) {
         this.width = width;
@@ -120,5 +157,78 @@ public final class Sheet {
         Graphics2D graphics = smooth(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB));
         graphics.setFont(font);
         return graphics;
+    }
+
+    /** Draws a page of small pictures in a grid. */
+    public static BufferedImage ofThumbnails(String title, List<Thumbnail> thumbnails) {
+        Sheet sheet = new Sheet(CELL_GAP + COLUMNS * CELL).heading(title);
+        for (int first = 0; first < thumbnails.size(); first += COLUMNS) {
+            sheet.thumbnailRow(thumbnails.subList(first, Math.min(thumbnails.size(), first + COLUMNS)));
+        }
+        return sheet.draw();
+    }
+
+    private void thumbnailRow(List<Thumbnail> cells) {
+        int pictures = cells.stream()
+                .mapToInt(cell -> cell.picture().map(BufferedImage::getHeight).orElse(0))
+                .max()
+                .orElseThrow();
+        List<TextBlock> sentences = cells.stream()
+                .map(cell -> block(cell.sentence(), FONT, CELL - CELL_GAP))
+                .toList();
+        int text = sentences.stream().mapToInt(Sheet::height).max().orElseThrow();
+        int line = FONT.getSize() + CELL_GAP / 2;
+        part(CELL_GAP + pictures + line + text, graphics -> {
+            for (int i = 0; i < cells.size(); i++) {
+                int x = CELL_GAP + i * CELL;
+                Thumbnail cell = cells.get(i);
+                graphics.setColor(cell.picture().isPresent() ? INK : FAILURE);
+                cell.picture().ifPresent(picture -> graphics.drawImage(picture, x, CELL_GAP, null));
+                graphics.setFont(FONT.deriveFont(Font.BOLD));
+                graphics.drawString(
+                        fittedName(cell.name(), graphics.getFont(), CELL - CELL_GAP),
+                        x,
+                        CELL_GAP + pictures + line - 4);
+                draw(sentences.get(i), graphics, x, CELL_GAP + pictures + line);
+            }
+        });
+    }
+
+    /**
+     * Returns names of files in one figure, abbreviated to a width. Different names stay different: if only their middles differ, the later ones get a
+     * number.
+     *
+     * @param widest largest width of a name, in pixels
+     */
+    public static List<String> fittedNames(List<String> names, Font font, double widest) {
+        List<String> fitted = new ArrayList<>();
+        Set<String> taken = new HashSet<>(names);
+        for (String name : names) {
+            String shown = fittedName(name, font, widest);
+            for (int number = 2; !shown.equals(name) && taken.contains(shown); number++) {
+                String ending = " #" + number;
+                shown = fittedName(name, font, widest - width(ending, font)) + ending;
+            }
+            taken.add(shown);
+            fitted.add(shown);
+        }
+        return fitted;
+    }
+
+    /** Returns one abbreviated name, of whose letters two thirds are from its beginning. */
+    public static String fittedName(String name, Font font, double widest) {
+        int[] letters = name.codePoints().toArray();
+        String shown = name;
+        for (int kept = letters.length - 1; kept > 1 && width(shown, font) > widest; kept--) {
+            int first = (2 * kept + 2) / 3;
+            String beginning = new String(letters, 0, first).stripTrailing();
+            String end = new String(letters, letters.length - kept + first, kept - first).stripLeading();
+            shown = beginning + ELLIPSIS + end;
+        }
+        return shown;
+    }
+
+    private static double width(String text, Font font) {
+        return font.getStringBounds(text, CONTEXT).getWidth();
     }
 }
