@@ -2,7 +2,6 @@ package sunbeam.precompute.prepare;
 
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
@@ -49,14 +48,20 @@ public record Spikes(HeightMap cleaned, int count, double largest) {
 
     static Spikes remove(HeightMap field) {
         double[] medians = new double[field.heights().length];
-        Arrays.parallelSetAll(medians, i -> median(field, i));
+        IntStream.range(0, field.rows()).parallel().forEach(row -> {
+            double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
+            for (int i = row * field.columns(); i < (row + 1) * field.columns(); i++) {
+                medians[i] = median(field, i, around);
+            }
+        });
         double limit = DEVIATIONS * GAUSSIAN * medianDifference(field.heights(), medians);
         double[] heights = field.heights().clone();
+        double[] around = new double[(2 * REACH + 1) * (2 * REACH + 1)];
         int count = 0;
         double largest = 0;
         for (int i = 0; i < heights.length; i++) {
             double difference = field.heights()[i] - medians[i];
-            if (Math.abs(difference) > limit && isIsolated(field, i, medians[i], difference)) {
+            if (Math.abs(difference) > limit && isIsolated(field, i, medians[i], difference, around)) {
                 heights[i] = medians[i];
                 count++;
                 largest = Math.max(largest, Math.abs(difference));
@@ -66,29 +71,33 @@ public record Spikes(HeightMap cleaned, int count, double largest) {
     }
 
     /** NaN if all samples are missing. */
-    private static double median(HeightMap field, int index) {
-        double[] around = around(field, index).sorted().toArray();
-        return around.length == 0 ? Double.NaN : around[around.length / 2];
+    private static double median(HeightMap field, int index, double[] around) {
+        int count = gather(field, index % field.columns(), index / field.columns(), around);
+        Arrays.sort(around, 0, count);
+        return count == 0 ? Double.NaN : around[count / 2];
     }
 
-    /** Returns the heights around a sample that are not missing. */
-    private static DoubleStream around(HeightMap field, int index) {
-        int column = index % field.columns();
-        int row = index / field.columns();
-        DoubleStream.Builder around = DoubleStream.builder();
+    /** Returns the number of heights that are not missing. */
+    private static int gather(HeightMap field, int column, int row, double[] around) {
+        int count = 0;
         for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {
             for (int c = Math.max(0, column - REACH); c <= Math.min(field.columns() - 1, column + REACH); c++) {
-                around.add(field.at(c, r));
+                double height = field.at(c, r);
+                if (Double.isFinite(height)) {
+                    around[count++] = height;
+                }
             }
         }
-        return around.build().filter(Double::isFinite);
+        return count;
     }
 
-    private static boolean isIsolated(HeightMap field, int index, double median, double difference) {
-        long companions = around(field, index)
-                .filter(height -> (height - median) / difference > 0.5)
-                .count();
-        return companions < ISOLATED * around(field, index).count();
+    private static boolean isIsolated(HeightMap field, int index, double median, double difference, double[] around) {
+        int count = gather(field, index % field.columns(), index / field.columns(), around);
+        int companions = 0;
+        for (int i = 0; i < count; i++) {
+            companions += (around[i] - median) / difference > 0.5 ? 1 : 0;
+        }
+        return companions < ISOLATED * count;
     }
 
     /** Ignores differences of 0, which most are on a coarsely quantized, smooth surface. */

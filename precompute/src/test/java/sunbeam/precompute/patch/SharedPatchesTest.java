@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.HeightMap;
@@ -45,9 +46,10 @@ class SharedPatchesTest {
     @ParameterizedTest
     @CsvSource({"elaphe, 8.2 %", "xenopeltis, 21.6 %"})
     void snakeSkinsAreSteeperThanScalarTheoryLikesAndDoNotTile(String name, String share) {
-        assertThat(load(name).warnings()).hasSize(2);
-        assertThat(load(name).warnings().get(0))
+        List<String> warnings = load(name).warnings();
+        assertThat(warnings).hasSize(2);
+        assertThat(warnings.get(0))
                 .startsWith("the scan's repetition has a step that draws a cross: opposite borders differ by");
-        assertThat(load(name).warnings().get(1)).startsWith("slopes too steep for scalar theory: " + share);
+        assertThat(warnings.get(1)).startsWith("slopes too steep for scalar theory: " + share);
     }
 }
