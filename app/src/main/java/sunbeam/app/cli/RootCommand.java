@@ -1,5 +1,9 @@
 package sunbeam.app.cli;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -29,36 +33,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
                 + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card."
     };
 
-    static final String[] FOOTER = {
-        "",
-        "Files:",
-        "  Outputs are written under a temporary name in their folder and renamed when",
-        "  complete: none is ever half there, also after Ctrl-C. A file that you name",
-        "  (--output) is not overwritten without --force; a name that Sunbeam chooses",
-        "  gets a number (-2, -3, ...) where it is taken.",
-        "  The name - is standard output; messages then go to standard error.",
-        "  Tables are kept in $XDG_CACHE_HOME/sunbeam, else in ~/.cache/sunbeam.",
-        "  Removing that folder costs time only.",
-        "",
-        "In a clone, also (each with --help):",
-        "  ./sunbeam test        builds everything and runs all tests",
-        "  ./sunbeam archive     packs the program for other systems",
-        "",
-        "Environment:",
-        "  DISPLAY               the X display to render through",
-        "  XDG_CACHE_HOME        where the cache folder lies",
-        "  SUNBEAM_DEBUG         1 prints stack traces, as --debug does",
-        "  SUNBEAM_JAVA_OPTIONS  more options for Java, for example -Xmx8g for a larger heap",
-        "",
-        "Examples:",
-        "  sunbeam doctor                        does rendering work here?",
-        "  sunbeam brdf-map                      the map of the default patch",
-        "  sunbeam brdf-map --patch scan.png --width 65um --max-height 375nm --theta-i 30",
-        "  sunbeam inspect --patch scan.json     what a scan is like",
-        "  sunbeam render elaphe                 a scene as a picture",
-        "  sunbeam view                          the snake in a window",
-        "  sunbeam brdf-map --help               what most users need; --help-all: all",
-    };
+    private static final String FOOTER = "footer.txt";
 
     // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the
     // complete help.
@@ -93,6 +68,17 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
     @Override
     public Environment environment() {
         return environment;
+    }
+
+    /** Returns the lines below the options: files, environment and examples. */
+    static String[] footer() {
+        try (InputStream stream = RootCommand.class.getResourceAsStream(FOOTER)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .toArray(String[]::new);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(FOOTER, failure);
+        }
     }
 
     boolean debug() {

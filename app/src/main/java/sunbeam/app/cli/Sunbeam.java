@@ -180,7 +180,7 @@ public final class Sunbeam {
         root.getCommandSpec()
                 .usageMessage()
                 .description(RootCommand.DESCRIPTION)
-                .footer(RootCommand.FOOTER);
+                .footer(RootCommand.footer());
         return root;
     }
 
