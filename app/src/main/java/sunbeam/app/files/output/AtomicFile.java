@@ -54,7 +54,7 @@ public final class AtomicFile implements AutoCloseable {
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
-        this.direct = !StandardOutput.isMeant(target) && TargetFolder.isDevice(target);
+        this.direct = !StandardOutput.isMeant(target) && OutputFolder.isDevice(target);
         this.contentPath = target;
         hook = new ShutdownHook(this::discard);
     }
@@ -87,7 +87,7 @@ public final class AtomicFile implements AutoCloseable {
         }
         try (AtomicFile probe = create(target, overwrite)) {
             if (!probe.direct && !StandardOutput.isMeant(target)) {
-                TargetFolder.sweep(TargetFolder.of(target));
+                OutputFolder.sweep(OutputFolder.of(target));
                 probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
         }
@@ -100,7 +100,7 @@ public final class AtomicFile implements AutoCloseable {
      * @param remedy words of the message before "or choose another folder"
      */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
-        long free = TargetFolder.of(target).toFile().getUsableSpace();
+        long free = OutputFolder.of(target).toFile().getUsableSpace();
         if (bytes > free && !StandardOutput.isMeant(target)) {
             throw new OutputException("cannot write " + target + ": " + takes + " " + ByteSize.format(bytes) + " and "
                     + ByteSize.format(free) + " are free; " + remedy + ", or choose another folder");
@@ -144,7 +144,7 @@ public final class AtomicFile implements AutoCloseable {
      * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
      */
     public static AtomicFile create(Path target, Overwrite overwrite) {
-        TargetFolder.check(target, overwrite);
+        OutputFolder.checkTarget(target, overwrite);
         AtomicFile file = new AtomicFile(target, overwrite);
         try {
             file.begin();
@@ -161,9 +161,9 @@ public final class AtomicFile implements AutoCloseable {
         if (!direct) {
             contentPath = StandardOutput.isMeant(target)
                     ? Files.createTempFile("sunbeam-", ".part")
-                    : TargetFolder.createTemporary(TargetFolder.of(target));
+                    : OutputFolder.createTemporary(OutputFolder.of(target));
             if (overwrite == Overwrite.REPLACE) {
-                TargetFolder.copyMode(target, contentPath);
+                OutputFolder.copyMode(target, contentPath);
             }
         }
     }
@@ -216,7 +216,7 @@ public final class AtomicFile implements AutoCloseable {
      */
     public Path commit() {
         try {
-            return commitAll(List.of(this), number -> List.of(TargetFolder.numbered(target, number)))
+            return commitAll(List.of(this), number -> List.of(OutputFolder.numbered(target, number)))
                     .get(0);
         } catch (IOException failure) {
             throw OutputException.of(target, failure);
@@ -249,7 +249,7 @@ public final class AtomicFile implements AutoCloseable {
                 for (AtomicFile each : files) {
                     each.release();
                 }
-                TargetFolder.requireNext(files.get(i).overwrite, names.get(i), number, taken);
+                OutputFolder.requireNext(files.get(i).overwrite, names.get(i), number, taken);
                 return false;
             }
         }
@@ -294,7 +294,7 @@ public final class AtomicFile implements AutoCloseable {
         deleteTemporary();
         // Forces the folder's entries to disk, against power failures. Some systems cannot do so; the file is whole
         // nevertheless.
-        try (FileChannel folder = FileChannel.open(TargetFolder.of(name), StandardOpenOption.READ)) {
+        try (FileChannel folder = FileChannel.open(OutputFolder.of(name), StandardOpenOption.READ)) {
             folder.force(true);
         } catch (IOException unable) {
             return name;

@@ -54,7 +54,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     }
 
     private Path path(int number, String ending) {
-        Path numbered = TargetFolder.numberedAtEnd(stem, number);
+        Path numbered = OutputFolder.numberedAtEnd(stem, number);
         return numbered.resolveSibling(numbered.getFileName() + ending);
     }
 

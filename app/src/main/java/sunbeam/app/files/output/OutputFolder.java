@@ -2,18 +2,35 @@ package sunbeam.app.files.output;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 
-/** Creation of folders for commands that write several files. */
+/** Folders of outputs: their creation, checks, free names and temporary files. */
 public final class OutputFolder {
     private static final int HOOK_TRIES = 50;
     private static final int HOOK_WAIT_MILLISECONDS = 10;
+
+    /**
+     * Age at which a temporary file counts as abandoned. Processes of other machines may share the folder, so that process numbers do not
+     * tell whether a process still runs.
+     */
+    private static final Duration LONG_AGO = Duration.ofDays(1);
+
+    static final int MOST_NAMES = 10_000;
 
     private OutputFolder() {}
 
@@ -86,10 +103,10 @@ public final class OutputFolder {
      * @throws OutputException if no folder can be created
      */
     public static Path claim(Path folder, boolean mayUse) {
-        int most = mayUse ? 0 : TargetFolder.MOST_NAMES;
+        int most = mayUse ? 0 : MOST_NAMES;
         for (int number = 1; number <= most; number++) {
             try {
-                return Files.createDirectory(TargetFolder.numberedAtEnd(folder, number));
+                return Files.createDirectory(numberedAtEnd(folder, number));
             } catch (FileAlreadyExistsException taken) {
                 // The next number may be free.
             } catch (IOException failure) {
@@ -129,5 +146,141 @@ public final class OutputFolder {
             return "permission denied";
         }
         return failure instanceof NoSuchFileException ? "the folder above it does not exist" : failure.getMessage();
+    }
+
+    static Path of(Path target) {
+        Path folder = target.toAbsolutePath().getParent();
+        return folder != null ? folder : target.toAbsolutePath();
+    }
+
+    /**
+     * Checks that a target may be written.
+     *
+     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing
+     */
+    static void checkTarget(Path target, Overwrite overwrite) {
+        if (StandardOutput.isMeant(target)) {
+            return;
+        }
+        if (Files.isDirectory(target)) {
+            throw new OutputException("cannot write " + target + ": it is a folder; name a file in it");
+        }
+        Path folder = of(target);
+        if (!Files.exists(folder)) {
+            throw new OutputException(
+                    "cannot write " + target + ": the folder " + folder + " does not exist; create it first");
+        }
+        if (!Files.isDirectory(folder)) {
+            throw new OutputException("cannot write " + target + ": " + folder + " is not a folder");
+        }
+        if (!Files.exists(target, LinkOption.NOFOLLOW_LINKS) || isDevice(target)) {
+            return;
+        }
+        if (overwrite == Overwrite.REFUSE) {
+            throw OutputException.of(target, new FileAlreadyExistsException(target.toString()));
+        }
+        if (overwrite == Overwrite.REPLACE && !Files.isSymbolicLink(target) && !Files.isWritable(target)) {
+            throw new OutputException("cannot write " + target + ": it is write-protected; choose another name");
+        }
+    }
+
+    /**
+     * True if the target is a device, which is written in place. A failure to find out is reported, since a file mistaken for a device
+     * would be overwritten. A link in a folder that all users may write to is replaced, since another user may have made it.
+     */
+    static boolean isDevice(Path target) {
+        try {
+            LinkOption[] links =
+                    isWorldWritable(of(target)) ? new LinkOption[] {LinkOption.NOFOLLOW_LINKS} : new LinkOption[0];
+            return Files.readAttributes(target, BasicFileAttributes.class, links)
+                    .isOther();
+        } catch (NoSuchFileException free) {
+            return false;
+        } catch (IOException failure) {
+            throw OutputException.of(target, failure);
+        }
+    }
+
+    private static boolean isWorldWritable(Path folder) throws IOException {
+        return Files.getFileStore(folder).supportsFileAttributeView("posix")
+                && Files.getPosixFilePermissions(folder).contains(PosixFilePermission.OTHERS_WRITE);
+    }
+
+    /** Returns the default name of an output with a number: {@code blaze.png}, {@code blaze-2.png} and so on. */
+    static Path numbered(Path plain, int number) {
+        String name = plain.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return numbered(plain, number, dot > 0 ? dot : name.length());
+    }
+
+    /** Returns the name of a folder, or of a file without its ending, with a number at its end. */
+    static Path numberedAtEnd(Path plain, int number) {
+        return numbered(plain, number, plain.getFileName().toString().length());
+    }
+
+    private static Path numbered(Path plain, int number, int at) {
+        String name = plain.getFileName().toString();
+        return number == 1 ? plain : plain.resolveSibling(name.substring(0, at) + "-" + number + name.substring(at));
+    }
+
+    /**
+     * Checks that the next number may be tried.
+     *
+     * @throws OutputException if it may not
+     */
+    static void requireNext(Overwrite overwrite, Path name, int number, FileAlreadyExistsException taken) {
+        if (overwrite != Overwrite.NUMBER) {
+            throw OutputException.of(name, taken);
+        }
+        if (number == MOST_NAMES) {
+            throw new OutputException.Exists(
+                    "cannot write " + name + ": so many exist already; name one with --output, or add --force");
+        }
+    }
+
+    /**
+     * Creates an empty file, {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner, which is wrong
+     * because the file becomes the output.
+     */
+    static Path createTemporary(Path folder) throws IOException {
+        String stem = ".sunbeam-" + ProcessHandle.current().pid() + "-";
+        for (int number = 0; ; number++) {
+            try {
+                return Files.createFile(folder.resolve(stem + number + ".part"));
+            } catch (FileAlreadyExistsException taken) {
+                // Taken by another output of this process, or by another machine's process of the same number.
+            }
+        }
+    }
+
+    static void copyMode(Path replaced, Path file) throws IOException {
+        PosixFileAttributeView view =
+                Files.getFileAttributeView(replaced, PosixFileAttributeView.class, LinkOption.NOFOLLOW_LINKS);
+        if (view == null) {
+            return;
+        }
+        try {
+            PosixFileAttributes attributes = view.readAttributes();
+            if (attributes.isRegularFile()) {
+                Files.setPosixFilePermissions(file, attributes.permissions());
+            }
+        } catch (NoSuchFileException free) {
+            return;
+        }
+    }
+
+    /** Removes temporary files of killed processes; failures are ignored, since leftovers are harmless. */
+    static void sweep(Path folder) {
+        Instant longAgo = Instant.now().minus(LONG_AGO);
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, ".sunbeam-[0-9]*-[0-9]*.part")) {
+            for (Path file : files) {
+                if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
+                        && Files.getLastModifiedTime(file).toInstant().isBefore(longAgo)) {
+                    Files.deleteIfExists(file);
+                }
+            }
+        } catch (IOException | DirectoryIteratorException unlistable) {
+            return;
+        }
     }
 }

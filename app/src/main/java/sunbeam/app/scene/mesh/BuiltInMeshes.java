@@ -43,11 +43,11 @@ public final class BuiltInMeshes {
 
     /** Generates a square in z = 0 about the origin, facing up; u along x, v along y. */
     static Mesh plane(double side, int cells) {
-        return new MeshBuilder()
+        return new Mesh.Builder()
                 .grid(
                         cells,
                         cells,
-                        (u, v) -> new MeshBuilder.Point(
+                        (u, v) -> new Mesh.Builder.Point(
                                 new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0),
                                 new Vector3d(0, 0, 1),
                                 new Vector3d(1, 0, 0)))
@@ -94,13 +94,13 @@ public final class BuiltInMeshes {
 
     /** Turns a profile, a function of v, about the z axis; u turns counter-clockwise. */
     private static Mesh revolution(int columns, int rows, boolean closed, DoubleFunction<Profile> profile) {
-        MeshBuilder builder = new MeshBuilder().grid(columns, rows, (u, v) -> {
+        Mesh.Builder builder = new Mesh.Builder().grid(columns, rows, (u, v) -> {
             // Both sides of the seam have bitwise equal points.
             double angle = u == 1 ? 0 : 2 * Math.PI * u;
             double cos = Math.cos(angle);
             double sin = Math.sin(angle);
             Profile at = profile.apply(v);
-            return new MeshBuilder.Point(
+            return new Mesh.Builder.Point(
                     new Vector3d(at.radius * cos, at.radius * sin, at.height),
                     new Vector3d(at.outward * cos, at.outward * sin, at.upward),
                     new Vector3d(-sin, cos, 0));

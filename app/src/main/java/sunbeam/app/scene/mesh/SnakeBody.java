@@ -149,14 +149,14 @@ public final class SnakeBody {
         return 0.13 * Math.exp(-square * square);
     }
 
-    static MeshBuilder.Point frame(double place, double angle) {
+    static Mesh.Builder.Point frame(double place, double angle) {
         Vector3d along =
                 point(Math.min(1, place + PLACE_STEP), angle).sub(point(Math.max(0, place - PLACE_STEP), angle));
         Vector3d around = point(place, angle + ANGLE_STEP).sub(point(place, angle - ANGLE_STEP));
         Vector3d normal = along.cross(around, new Vector3d()).normalize();
         Vector3d tangent =
                 new Vector3d(normal).mul(-normal.dot(along)).add(along).normalize();
-        return new MeshBuilder.Point(point(place, angle), normal, tangent);
+        return new Mesh.Builder.Point(point(place, angle), normal, tangent);
     }
 
     /** Returns the texture coordinate u at a place: it grows by the same amount with each scale. */

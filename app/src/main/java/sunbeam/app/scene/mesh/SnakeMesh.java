@@ -14,7 +14,7 @@ public final class SnakeMesh {
     private static final int COLUMNS = 40;
     private static final int RINGS = 340;
 
-    private final MeshBuilder builder = new MeshBuilder();
+    private final Mesh.Builder builder = new Mesh.Builder();
     private final double[] places = ringPlaces();
 
     private SnakeMesh() {}
@@ -69,7 +69,7 @@ public final class SnakeMesh {
         for (int column = 0; column <= COLUMNS; column++) {
             // Both sides of the seam have bitwise equal points.
             double angle = angle(column % COLUMNS);
-            MeshBuilder.Point frame = SnakeBody.frame(place, angle);
+            Mesh.Builder.Point frame = SnakeBody.frame(place, angle);
             double v = angle(column) / (2 * Math.PI);
             vertices[column] = builder.vertex(frame, SnakeBody.u(place), v);
         }
@@ -102,7 +102,7 @@ public final class SnakeMesh {
             double angle = angle(column + 0.5);
             Vector3d outward = SnakeBody.point(places[0], angle).sub(tip);
             int vertex = builder.vertex(
-                    new MeshBuilder.Point(tip, forwards, orthogonal(outward, forwards)), 0, angle / (2 * Math.PI));
+                    new Mesh.Builder.Point(tip, forwards, orthogonal(outward, forwards)), 0, angle / (2 * Math.PI));
             builder.triangle(ring[column], ring[column + 1], vertex);
         }
     }
@@ -112,9 +112,9 @@ public final class SnakeMesh {
         Vector3d tip = SnakeBody.point(1, 0);
         for (int column = 0; column < COLUMNS; column++) {
             double angle = angle(column + 0.5);
-            MeshBuilder.Point side = SnakeBody.frame(places[RINGS - 1], angle);
-            int vertex =
-                    builder.vertex(new MeshBuilder.Point(tip, side.normal(), side.tangent()), 1, angle / (2 * Math.PI));
+            Mesh.Builder.Point side = SnakeBody.frame(places[RINGS - 1], angle);
+            int vertex = builder.vertex(
+                    new Mesh.Builder.Point(tip, side.normal(), side.tangent()), 1, angle / (2 * Math.PI));
             builder.triangle(ring[column], vertex, ring[column + 1]);
         }
     }

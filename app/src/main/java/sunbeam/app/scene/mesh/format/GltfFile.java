@@ -40,13 +40,13 @@ final class GltfFile {
     private static final int MOST_NODES = 100_000;
 
     private final GlTF gltf;
-    private final GltfBuffers buffers;
+    private final GltfAccessors accessors;
     private final GltfPrimitives primitives;
 
-    private GltfFile(GlTF gltf, GltfBuffers buffers) {
+    private GltfFile(GlTF gltf, GltfAccessors accessors) {
         this.gltf = gltf;
-        this.buffers = buffers;
-        this.primitives = new GltfPrimitives(gltf, new GltfAccessors(gltf, buffers));
+        this.accessors = accessors;
+        this.primitives = new GltfPrimitives(gltf, accessors);
     }
 
     /** Reads a file; its binary part is memory-mapped. */
@@ -68,7 +68,7 @@ final class GltfFile {
 
     private static RawMesh read(Path file, byte[] json, ByteBuffer binary) throws IOException {
         GlTF gltf = GltfDocument.read(json);
-        return new GltfFile(gltf, new GltfBuffers(file, gltf, binary)).mesh();
+        return new GltfFile(gltf, new GltfAccessors(file, gltf, binary)).mesh();
     }
 
     static ByteBuffer map(Path file) throws IOException {
@@ -110,14 +110,15 @@ final class GltfFile {
         if (gltf.getScenes() == null) {
             throw new InputException("it has no scene, so nothing is placed; export it again with one");
         }
-        List<Integer> roots = buffers.entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
+        List<Integer> roots = accessors
+                .entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
                 .getNodes();
         Deque<PendingNode> waiting = new ArrayDeque<>();
         add(waiting, roots, UPRIGHT);
         Set<Integer> seen = new HashSet<>();
         while (!waiting.isEmpty()) {
             PendingNode next = waiting.pop();
-            Node node = buffers.entry(gltf.getNodes(), next.node, "node");
+            Node node = accessors.entry(gltf.getNodes(), next.node, "node");
             if (!seen.add(next.node) || seen.size() > MOST_NODES) {
                 throw new InputException("node " + next.node + " has two parents, or there are more than " + MOST_NODES
                         + " nodes; export it again");
@@ -156,7 +157,7 @@ final class GltfFile {
     }
 
     private void place(Integer number, Node node, Matrix4d place) throws IOException {
-        var mesh = buffers.entry(gltf.getMeshes(), node.getMesh(), "mesh");
+        var mesh = accessors.entry(gltf.getMeshes(), node.getMesh(), "mesh");
         if (node.getSkin() != null) {
             throw new InputException(
                     "node " + number + " is moved by a skeleton; apply its pose and export it without one");
