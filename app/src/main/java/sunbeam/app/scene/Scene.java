@@ -136,7 +136,7 @@ public record Scene(
     /** Returns this scene with a user's patch, and a dark body instead of an animal's. */
     public Scene withOwnPatch(PatchRequest value) {
         Scene other = withPatch(value);
-        return BodyTexture.isAnimal(get(TEXTURE)) ? other.withTexture(BodyTexture.DARK) : other;
+        return BodyTexture.isAnimal(get(TEXTURE)) ? other.with(TEXTURE, BodyTexture.DARK) : other;
     }
 
     public Scene withView(Viewpoint value) {
@@ -179,10 +179,6 @@ public record Scene(
     /** Returns the standard deviation of a light's directions in radians; 0 with the thesis's preset. */
     public double deviation(SceneLight one) {
         return method.isThesis() ? 0 : one.deviation();
-    }
-
-    public Scene withTexture(String value) {
-        return with(TEXTURE, value);
     }
 
     public Scene withMethod(SceneMethod value) {

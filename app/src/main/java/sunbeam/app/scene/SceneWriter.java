@@ -174,17 +174,13 @@ public final class SceneWriter {
         json.writeEndObject();
     }
 
+    /** Writes three lengths, each with the fewest digits that read back as the same float, without a trailing ".0". */
     private void place(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
         for (int axis = 0; axis < 3; axis++) {
-            json.writeString(meters(value.get(axis)));
+            json.writeString(Float.toString(value.get(axis)).replaceFirst("\\.0$", "") + " m");
         }
         json.writeEndArray();
-    }
-
-    /** Formats a length with the fewest digits that read back as the same float, without a trailing ".0". */
-    private static String meters(float value) {
-        return Float.toString(value).replaceFirst("\\.0$", "") + " m";
     }
 
     /** Writes three numbers, each with the fewest digits that read back as the same float. */

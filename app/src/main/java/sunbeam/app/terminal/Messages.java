@@ -1,12 +1,17 @@
 package sunbeam.app.terminal;
 
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import sunbeam.precompute.patch.Patch;
 
 /** Formats messages on standard error: one line that begins with the program's name. */
 public final class Messages {
     /** Maximum length of a message in characters: the name of a file alone may have 4096 bytes. */
     private static final int LONGEST = 6000;
 
+    private static final int LONGEST_WARNING = 200;
     private static final String ERROR = "sunbeam: ";
     private static final String WARNING = ERROR + "warning: ";
     private static final String NOTE = ERROR + "note: ";
@@ -50,5 +55,37 @@ public final class Messages {
         return line.length() <= LONGEST
                 ? line
                 : line.substring(0, half) + " ... " + line.substring(line.length() - half);
+    }
+
+    /** Prints a patch's notes, then the warnings about its scan, in full or abbreviated to one line. */
+    public static void printScan(Patch patch, List<String> warnings, boolean explained, PrintWriter err) {
+        patch.notes().forEach(note -> err.println(note(patch.name() + ": " + note)));
+        if (explained) {
+            warnings.forEach(warning -> err.println(warning(patch.name() + ": " + warning)));
+        } else {
+            scanWarning(patch.name(), warnings, "--explain").ifPresent(err::println);
+        }
+    }
+
+    /**
+     * Returns one line: a single short warning in full, else the beginnings of all warnings, up to the first colon.
+     *
+     * @param remedy command or option that prints them in full
+     */
+    public static Optional<String> scanWarning(String name, List<String> warnings, String remedy) {
+        if (warnings.isEmpty()) {
+            return Optional.empty();
+        }
+        boolean whole = warnings.size() == 1 && warnings.get(0).length() <= LONGEST_WARNING;
+        String heads = whole
+                ? warnings.get(0)
+                : warnings.stream().map(Messages::head).collect(Collectors.joining("; ")) + " (" + remedy
+                        + " tells more)";
+        return Optional.of(warning(name + ": " + heads));
+    }
+
+    private static String head(String warning) {
+        int colon = warning.indexOf(": ");
+        return colon < 0 ? warning : warning.substring(0, colon);
     }
 }

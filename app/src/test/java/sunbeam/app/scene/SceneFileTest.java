@@ -189,7 +189,8 @@ class SceneFileTest {
         assertThat(SceneReader.read(copy)).isEqualTo(scene);
 
         Path elsewhere = folder.resolve("textures/elsewhere.json");
-        Scene moved = scene.withTexture(folder.resolve("scene.json").toString());
+        Scene moved =
+                scene.with(SceneSettings.TEXTURE, folder.resolve("scene.json").toString());
         assertThatThrownBy(() -> SceneWriter.write(elsewhere, Overwrite.REFUSE, moved))
                 .isInstanceOf(OutputException.class)
                 .hasMessageContaining("copy it there");

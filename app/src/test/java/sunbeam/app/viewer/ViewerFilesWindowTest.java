@@ -26,7 +26,7 @@ final class ViewerFilesWindowTest extends ViewerInAWindow {
             viewer.files().loadPatch(patch);
             viewer.model()
                     .change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3))
-                            .withTexture("elaphe"));
+                            .with(SceneSettings.TEXTURE, "elaphe"));
         });
         await(() -> loaded().suits(modelScene()));
         drag(InputEvent.BUTTON1_DOWN_MASK);

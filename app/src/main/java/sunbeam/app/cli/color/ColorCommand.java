@@ -38,7 +38,6 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
-import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;
@@ -256,7 +255,7 @@ public final class ColorCommand extends FileCommand {
             surface.plan().warnings().forEach(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             own.forEach(warning -> warnings.add(patch.name() + ": " + warning));
             if (!methodOptions.explains()) {
-                ScanWarnings.line(patch.name(), own, "--explain").ifPresent(err::println);
+                Messages.scanWarning(patch.name(), own, "--explain").ifPresent(err::println);
             }
             return surface;
         }

@@ -30,7 +30,6 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
-import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.GratingPlane;
@@ -115,7 +114,7 @@ public final class EvaluateCommand extends FileCommand {
         ScanLimit limit = ScanLimit.of(asked, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
-        ScanWarnings.print(patch, warnings, methodOptions.explains(), err());
+        Messages.printScan(patch, warnings, methodOptions.explains(), err());
         FileGroup files = files(output != null ? output : Path.of(patch.name() + "-evaluate"));
         files.checkWritable();
         Choices choices = limit.choices();

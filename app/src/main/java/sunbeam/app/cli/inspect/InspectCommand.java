@@ -19,7 +19,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
@@ -69,7 +69,7 @@ public final class InspectCommand extends FileCommand {
         PrintWriter out = out(output);
         AtomicFile.checkWritable(output, overwrite());
         Patch loaded = patchOptions.load(Choices.none());
-        ScanWarnings.print(loaded, loaded.warnings(), explain, err);
+        Messages.printScan(loaded, loaded.warnings(), explain, err);
         Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
         AtomicFile.checkWritable(picture, overwrite(output));
         double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));

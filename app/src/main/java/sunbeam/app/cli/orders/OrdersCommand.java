@@ -20,7 +20,7 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.terminal.ScanWarnings;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.OrderLattice;
@@ -111,7 +111,7 @@ public final class OrdersCommand extends FileCommand {
             FileGroup.named(output, ENDINGS, overwrite(output)).checkWritable();
         }
         Patch patch = patchOptions.load(Choices.none());
-        ScanWarnings.line(patch.name(), patch.warnings(), "inspect").ifPresent(err()::println);
+        Messages.scanWarning(patch.name(), patch.warnings(), "inspect").ifPresent(err()::println);
         Path name = output != null ? output : Path.of(patch.name() + "-orders");
         FileGroup files = FileGroup.named(name, ENDINGS, overwrite(output));
         files.checkWritable();

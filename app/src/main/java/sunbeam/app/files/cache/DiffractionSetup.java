@@ -14,7 +14,6 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ScanWarnings;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
@@ -87,7 +86,7 @@ public record DiffractionSetup(
         ScanLimit limit = ScanLimit.of(choices, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
-        ScanWarnings.line(patch.name(), warnings, "inspect").ifPresent(err::println);
+        Messages.scanWarning(patch.name(), warnings, "inspect").ifPresent(err::println);
         return limit.choices();
     }
 

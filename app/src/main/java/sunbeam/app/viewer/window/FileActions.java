@@ -28,6 +28,7 @@ import sunbeam.app.render.FrameText;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.format.MeshFormat;
@@ -115,7 +116,7 @@ public final class FileActions {
         switch (kind) {
             case SCENE -> loadScene(file);
             case MESH -> loadMesh(file);
-            case TEXTURE -> model.change(scene -> scene.withTexture(file.toString()));
+            case TEXTURE -> model.change(scene -> scene.with(SceneSettings.TEXTURE, file.toString()));
             case PATCH, PICTURE -> loadPatch(file);
         }
     }

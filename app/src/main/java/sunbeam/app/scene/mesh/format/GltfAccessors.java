@@ -36,7 +36,7 @@ import sunbeam.precompute.text.Quoted;
  * chunk, base64 data in its text, or files in its folder or below; other addresses are refused.
  */
 final class GltfAccessors {
-    private static final int MOST_ELEMENTS = 3 * RawMeshBuilder.MOST_ELEMENTS;
+    private static final int MOST_ELEMENTS = 3 * RawMesh.Builder.MOST_ELEMENTS;
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
     private static final Map<Integer, SampleType> TYPES = Map.of(
             GL_BYTE, SampleType.SIGNED_8,
@@ -67,7 +67,7 @@ final class GltfAccessors {
         }
     }
 
-    /** Returns the number of elements, at most three times {@link RawMeshBuilder#MOST_ELEMENTS}: the corners of that many triangles. */
+    /** Returns the number of elements, at most three times {@link RawMesh.Builder#MOST_ELEMENTS}: the corners of that many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
         if (count == null || count > MOST_ELEMENTS) {

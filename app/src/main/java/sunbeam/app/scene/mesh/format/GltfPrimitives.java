@@ -32,7 +32,7 @@ final class GltfPrimitives {
     private final GlTF gltf;
     private final GltfAccessors accessors;
     private int primitives;
-    private final RawMeshBuilder mesh = new RawMeshBuilder();
+    private final RawMesh.Builder mesh = new RawMesh.Builder();
 
     GltfPrimitives(GlTF gltf, GltfAccessors accessors) {
         this.gltf = gltf;

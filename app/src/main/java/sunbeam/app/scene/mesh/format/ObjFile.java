@@ -21,7 +21,7 @@ final class ObjFile {
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
 
     private final BufferedReader reader;
-    private final RawMeshBuilder mesh = new RawMeshBuilder();
+    private final RawMesh.Builder mesh = new RawMesh.Builder();
     private long line;
 
     private long nextLine = 1;
@@ -104,7 +104,7 @@ final class ObjFile {
 
     private void face(StringTokenizer words) {
         int count = words.countTokens();
-        RawMeshBuilder.requireCorners(count);
+        RawMesh.Builder.requireCorners(count);
         int[] polygon = new int[3 * count];
         for (int corner = 0; corner < count; corner++) {
             corner(words.nextToken(), polygon, 3 * corner);

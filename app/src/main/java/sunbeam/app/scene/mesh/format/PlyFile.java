@@ -26,7 +26,7 @@ final class PlyFile {
     private final PlyHeader header;
     private final DataInputStream stream;
     private final ByteBuffer bytes;
-    private final RawMeshBuilder mesh = new RawMeshBuilder();
+    private final RawMesh.Builder mesh = new RawMesh.Builder();
     private boolean hasCoordinates;
     private boolean hasNormals;
     private String element = "header";
@@ -81,9 +81,9 @@ final class PlyFile {
             table.column("u", "s", "texture_u", "texture_s"), table.column("v", "t", "texture_v", "texture_t")
         };
         int corners = table.column("vertex_indices", "vertex_index");
-        if (table.count() > RawMeshBuilder.MOST_ELEMENTS && (isVertex() || isFace() || isStrips())) {
+        if (table.count() > RawMesh.Builder.MOST_ELEMENTS && (isVertex() || isFace() || isStrips())) {
             throw new InputException(table.count() + " rows of element " + element + "; at most "
-                    + RawMeshBuilder.MOST_ELEMENTS + " can be used, so simplify the mesh");
+                    + RawMesh.Builder.MOST_ELEMENTS + " can be used, so simplify the mesh");
         }
         if (isVertex()) {
             hasCoordinates = areThere(coordinates);
@@ -127,7 +127,7 @@ final class PlyFile {
     /** Reads a property's numbers in the current row, into the previous row's array if that has the right length. */
     private double[] next(PlyHeader.Property property, double[] reusable) throws IOException {
         double length = property.length().isPresent() ? number(property.length().get()) : 1;
-        int most = isStrips() ? 3 * RawMeshBuilder.MOST_ELEMENTS : 2 * RawMeshBuilder.MOST_POLYGON_CORNERS;
+        int most = isStrips() ? 3 * RawMesh.Builder.MOST_ELEMENTS : 2 * RawMesh.Builder.MOST_POLYGON_CORNERS;
         if (!(length >= 0 && length <= most) || length != Math.rint(length)) {
             throw new InputException("a list of " + length + " numbers; 0 to " + most + " can be used");
         }
@@ -164,7 +164,7 @@ final class PlyFile {
 
     private void face(double[] corners, double[] texture) {
         int count = corners.length;
-        RawMeshBuilder.requireCorners(count);
+        RawMesh.Builder.requireCorners(count);
         boolean ownTexture = texture.length > 0;
         if (ownTexture && texture.length != 2 * count) {
             throw new InputException(
