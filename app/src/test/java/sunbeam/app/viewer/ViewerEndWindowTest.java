@@ -89,8 +89,7 @@ final class ViewerEndWindowTest extends ViewerInAWindow {
 
     /** Asserts that the render thread ends; it ends only after OpenGL is closed. */
     private void assertEnd() throws Exception {
-        viewer.awaitEnd(PATIENCE_MILLISECONDS);
-        assertThat(viewer.hasEnded()).isTrue();
+        assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).isTrue();
         assertThat(message()).doesNotContainIgnoringCase("cannot").doesNotContain("bug");
     }
 

@@ -122,7 +122,7 @@ public abstract class ViewerInAWindow {
     void close() throws Exception {
         if (viewer != null) {
             onEvents(() -> viewer.quit());
-            viewer.awaitEnd(PATIENCE_MILLISECONDS);
+            assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).as("ended").isTrue();
             arrivals.close();
             // Handle the last notifications of the render thread.
             onEvents(() -> null);

@@ -192,8 +192,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     @Test
     void controlQQuits() throws Exception {
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
-        viewer.awaitEnd(PATIENCE_MILLISECONDS);
-        assertThat(viewer.hasEnded()).isTrue();
+        assertThat(viewer.awaitEnd(PATIENCE_MILLISECONDS)).isTrue();
     }
 
     private void awaitScene(Predicate<Scene> condition) throws Exception {

@@ -4,25 +4,21 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 
-/**
- * Mailbox of the render thread: the newest state (a newer one replaces an older one) and a queue of small tasks. Thread-safe.
- *
- * @param <S> type of states
- * @param <T> type of tasks
- */
-final class Inbox<S, T> {
-    private final Deque<T> tasks = new ArrayDeque<>();
-    private S newest;
+/** Mailbox of the render thread: the newest state (a newer one replaces an older one) and a queue of small tasks. Thread-safe. */
+final class Inbox {
+    private final Deque<Consumer<Stage>> tasks = new ArrayDeque<>();
+    private ViewState newest;
     private boolean closed;
 
-    synchronized void show(S state) {
+    synchronized void show(ViewState state) {
         newest = state;
         notifyAll();
     }
 
-    synchronized void submit(T task) {
+    synchronized void submit(Consumer<Stage> task) {
         tasks.add(task);
         notifyAll();
     }
@@ -40,22 +36,22 @@ final class Inbox<S, T> {
         return closed || newest != null;
     }
 
-    synchronized boolean isInterrupted(Predicate<S> by) {
+    synchronized boolean isInterrupted(Predicate<ViewState> by) {
         return closed || (newest != null && by.test(newest));
     }
 
     /** Removes and returns the next task; empty if there is none or the inbox is closed. Does not wait. */
-    synchronized Optional<T> task() {
+    synchronized Optional<Consumer<Stage>> task() {
         return closed ? Optional.empty() : Optional.ofNullable(tasks.poll());
     }
 
-    synchronized Optional<S> state() {
-        Optional<S> state = Optional.ofNullable(newest);
+    synchronized Optional<ViewState> state() {
+        Optional<ViewState> state = Optional.ofNullable(newest);
         newest = null;
         return state;
     }
 
-    synchronized Optional<S> stateIf(Predicate<S> wanted) {
+    synchronized Optional<ViewState> stateIf(Predicate<ViewState> wanted) {
         return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 

@@ -34,7 +34,7 @@ public final class RenderLoop implements AutoCloseable {
         COMPLETE
     }
 
-    private final Inbox<ViewState, Consumer<Stage>> inbox = new Inbox<>();
+    private final Inbox inbox = new Inbox();
     private final Supplier<? extends Stage> opening;
     private final Consumer<Consumer<RenderListener>> news;
     private final LongSupplier clock;

@@ -177,16 +177,12 @@ public final class Viewer {
      * dropped. Must not be called on the event thread.
      *
      * @param patience longest wait for saves, and again for the OpenGL context, in milliseconds
+     * @return true if the OpenGL context is closed
      */
-    public void awaitEnd(long patience) throws InterruptedException {
+    public boolean awaitEnd(long patience) throws InterruptedException {
         closed.await();
         writing.awaitEnd(patience);
-        loop.awaitEnd(patience);
-    }
-
-    /** True if the OpenGL context is closed. Waits a millisecond at most. */
-    public boolean hasEnded() throws InterruptedException {
-        return loop.awaitEnd(1);
+        return loop.awaitEnd(patience);
     }
 
     /**
