@@ -11,8 +11,6 @@ public sealed interface TableSpace {
     /** Returns u, v, w of coordinates in the slice of this |w|, if the space has slices. */
     double[] uvw(double x, double y, double depth);
 
-    int slices(TableDesign design);
-
     /** Space of a table of all lights: x is u, y is v, and w has slices. Points beyond {@link #REACH} have the color there. */
     record AllLights() implements TableSpace {
         /** Largest |(u, v, w)| of two directions. */
@@ -40,11 +38,6 @@ public sealed interface TableSpace {
             double square = x * x + y * y;
             double inside = square > REACH * REACH ? REACH / Math.sqrt(square) : 1;
             return new double[] {inside * x, inside * y, -depth};
-        }
-
-        @Override
-        public int slices(TableDesign design) {
-            return design.slices();
         }
     }
 
@@ -92,11 +85,6 @@ public sealed interface TableSpace {
                 t += (product - t * rest * rest * rest) / (rest * rest * (2 - 4 * t));
             }
             return t;
-        }
-
-        @Override
-        public int slices(TableDesign design) {
-            return 1;
         }
     }
 }

@@ -69,7 +69,7 @@ public record TileGrid(
     }
 
     public int slices() {
-        return space.slices(design);
+        return space instanceof TableSpace.OneLight ? 1 : design.slices();
     }
 
     int taps() {

@@ -90,6 +90,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         }
     }
 
+    /** Compares a table with its source at the first samples, until {@link #ENOUGH} of them are bright. */
     private static ValidatedTable of(
             TileGrid grid,
             NumberFormat numbers,
@@ -97,9 +98,27 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             ColorBaker baker,
             ColorBaker.Token token,
             List<DirectionPair> samples) {
-        TableLookUp lookUp = new TableLookUp(List.of(grid), numbers, pages::coefficient);
-        ErrorStatistics errors = errors(lookUp, baker.direct(), token, samples);
-        return new ValidatedTable(grid, numbers, pages, errors);
+        TableLookUp table = new TableLookUp(List.of(grid), numbers, pages::coefficient);
+        List<Comparison> bright = new ArrayList<>();
+        for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
+            List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
+            float[] uvw = new float[3 * batch.size()];
+            for (int i = 0; i < batch.size(); i++) {
+                DirectionPair pair = batch.get(i);
+                uvw[3 * i] = (float) pair.u();
+                uvw[3 * i + 1] = (float) pair.v();
+                uvw[3 * i + 2] = (float) pair.w();
+            }
+            float[] xyz = baker.direct().bake(uvw, token);
+            for (int i = 0; i < batch.size(); i++) {
+                DirectionPair pair = batch.get(i);
+                Comparison one = new Comparison(table.xyz(0, pair.u(), pair.v(), pair.w()), Comparison.xyz(xyz, i), 1);
+                if (one.bright()) {
+                    bright.add(one);
+                }
+            }
+        }
+        return new ValidatedTable(grid, numbers, pages, Comparison.relative(bright));
     }
 
     private static ValidatedTable bake(
@@ -174,31 +193,6 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             beforeThat = before;
             before = excess;
         }
-    }
-
-    /** Returns the relative errors at the first samples, until {@link #ENOUGH} of them are bright. */
-    private static ErrorStatistics errors(
-            TableLookUp table, ColorBaker exact, ColorBaker.Token token, List<DirectionPair> samples) {
-        List<Comparison> bright = new ArrayList<>();
-        for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
-            List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
-            float[] uvw = new float[3 * batch.size()];
-            for (int i = 0; i < batch.size(); i++) {
-                DirectionPair pair = batch.get(i);
-                uvw[3 * i] = (float) pair.u();
-                uvw[3 * i + 1] = (float) pair.v();
-                uvw[3 * i + 2] = (float) pair.w();
-            }
-            float[] xyz = exact.bake(uvw, token);
-            for (int i = 0; i < batch.size(); i++) {
-                DirectionPair pair = batch.get(i);
-                Comparison one = new Comparison(table.xyz(0, pair.u(), pair.v(), pair.w()), Comparison.xyz(xyz, i), 1);
-                if (one.bright()) {
-                    bright.add(one);
-                }
-            }
-        }
-        return Comparison.relative(bright);
     }
 
     /** Returns the largest ratio of an error to the allowed one: at most 1 if the tolerance is kept; 0 if there are no errors. */

@@ -56,11 +56,6 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     }
 
     @Override
-    public Neighborhood around(CoherenceWindow window, HeightMap map) {
-        return neighborhood;
-    }
-
-    @Override
     public long loopSteps(SpectrumPlan plan) {
         return wavelengths.count() * neighborhood.loopSteps();
     }

@@ -36,9 +36,12 @@ final class GridArrays {
     private final Band samplesX;
     private final Band samplesY;
 
-    /** Fields with one real value per DFT bin: parts of amplitudes, or terms of powers; {@code [field - first][bin]}. */
-    private interface Fields {
-        double[][] range(int first, int end);
+    /** Fields with one real value per DFT bin: parts of amplitudes, or terms of powers. */
+    private record Fields(CoefficientTable coefficients, int count, Values values) {
+        /** Returns {@code [field - first][bin]}. */
+        interface Values {
+            double[][] range(int first, int end);
+        }
     }
 
     GridArrays(GridSampling sampling, SpectrumPlan plan, Average average) {
@@ -113,32 +116,22 @@ final class GridArrays {
         return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
     }
 
-    void addTo(ShaderTables.Builder tables, FourierTable table, MethodUse use) {
+    private Fields fields(FourierTable table) {
         if (coherent) {
-            CoefficientTable coefficients = CoefficientTable.sampled(table.expansion());
-            Fields amplitudes = (first, end) ->
-                    table.amplitudes(first / 2, end / 2, plan.area().origin());
-            addTo(tables, table, coefficients, 2 * table.terms(), amplitudes, use);
-        } else {
-            PowerSpectrum spectrum = PowerSpectrum.of(table, sampling.budget().powerBasis());
-            addTo(
-                    tables,
-                    table,
-                    spectrum.coefficients(),
-                    spectrum.coefficients().terms(),
-                    spectrum::terms,
-                    use);
+            return new Fields(
+                    CoefficientTable.sampled(table.expansion()),
+                    2 * table.terms(),
+                    (first, end) ->
+                            table.amplitudes(first / 2, end / 2, plan.area().origin()));
         }
+        PowerSpectrum spectrum = PowerSpectrum.of(table, sampling.budget().powerBasis());
+        return new Fields(spectrum.coefficients(), spectrum.coefficients().terms(), spectrum::terms);
     }
 
-    private void addTo(
-            ShaderTables.Builder tables,
-            FourierTable table,
-            CoefficientTable coefficients,
-            int count,
-            Fields fields,
-            MethodUse use) {
-        int texels = texels(count);
+    void addTo(ShaderTables.Builder tables, FourierTable table, MethodUse use) {
+        Fields fields = fields(table);
+        CoefficientTable coefficients = fields.coefficients;
+        int texels = texels(fields.count);
         String prefix = name.toUpperCase(Locale.ROOT);
         VisibleRange range = pointRange(use);
         Band pointX = range.bandX(1 / step, taps);
@@ -150,15 +143,14 @@ final class GridArrays {
                 .array(ShaderArrays.coefficients(name + "Coefficients", coefficients))
                 .reals(name + "PhaseMap", ShaderArrays.phaseMap(coefficients))
                 .reals(name + "Scale", 1 / step)
-                .array(TableArray.computed(
-                        point.array(), layer -> layer(fields, count, layer, point, points, Order.ROWS)))
+                .array(TableArray.computed(point.array(), layer -> layer(fields, layer, point, points, Order.ROWS)))
                 .reals(name + "PointFirst", pointX.first(), pointY.first());
         if (use == MethodUse.COLOR) {
             List<TermsLayout> rays = raysLayouts(texels);
             tables.define(prefix + "_RAYS_TOGETHER", rays.get(0).together())
                     .define(prefix + "_RAYS_LAYERS", rays.get(0).layersPerGrid())
                     .define("RAYS_APART", rays.size() - 1);
-            addRays(tables, table, fields, count, rays);
+            addRays(tables, table, fields, rays);
         }
     }
 
@@ -171,8 +163,7 @@ final class GridArrays {
     }
 
     /** Adds the two grids for rays: columns at steps along x, and rows at steps along y. Each column or row is one row of a texture. */
-    private void addRays(
-            ShaderTables.Builder tables, FourierTable table, Fields fields, int count, List<TermsLayout> layouts) {
+    private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
         TermsLayout layout = layouts.get(0);
         int height = layout.array().height();
         GridResampler columns = new GridResampler(
@@ -184,8 +175,8 @@ final class GridArrays {
         // The layers of all columns precede those of all rows.
         int layers = layout.layersPerGrid();
         IntFunction<float[]> rays = layer -> layer < layers
-                ? layer(fields, count, layer, layout, columns, Order.COLUMNS)
-                : layer(fields, count, layer - layers, layout, rows, Order.ROWS);
+                ? layer(fields, layer, layout, columns, Order.COLUMNS)
+                : layer(fields, layer - layers, layout, rows, Order.ROWS);
         tables.array(TableArray.computed(layout.array(), rays));
         if (layouts.size() == 2) {
             tables.array(TableArray.computed(layouts.get(1).array(), layer -> rays.apply(layers + layer)));
@@ -194,12 +185,12 @@ final class GridArrays {
                 .reals("gridRaysFirst", nodesX.first(), samplesY.first(), nodesY.first(), samplesX.first());
     }
 
-    private static float[] layer(
-            Fields fields, int count, int layer, TermsLayout layout, GridResampler resampler, Order order) {
+    private static float[] layer(Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {
         int stride = CHANNELS * layout.together();
         float[] texels = new float[stride * resampler.size()];
         int first = stride * layer;
-        resampler.resample(fields.range(first, Math.min(count, first + stride)), texels, stride, order);
+        double[][] values = fields.values.range(first, Math.min(fields.count, first + stride));
+        resampler.resample(values, texels, stride, order);
         return texels;
     }
 }

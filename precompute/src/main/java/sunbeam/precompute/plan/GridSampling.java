@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.OrderSampling.BandRule;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.KernelPolynomials;
@@ -29,6 +27,7 @@ import sunbeam.precompute.text.Text;
  */
 public record GridSampling(
         InterpolationDesign interpolation,
+        Neighborhood neighborhood,
         double nodeStep,
         double longestStep,
         int fewestNodes,
@@ -47,7 +46,7 @@ public record GridSampling(
     }
 
     private GridSampling with(InterpolationDesign design, double step, boolean divided) {
-        return new GridSampling(design, step, longestStep, fewestNodes, band, single, divided, budget);
+        return new GridSampling(design, neighborhood, step, longestStep, fewestNodes, band, single, divided, budget);
     }
 
     /** True if the columns resolve orders that the ends of the visible band cut; on rough patches these dim ends need not be resolved. */
@@ -76,15 +75,6 @@ public record GridSampling(
     private int diagonalStride() {
         // The last factor allows for rounding of a quotient that should be a whole number.
         return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
-    }
-
-    @Override
-    public Neighborhood around(CoherenceWindow window, HeightMap map) {
-        double reach = InterpolationDesign.GAUSS_REACH * window.sigmaFrequency();
-        return new Neighborhood(
-                (int) Math.ceil(reach * map.width()),
-                (int) Math.ceil(reach * map.height()),
-                Neighborhood.Anchor.NEAREST);
     }
 
     @Override

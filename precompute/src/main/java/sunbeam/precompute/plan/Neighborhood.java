@@ -32,15 +32,6 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         return Text.format("%d x %d bins around the %s one", 2 * radiusX + 1, 2 * radiusY + 1, middle);
     }
 
-    /** Returns the number of bins needed beyond the visible ones along x; one more, since float32 may round to the next bin. */
-    int marginX() {
-        return radiusX + 1;
-    }
-
-    int marginY() {
-        return radiusY + 1;
-    }
-
     /** Returns the loop steps of one wavelength (shaders/method/neighborhood.glsl), with the last test of each loop. */
     long loopSteps() {
         long rows = 2L * radiusY + 1;

@@ -3,8 +3,6 @@ package sunbeam.precompute.plan;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
@@ -107,11 +105,6 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         return resolved.map(nodes -> "single orders with " + nodes.fewest() + " wavelengths each or more")
                 .orElseGet(() -> neighborhood.summary() + " at "
                         + Sampling.count(band.fewestNodes(), band.mostNodes(range.longestUv())) + " wavelengths");
-    }
-
-    @Override
-    public Neighborhood around(CoherenceWindow window, HeightMap map) {
-        return neighborhood;
     }
 
     @Override

@@ -62,13 +62,14 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         SpectrumPlan plan = null;
         for (Supplier<Sampling> choice : samplings) {
             Sampling sampling = choice.get();
-            Neighborhood around = sampling.around(area.window(), map);
+            // One bin more, since float32 may round to the next.
+            Neighborhood around = sampling.neighborhood();
             plan = new SpectrumPlan(
                     choices.promisedTolerance(),
                     range,
                     expansion,
-                    range.bandX(map.width(), around.marginX()),
-                    range.bandY(map.height(), around.marginY()),
+                    range.bandX(map.width(), around.radiusX() + 1),
+                    range.bandY(map.height(), around.radiusY() + 1),
                     area,
                     sampling);
             if (PlanChecks.excess(plan, map.rows(), heapLimit, mostSteps).isEmpty()) {
@@ -180,6 +181,15 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             return new Neighborhood(radius(map().width()), radius(map().height()), Neighborhood.Anchor.NEAREST);
         }
 
+        /** Bins within the window's spectrum. */
+        private Neighborhood reached() {
+            double reach = InterpolationDesign.GAUSS_REACH * window().sigmaFrequency();
+            return new Neighborhood(
+                    (int) Math.ceil(reach * map().width()),
+                    (int) Math.ceil(reach * map().height()),
+                    Neighborhood.Anchor.NEAREST);
+        }
+
         private int radius(double period) {
             return budget.neighborhoodRadius(window().sigmaFrequency() * period);
         }
@@ -218,8 +228,8 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
             BandRule band = rough ? band(fewestNodes()).withEqualSteps(uncut) : band(fewestNodes());
             double longest = Math.sqrt(2) * step;
-            GridSampling coarse =
-                    new GridSampling(design, step, longest, fewestNodes(), band, single(band), false, budget);
+            GridSampling coarse = new GridSampling(
+                    design, reached(), step, longest, fewestNodes(), band, single(band), false, budget);
             return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
         }
 

@@ -2,8 +2,6 @@ package sunbeam.precompute.plan;
 
 import java.util.List;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -20,7 +18,8 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
 
-    Neighborhood around(CoherenceWindow window, HeightMap map);
+    /** Returns the bins around a frequency that count. */
+    Neighborhood neighborhood();
 
     /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */
     long loopSteps(SpectrumPlan plan);

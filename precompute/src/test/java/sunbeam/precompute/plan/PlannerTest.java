@@ -201,19 +201,6 @@ class PlannerTest {
         assertThat(ofShaders.ofTables(Average.COHERENT)).isSameAs(ofShaders);
     }
 
-    @Test
-    void aPatchThatIsShortAlongOneAxisHasFewBinsThere() {
-        HeightMap line = Surfaces.random(64, 1, 50e-9, 400e-9, 5);
-        GaussianArea area = GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(5e-6));
-
-        SpectrumPlan plan = planner(line).plan(STANDARD.table(), area, VisibleRange.all());
-
-        Neighborhood bins = ((OrderSampling) plan.sampling()).neighborhood();
-        // The next order along y lies far beyond the window's spectrum.
-        assertThat(bins.radiusY()).isZero();
-        assertThat(bins.radiusX()).isPositive();
-    }
-
     @ParameterizedTest
     @CsvSource({"156e-6, 65e-6", "156e-6, 140e-6", "369e-6, 65e-6", "369e-6, 140e-6"})
     void aLineOfManySamplesIsSummedUnderLongWindowsToo(double width, double coherenceLength) {

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -111,26 +110,6 @@ class RadialBakerTest {
         // TableDesign gives STEP for 1e-3: quintic splines err by a tenth of that in the median; the 95th percentile
         // are dark places between orders.
         check(errors, 1e-4, 2e-3);
-    }
-
-    /** Colors change along a ray only as fast as color matching functions, however sharp orders are. */
-    @Tag("thorough")
-    @ParameterizedTest
-    @ValueSource(doubles = {5e-5, 5e-4, 5e-3})
-    void fewPlacesOnARayAreEnough(double tolerance) {
-        GaussianArea area = ensemble(40e-6);
-        HeightMap map = Surfaces.of(160, 8, 250e-9, (x, y) -> 150e-9 * Math.sin(2 * Math.PI * x / 1.6e-6));
-        // In the plane of the orders, a degree wide.
-        float[] places = places(400);
-        for (int i = 0; i < places.length; i += 3) {
-            double radius = Math.hypot(places[i], places[i + 1]);
-            places[i] = (float) radius;
-            places[i + 1] *= (float) (0.004 / radius);
-        }
-        double[] errors = errors(map, area, spectrum(map, ENSEMBLE, area, tolerance), places, 0.0029);
-        // Measured 2e-6, 1.7e-5 and 1.9e-5. Dark places between orders (1e-6 of them), where omitted terms of the power
-        // count; measured 7.8 at 5e-3.
-        check(errors, tolerance / 10, 9 * tolerance);
     }
 
     /** Sharp orders of a small scan under a long window leave nothing beyond their end in the ultraviolet. */
