@@ -115,8 +115,10 @@ public record OrderLight(
             boolean sampled) {
         Map<Order, Field> fields = new HashMap<>();
         Field rest = new Field();
+        double normal = index.reflectance(wavelength);
         spectrum.forEach(wi, wavelength, sampled, wave -> {
-            double fresnel = Math.sqrt(index.reflectance(wavelength, wave.pair().cosThetaD()));
+            double fresnel =
+                    Math.sqrt(RefractiveIndex.schlick(normal, wave.pair().cosThetaD()));
             lattice.nearest(spectrum.frequency(wave.x(), wave.y()))
                     .map(order -> fields.computeIfAbsent(order, none -> new Field()))
                     .orElse(rest)

@@ -157,9 +157,9 @@ public final class OrderSpectrum {
         return new Wave(bin.x, bin.y, pair, geometry * real, geometry * imaginary);
     }
 
-    private double power(RefractiveIndex index, Bin bin, double wavelength, DirectionPair pair) {
+    private double power(double normal, Bin bin, double wavelength, DirectionPair pair) {
         double overMirror =
-                index.reflectance(wavelength, pair.cosThetaD()) / index.reflectance(wavelength, pair.cosThetaI());
+                RefractiveIndex.schlick(normal, pair.cosThetaD()) / RefractiveIndex.schlick(normal, pair.cosThetaI());
         return overMirror * wave(bin, wavelength, pair).power();
     }
 
@@ -170,21 +170,22 @@ public final class OrderSpectrum {
      * @param sigmaFrequency standard deviation of the window's amplitude spectrum, cycles per meter; 0 for an infinite window
      */
     public double sum(RefractiveIndex index, Direction wi, double wavelength, double sigmaFrequency) {
+        double normal = index.reflectance(wavelength);
         double blur = wavelength * sigmaFrequency;
         double[] sum = new double[1];
         forEachBin(wi, wavelength, bin -> {
             if (bin.square > Math.max(GRAZING * GRAZING, Math.min(FARTHEST, NEAR_HORIZON * blur))) {
                 Direction out = new Direction(bin.outX, bin.outY, Math.sqrt(bin.square));
-                sum[0] += power(index, bin, wavelength, new DirectionPair(wi, out));
+                sum[0] += power(normal, bin, wavelength, new DirectionPair(wi, out));
             } else if (blur > 0 && bin.square > -3 * REACH * blur) {
-                sum[0] += atHorizon(index, bin, wavelength, wi, blur);
+                sum[0] += atHorizon(normal, bin, wavelength, wi, blur);
             }
         });
         return sum[0];
     }
 
     /** Integrates an order over its Gaussian along the radius r = sin alpha; dr / cos alpha = d alpha takes the pole at the horizon. */
-    private double atHorizon(RefractiveIndex index, Bin bin, double wavelength, Direction wi, double blur) {
+    private double atHorizon(double normal, Bin bin, double wavelength, Direction wi, double blur) {
         double radius = Math.hypot(bin.outX, bin.outY);
         double low = Math.asin(Math.max(0, Math.min(1, radius - REACH * blur)));
         double high = Math.asin(Math.min(1, radius + REACH * blur));
@@ -195,7 +196,7 @@ public final class OrderSpectrum {
             Direction out = new Direction(bin.outX * sine / radius, bin.outY * sine / radius, Math.cos(alpha));
             double off = (sine - radius) / blur;
             double weight = 0.5 * NODES.weights()[i] * (high - low) * Math.exp(-off * off) * Math.cos(alpha);
-            sum += weight * power(index, bin, wavelength, new DirectionPair(wi, out));
+            sum += weight * power(normal, bin, wavelength, new DirectionPair(wi, out));
         }
         return sum / (Math.sqrt(Math.PI) * blur);
     }

@@ -12,7 +12,7 @@ public final class Gain {
 
     /** Returns keratin's reflectance by Schlick (1994) for the cosine of the angle between the half vector and the view. */
     public static double reflectance(double cosThetaD) {
-        return R0 + (1 - R0) * Math.pow(1 - cosThetaD, 5);
+        return RefractiveIndex.schlick(R0, cosThetaD);
     }
 
     /** Returns the shadowing and masking factor of V-shaped cavities, 0..1 (Torrance and Sparrow 1967; Cook and Torrance 1982 eq. 8). */

@@ -79,7 +79,11 @@ public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Do
 
     /** Returns Schlick's reflectance for a wavelength in meters and the cosine of the angle between the half vector and the view. */
     public double reflectance(double wavelength, double cosThetaD) {
-        double normal = reflectance(wavelength);
+        return schlick(reflectance(wavelength), cosThetaD);
+    }
+
+    /** Returns Schlick's reflectance (1994) for that along the normal and the cosine of the angle between the half vector and the view. */
+    public static double schlick(double normal, double cosThetaD) {
         return normal + (1 - normal) * Math.pow(Math.max(0, 1 - cosThetaD), 5);
     }
 
