@@ -5,8 +5,6 @@ import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -67,15 +65,15 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
                 Text.format(
                         "%s: %s x %s, relief %s",
                         patch.name(),
-                        rounded(patch.heights().width()),
-                        rounded(patch.heights().height()),
-                        rounded(patch.scan().relief())),
+                        Lengths.rounded(patch.heights().width(), 4),
+                        Lengths.rounded(patch.heights().height(), 4),
+                        Lengths.rounded(patch.scan().relief(), 4)),
                 Text.format(
                         "light %s\u00b0 from the normal, azimuth %s\u00b0; %scoherence length %s%s%s; method %s",
                         degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
                         degrees(Math.atan2(light.y(), light.x())),
                         remarks,
-                        rounded(map.coherenceLength()),
+                        Lengths.rounded(map.coherenceLength(), 4),
                         ScanLimit.of(asked, patch)
                                 .limiting()
                                 .map(side -> " (the scan's " + side + ")")
@@ -87,10 +85,6 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
 
     private static String degrees(double radians) {
         return Decimals.format(Math.round(1e4 * Math.toDegrees(radians)) * 1e-4 + 0.0);
-    }
-
-    private static String rounded(double meters) {
-        return Lengths.format(new BigDecimal(meters).round(new MathContext(4)).doubleValue());
     }
 
     Optional<Patch> black() {

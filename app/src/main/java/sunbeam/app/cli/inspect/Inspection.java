@@ -1,7 +1,5 @@
 package sunbeam.app.cli.inspect;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -52,6 +50,8 @@ record Inspection(
         ScanLimit limit,
         Optional<SpectrumPlan> drawing,
         String refusal) {
+    // Digits of lengths: more would be noise of the measurement.
+    private static final int DIGITS = 4;
     private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
     /**
@@ -100,8 +100,13 @@ record Inspection(
         lines.add(verdict().sentence());
         lines.add(Text.format(
                 "size      %s x %s, %d x %d samples",
-                rounded(map.width()), rounded(map.height()), map.columns(), map.rows()));
-        lines.add(Text.format("heights   relief %s, roughness %s rms", rounded(map.relief()), rounded(roughness())));
+                Lengths.rounded(map.width(), DIGITS),
+                Lengths.rounded(map.height(), DIGITS),
+                map.columns(),
+                map.rows()));
+        lines.add(Text.format(
+                "heights   relief %s, roughness %s rms",
+                Lengths.rounded(map.relief(), DIGITS), Lengths.rounded(roughness(), DIGITS)));
         lines.add(Text.format(
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
@@ -131,8 +136,8 @@ record Inspection(
         patch.faults().forEach(fault -> lines.add("fault     " + fault.line()));
         lines.add(Text.format(
                 "pitch     %s x %s: %s",
-                rounded(map.pitchX()),
-                rounded(map.pitchY()),
+                Lengths.rounded(map.pitchX(), DIGITS),
+                Lengths.rounded(map.pitchY(), DIGITS),
                 Plausibility.pitch(map)
                         .orElse("fine enough for light of " + Lengths.format(Plausibility.SHORTEST_WAVELENGTH)
                                 + ", which needs " + Lengths.format(Plausibility.COARSEST_PITCH))));
@@ -146,11 +151,6 @@ record Inspection(
     /** Returns the root mean square of the heights about their mean (Sq of ISO 25178), meters. */
     private double roughness() {
         return Math.sqrt(StatUtils.populationVariance(patch.scan().heights()));
-    }
-
-    /** Formats a length with four digits: more would be noise of the measurement. */
-    private static String rounded(double meters) {
-        return Lengths.format(new BigDecimal(meters).round(new MathContext(4)).doubleValue());
     }
 
     Map<String, Object> fields() {
