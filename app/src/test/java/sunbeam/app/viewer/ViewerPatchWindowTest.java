@@ -1,6 +1,7 @@
 package sunbeam.app.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static sunbeam.app.viewer.Pictures.different;
 
 import java.awt.event.InputEvent;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -85,6 +87,19 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(onEvents(() -> control("patch", JComboBox.class).getSelectedItem()))
                 .isEqualTo("blaze");
         assertThat(different(before, picture(), false)).isZero();
+    }
+
+    @Test
+    void anImageIsAskedForItsScale() throws Exception {
+        Path file = PatchFiles.image(folder, "waves.png");
+        SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
+        Dialogs.answer("Scale of waves.png", "Cancel");
+        assertThat(modelScene()).isEqualTo(scene());
+        SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
+        Dialogs.type("Scale of waves.png", "2 um", "300 nm");
+        Dialogs.answer("Scale of waves.png", "OK");
+        awaitPatch(file.toString());
+        assertThat(loaded().patch().heights().pitchX()).isCloseTo(2e-6 / 32, within(1e-15));
     }
 
     private static String descriptor(String heights, String width) {

@@ -219,7 +219,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderListene
         window.status().message(message);
         window.status().refused();
         noPicture(message);
-        if (window.picture().picture().isEmpty()) {
+        if (shown == null) { // the body alone is no picture of the scene
             window.picture().showMessage(message);
         }
     }
