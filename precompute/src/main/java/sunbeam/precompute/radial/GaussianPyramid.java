@@ -8,6 +8,7 @@ import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.SplineFilter;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
+import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
  * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and

@@ -2,6 +2,7 @@ package sunbeam.precompute.radial;
 
 import java.util.Arrays;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
  * Batch of rays close to each other, which share one blurred spectrum. A line holds the frequencies that have the same component along the

@@ -2,6 +2,7 @@ package sunbeam.precompute.radial;
 
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
  * {@link PowerSpectrum} under a window: at any frequency, the sum of the DFT bins' terms, each weighted by the Gaussian of its distance, in

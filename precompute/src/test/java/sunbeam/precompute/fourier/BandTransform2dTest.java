@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class BandTransformTest {
+class BandTransform2dTest {
     // Sums of at most 1332 values of at most 1, normalised by 1/N: rounding and what kernels leave stay near 1e-15.
     private static final Offset<Double> ROUNDING = within(2e-14);
 
@@ -23,7 +23,7 @@ class BandTransformTest {
     @ValueSource(ints = {1, 2, 3, 5, 8, 12, 64, 97, 100, 256, 333, 1000, 1009, 1332})
     void anyLengthAgreesWithJTransforms(int length) {
         Band band = Band.of(-7, length + 3);
-        BandTransform transform = new BandTransform(length, band);
+        BandTransform2d.Line transform = new BandTransform2d.Line(length, band);
         ComplexVector work = transform.workspace();
         double[] interleaved = random(2 * length);
         for (int n = 0; n < length; n++) {
