@@ -53,7 +53,7 @@ class DamagedCacheTest extends InOneWorkplace {
 
         assertThat(result.complaints())
                 .as("%s", result)
-                .startsWith("sunbeam: warning: cached table is made again: " + table + ": " + reason)
+                .startsWith("sunbeam: warning: cached table is made again: cannot use " + table + ": " + reason)
                 .hasLineCount(1);
         assertThat(workplace.resolve("again.npy")).hasBinaryContent(goodMap);
         assertThat(workplace.tables()).containsExactly(table);

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -48,6 +49,29 @@ class LauncherStartTest extends InSandbox {
                 .contains("-Dsunbeam.home=" + repository)
                 .anyMatch(line -> line.matches(Pattern.quote(repository + "/app/target/run/") + "([-0-9]+)/\\*:"
                         + Pattern.quote(repository + "/app/target/run/") + "\\1/lib/\\*"));
+    }
+
+    /** Java would warn, on standard output if it may, about a class archive that was made for another folder. */
+    @Test
+    void aCopiedCheckoutHasAClassArchiveOfItsOwnAndJavaIsSilentAboutIt() throws Exception {
+        sandbox.command("inspect").run();
+        Path copied = folder.resolve("copied");
+        Process copying = new ProcessBuilder("cp", "-a", sandbox.repository().toString(), copied.toString()).start();
+        assertThat(copying.waitFor()).isZero();
+
+        SunbeamResult result = sandbox.equip(Sunbeam.launcher(copied.resolve("sunbeam"), "inspect"))
+                .run();
+
+        Path runs = copied.toRealPath().resolve("app/target/run");
+        assertThat(result.stdout().lines())
+                .contains("-Xlog:disable", "-Xlog:all=error:stderr")
+                .anyMatch(line -> line.matches(
+                        "-XX:SharedArchiveFile=" + Pattern.quote(runs.toString()) + "/[-0-9]+/classes.jsa"));
+        try (Stream<Path> copies = Files.list(runs)) {
+            assertThat(copies.filter(Files::isDirectory))
+                    .as("the copy of the other folder has gone")
+                    .hasSize(1);
+        }
     }
 
     /** Mesa maps its cache of shaders into memory: on a full disk that would kill Java. */
