@@ -130,7 +130,7 @@ final class CachedBaker implements Scheduler.TileBaker {
      * Validates baked tiles at some footprints. If the table misses its tolerance, warns once and discards the cached tiles. Without effect
      * if all tiles came from the cache.
      */
-    void validate(FootprintSample.Tabulated sample, ColorBaker.Token token) {
+    void validate(Footprints.Sample.Tabulated sample, ColorBaker.Token token) {
         if (hasBaked && !warned) {
             VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {
                 warned = true;
@@ -140,7 +140,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         }
     }
 
-    ErrorStatistics errors(FootprintSample.Tabulated sample, ColorBaker.Token token) {
+    ErrorStatistics errors(Footprints.Sample.Tabulated sample, ColorBaker.Token token) {
         return sample.errors((level, places) -> evaluate(level, places, token));
     }
 

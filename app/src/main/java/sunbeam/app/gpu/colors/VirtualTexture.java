@@ -26,7 +26,7 @@ public final class VirtualTexture implements AutoCloseable {
     private final Residency residency;
     private final TileSet feedback;
     private final CachedBaker.PrefetchSet prefetchSet;
-    private final FootprintSample sample = new FootprintSample();
+    private final Footprints.Sample sample = new Footprints.Sample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
     // True if the cache has all tiles of the table; checked by the scheduler's executor.
@@ -103,8 +103,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /** Returns the sample's bright footprints with their colors in the table, and starts a new sample. */
-    private FootprintSample.Tabulated tabulated() {
-        FootprintSample.Tabulated tabulated = sample.tabulated(table(), residency);
+    private Footprints.Sample.Tabulated tabulated() {
+        Footprints.Sample.Tabulated tabulated = sample.tabulated(table(), residency);
         sample.clear();
         return tabulated;
     }
@@ -229,7 +229,7 @@ public final class VirtualTexture implements AutoCloseable {
     /** Validates the table at footprints of the last picture, whose tiles must be resident; with a scheduler once it is idle. */
     public void validate() {
         if (!sample.isEmpty()) {
-            FootprintSample.Tabulated tabulated = tabulated();
+            Footprints.Sample.Tabulated tabulated = tabulated();
             CancellationToken token = new CancellationToken();
             Runnable validating = () -> baker.validate(tabulated, token);
             scheduler.ifPresentOrElse(running -> running.whenIdle(token, validating), validating);

@@ -96,10 +96,10 @@ class VirtualTextureTest {
     private static void validate(CachedBaker baker) {
         int coarsest = baker.grids().size() - 1;
         double[] white = {1, 1, 1};
-        FootprintSample.BrightFootprint footprint =
-                new FootprintSample.BrightFootprint(coarsest, new double[][] {{0, 0, -1.9}}, white);
+        Footprints.Sample.BrightFootprint footprint =
+                new Footprints.Sample.BrightFootprint(coarsest, new double[][] {{0, 0, -1.9}}, white);
         CancellationToken canceled = new CancellationToken();
         canceled.cancel();
-        baker.validate(new FootprintSample.Tabulated(baker.table(), List.of(footprint)), canceled);
+        baker.validate(new Footprints.Sample.Tabulated(baker.table(), List.of(footprint)), canceled);
     }
 }
