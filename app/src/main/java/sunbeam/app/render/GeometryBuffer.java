@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import jrtr.Tile;
 import jrtr.gl.FloatTarget;
@@ -8,8 +9,8 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Texture;
 
 /** Geometry buffer of a block: surface attributes of its pixels. */
-record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements AutoCloseable {
-    static GeometryBuffer create(RenderContext context, GeometryLayout layout, Tile block) {
+record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoCloseable {
+    static GeometryBuffer create(RenderContext context, Layout layout, Tile block) {
         int images = layout.samplers().size();
         return new GeometryBuffer(
                 layout,
@@ -54,5 +55,31 @@ record GeometryBuffer(GeometryLayout layout, FloatTarget attributes) implements 
     @Override
     public void close() {
         attributes.close();
+    }
+
+    /** Contents of a geometry buffer. */
+    enum Layout {
+        /** All attributes in single precision (shaders/geometry.frag); with depth 68 bytes per pixel. */
+        FULL("geometry.frag", "views", "normals", "tangents", "albedos"),
+        /** Packed attributes for moving pictures (shaders/moving_geometry.frag); with depth 20 bytes per pixel. */
+        MOVING("moving_geometry.frag", "surfaces");
+
+        private final String shader;
+
+        @SuppressWarnings("ImmutableEnumChecker") // a private copy
+        private final List<String> samplers;
+
+        Layout(String shader, String... samplers) {
+            this.shader = shader;
+            this.samplers = List.of(samplers);
+        }
+
+        String shader() {
+            return shader;
+        }
+
+        List<String> samplers() {
+            return samplers;
+        }
     }
 }

@@ -19,13 +19,13 @@ final class GeometryBuffers implements AutoCloseable {
     static final int CAPACITY = 4;
 
     private final RenderContext context;
-    private final GeometryLayout layout;
+    private final GeometryBuffer.Layout layout;
     private final ShaderProgram program;
     private final Map<Tile, GeometryBuffer> buffers = new LinkedHashMap<>(2 * CAPACITY, 0.75f, true);
     private final Set<Tile> drawn = new HashSet<>();
     private SkinGeometry geometry;
 
-    GeometryBuffers(RenderContext context, GeometryLayout layout) {
+    GeometryBuffers(RenderContext context, GeometryBuffer.Layout layout) {
         this.context = context;
         this.layout = layout;
         this.program = context.createMeshProgram(Shaders.library().load(layout.shader()));
@@ -47,7 +47,7 @@ final class GeometryBuffers implements AutoCloseable {
             drawn.add(block);
             // Waits, so that geometry pass and shading pass are timed separately. Moving pictures have no time for
             // that.
-            if (layout == GeometryLayout.FULL) {
+            if (layout == GeometryBuffer.Layout.FULL) {
                 context.finish();
             }
         }

@@ -26,7 +26,7 @@ final class MovingPictures implements AutoCloseable {
         int width = (int) Math.ceil(fullWidth / divisor);
         int height = (int) Math.ceil(fullHeight / divisor);
         if (buffers == null) {
-            buffers = new GeometryBuffers(context, GeometryLayout.MOVING);
+            buffers = new GeometryBuffers(context, GeometryBuffer.Layout.MOVING);
         }
         SkinGeometry geometry = uploaded.geometry(scene, width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);

@@ -53,7 +53,7 @@ final class MovingSkin implements AutoCloseable {
     /**
      * Draws a block of a picture.
      *
-     * @param buffer attributes in {@link GeometryLayout#MOVING}
+     * @param buffer attributes in {@link GeometryBuffer.Layout#MOVING}
      * @param block block to draw, in pixels of the picture
      * @return 0xffRRGGBB, top row first
      */
@@ -67,7 +67,7 @@ final class MovingSkin implements AutoCloseable {
             double exposure) {
         Map<String, Texture> textures = new HashMap<>(method);
         levels.ifPresent(tiles -> {
-            FootprintUniforms.apply(program, tiles.table(), scene, mostTaps, 1, false);
+            SkinSurface.setFootprints(program, tiles.table(), scene, mostTaps, 1, false);
             textures.putAll(tiles.textures());
         });
         geometry.applyRaysTo(program, block);

@@ -66,7 +66,7 @@ final class PackedShading implements AutoCloseable {
             return meanOfDraws(skin, request, buffer, packing);
         }
         VirtualTexture tiles = skin.virtualTexture().get();
-        ShadingPass pass = new ShadingPass(request, 0, true);
+        SkinSurface.Pass pass = new SkinSurface.Pass(request, 0, true);
         float[] drawn = draw(skin, buffer, packing, pass);
         // A scheduler has requests for all samples but those that a pixel turns out to need.
         if (!isMissing(drawn) || (tiles.isScheduled() && request.chosen().isEmpty())) {
@@ -84,7 +84,7 @@ final class PackedShading implements AutoCloseable {
         return drawn;
     }
 
-    private float[] draw(SkinSurface skin, GeometryBuffer buffer, Packing packing, ShadingPass pass) {
+    private float[] draw(SkinSurface skin, GeometryBuffer buffer, Packing packing, SkinSurface.Pass pass) {
         skin.shade(context, buffer, sources, target, packing.used(), pass);
         return unpacked(packing, target.read(0, packing.used()));
     }
@@ -107,7 +107,7 @@ final class PackedShading implements AutoCloseable {
         int draws = skin.draws(request.scene(), request.samples().side());
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
-            float[] drawn = draw(skin, buffer, packing, new ShadingPass(request, draw, true));
+            float[] drawn = draw(skin, buffer, packing, new SkinSurface.Pass(request, draw, true));
             if (draws == 1) {
                 return drawn;
             }
@@ -139,7 +139,7 @@ final class PackedShading implements AutoCloseable {
     /** Adds the footprints of the uploaded pixels to the feedback, in all levels that they read. */
     private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
         for (int level = 0; level < skin.levelsRead(request.scene()); level++) {
-            skin.shade(context, buffer, sources, target, packing.used(), new ShadingPass(request, level, false));
+            skin.shade(context, buffer, sources, target, packing.used(), new SkinSurface.Pass(request, level, false));
             skin.virtualTexture().orElseThrow().addFeedback(footprints(packing), !request.isCoarsest());
         }
     }
@@ -201,5 +201,58 @@ final class PackedShading implements AutoCloseable {
     public void close() {
         sources.close();
         target.close();
+    }
+
+    /**
+     * Positions of scattered pixels in a compact target. Software renderers shade 4 x 4 pixels at once and give each processor squares of 64 x
+     * 64: pixels packed into full small squares, spread over several large ones, keep all processors busy.
+     *
+     * @param count pixels, from 1 to {@link #MOST}
+     * @param columns columns in use: one large square for every 256 pixels, which fill four of its rows, up to all 16 squares
+     * @param rows rows in use, a multiple of 4
+     */
+    private record Packing(int count, int columns, int rows) {
+        /** Columns of the target: 16 large squares. */
+        static final int COLUMNS = 1024;
+
+        /** Rows of the target. */
+        static final int ROWS = 32;
+
+        static final int MOST = COLUMNS * ROWS;
+
+        private static final int SMALL = 4;
+        private static final int LARGE = 64;
+
+        static Packing of(int count) {
+            if (count < 1 || count > MOST) {
+                throw new IllegalArgumentException(count + " pixels are none or more than " + MOST);
+            }
+            int columns = LARGE * Math.min(COLUMNS / LARGE, SceneBlocks.ceilDiv(count, LARGE * SMALL));
+            return new Packing(count, columns, SMALL * SceneBlocks.ceilDiv(count, SMALL * columns));
+        }
+
+        /** Returns the part of the target that is in use; its rows count from the top. */
+        Tile used() {
+            return new Tile(0, ROWS - rows, columns, rows);
+        }
+
+        /** Returns the index of a pixel's slot in the target, row by row from the bottom left, as {@code gl_FragCoord}. */
+        int slot(int pixel) {
+            return COLUMNS * row(pixel) + column(pixel);
+        }
+
+        /** Returns the index of a pixel's slot in {@link #used} as read back: row by row from the top left. */
+        int indexInReadback(int pixel) {
+            return columns * (rows - 1 - row(pixel)) + column(pixel);
+        }
+
+        /** Sixteen successive pixels share a small square. */
+        private int column(int pixel) {
+            return SMALL * (pixel / (SMALL * SMALL) % (columns / SMALL)) + pixel % SMALL;
+        }
+
+        private int row(int pixel) {
+            return SMALL * (pixel / (SMALL * columns)) + pixel / SMALL % SMALL;
+        }
     }
 }

@@ -157,7 +157,8 @@ public final class SceneSession implements AutoCloseable {
     private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
         long start = System.nanoTime();
         GeometryBuffer buffer = buffers.computeIfAbsent(
-                        geometry.shadowLight().isPresent(), shaded -> new GeometryBuffers(context, GeometryLayout.FULL))
+                        geometry.shadowLight().isPresent(),
+                        shaded -> new GeometryBuffers(context, GeometryBuffer.Layout.FULL))
                 .of(geometry, piece.block());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;

@@ -19,6 +19,7 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.shader.ShaderTables;
@@ -106,7 +107,7 @@ final class SkinSurface implements AutoCloseable {
             FloatTexture sources,
             FloatTarget target,
             Tile tile,
-            ShadingPass pass) {
+            Pass pass) {
         DrawRequest request = pass.request();
         Scene scene = request.scene();
         if (program == null) {
@@ -117,7 +118,7 @@ final class SkinSurface implements AutoCloseable {
         Map<String, Texture> textures = new HashMap<>(method.textures());
         textures.putAll(buffer.textures());
         if (texture.isPresent()) {
-            FootprintUniforms.apply(
+            setFootprints(
                     program,
                     texture.get().table(),
                     scene,
@@ -134,6 +135,26 @@ final class SkinSurface implements AutoCloseable {
         }
         textures.put("sources", sources);
         context.drawFullScreen(program, textures, target, tile);
+    }
+
+    /**
+     * Computes and sets the uniforms of shaders/include/footprint.glsl.
+     *
+     * @param scene scene whose fine relief widens footprints, unless the table's levels include it
+     * @param isCoarsest whether all footprints read the coarsest level
+     */
+    static void setFootprints(
+            ShaderProgram program, ColorTable table, Scene scene, int mostTaps, int samplesAcross, boolean isCoarsest) {
+        boolean hasRelief = table.slopeDeviation() > 0;
+        program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
+        program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
+        program.set("tabulatedSlopeVariance", (float) Math.pow(table.slopeDeviation(), 2));
+        program.set("slopeVariance", hasRelief ? 0 : (float) Math.pow(scene.slopeDeviation(), 2));
+        program.set("pointLevels", (float) table.pointLevelCount());
+        program.set("levels", table.levels().size() - table.pointLevelCount());
+        program.set("leastLevel", isCoarsest ? table.levels().size() - 1f : 0);
+        program.set("mostTaps", (float) mostTaps);
+        program.set("samplesAcross", (float) samplesAcross);
     }
 
     /** Draws a block of a moving picture (see {@link MovingSkin}). */
@@ -198,4 +219,13 @@ final class SkinSurface implements AutoCloseable {
         }
         method.close();
     }
+
+    /**
+     * Parameters of one draw with shaders/skin.frag.
+     *
+     * @param draw index of this draw, below {@link #draws}; if there are no colors, index among the levels that a footprint reads,
+     *     below {@link #levelsRead}
+     * @param hasColors false to write footprints only
+     */
+    record Pass(DrawRequest request, int draw, boolean hasColors) {}
 }
