@@ -65,8 +65,8 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
         description =
                 "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
                         + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
-                        + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). See"
-                        + " docs/evaluation.md.",
+                        + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). Methods table and gem"
+                        + " compute colors only and are refused. See docs/evaluation.md.",
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");

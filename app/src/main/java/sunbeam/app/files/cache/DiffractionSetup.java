@@ -256,6 +256,7 @@ public record DiffractionSetup(
     public static SettingException withoutPower() {
         return new SettingException(
                 Methods.METHOD,
-                "has colors, but no power at a wavelength; use another method, or leave out a list's column wavelength");
+                "has colors, but no power at a wavelength, which evaluate and a list's column wavelength need;"
+                        + " use full, nmm, pq or reference");
     }
 }

@@ -129,7 +129,13 @@ final class EvaluateCommandTest extends CommandLineFixture {
     }
 
     @ParameterizedTest
-    @CsvSource({"gem, no power at a wavelength", "table, no power at a wavelength", "magic, is not one of full"})
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "gem; use full, nmm, pq or reference",
+                "table; use full, nmm, pq or reference",
+                "magic; is not one of full"
+            })
     void aMethodWithoutResponseIsRefused(String method, String words) throws IOException {
         assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
         assertThat(err.toString()).contains("--method", words).hasLineCount(1);
