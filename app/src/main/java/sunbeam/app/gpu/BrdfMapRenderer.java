@@ -9,8 +9,6 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import org.joml.Vector2f;
 import org.joml.Vector3f;
-import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 

@@ -11,8 +11,6 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.UploadedTables;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 

@@ -60,8 +60,8 @@ class WavelengthNodesTest {
         double largest = Math.max(expected[0], Math.max(expected[1], expected[2]));
         // The reference's step.
         double step = 1 / (1 / (0.7 * deviation) + 1 / 12e3);
-        // Error of polynomials of degree 11: 5e-7 in the worst of 200 orders; relatively more of the little light that the
-        // band leaves of an order beyond its ends.
+        // Error of polynomials of degree 11: 5e-7 in the worst of 200 orders; relatively more of the little light that
+        // the band leaves of an order beyond its ends.
         assertThat(WavelengthNodes.integrated(CIE, step).sum(order))
                 .containsExactly(expected, within(2e-6 * Math.max(1e-4, largest)));
         // The reference's accuracy; sampling in steps of 0.5 nm erred by 1e-3 here.
