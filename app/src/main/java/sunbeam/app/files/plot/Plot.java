@@ -27,6 +27,9 @@ import sunbeam.app.files.output.PngWriter;
  * nm}); values that are NaN are left out. Series get the colors and marks of {@link PlotStyle} in the order in which they are added.
  */
 public final class Plot {
+    // Points have it too, undrawn, so that all names in a legend begin at one place.
+    private static final Line2D LEGEND_LINE = new Line2D.Double(-12, 0, 12, 0);
+
     private final Frame frame;
     private final List<Series> allSeries = new ArrayList<>();
     private Optional<Double> equalStep = Optional.empty();
@@ -194,7 +197,7 @@ public final class Plot {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
         renderer.setSeriesPaint(0, color);
         renderer.setSeriesStroke(0, stroke);
-        renderer.setLegendLine(new Line2D.Double(-12, 0, 12, 0));
+        renderer.setLegendLine(LEGEND_LINE);
         return renderer;
     }
 
@@ -202,6 +205,7 @@ public final class Plot {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);
         renderer.setSeriesPaint(0, color);
         renderer.setSeriesShape(0, shape);
+        renderer.setLegendLine(LEGEND_LINE);
         return renderer;
     }
 }
