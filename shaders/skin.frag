@@ -17,8 +17,8 @@ uniform float lightVariance;
 // For each fragment the index of the texel of geometry.frag's images that it shades, counted row by row; negative for none.
 uniform sampler2D sources;
 #if COLOR_LEVELS == 1
-// In pixels of geometry.frag's images.
-uniform float stride;
+// Side of the square that a sample stands for, in pixels of geometry.frag's images.
+uniform float footprintScale;
 // 1 to look colors up; 0 to write footprints only, as feedback for tiles that are not resident yet.
 uniform int lookUps;
 // Level of the footprints that are written: 0 for their own, 1 for the next, which pixels under a wide light read, too.
@@ -44,8 +44,8 @@ layout(location = 2) out vec4 footprintAxis;
 // XYZ of the power of the pixel's footprint; MISSING where a tile is not resident.
 vec3 pixelXyz(vec3 wi, vec3 wr, ivec2 pixel) {
     vec3 uvw = diffractionVector(wi, wr);
-    vec3 du = stride * uvwChange(pixel, ivec2(1, 0), uvw);
-    vec3 dv = stride * uvwChange(pixel, ivec2(0, 1), uvw);
+    vec3 du = footprintScale * uvwChange(pixel, ivec2(1, 0), uvw);
+    vec3 dv = footprintScale * uvwChange(pixel, ivec2(0, 1), uvw);
     Footprint footprint = footprintOf(uvw, du, dv, wi, lightVariance, nextLevel);
     footprintCenter = vec4(footprint.center, footprint.level);
     footprintAxis = vec4(footprint.axis, footprint.taps);

@@ -17,6 +17,7 @@ import sunbeam.app.scene.Scene;
  * @param stride every stride-th sample of every stride-th row is drawn; a power of two
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
  * @param chosen the samples of the tile that are drawn, row by row, without a stride; empty for all
+ * @param footprintScale factor of the footprints' axes: side of the square that a sample stands for, in samples
  */
 public record DrawRequest(
         Scene scene,
@@ -26,12 +27,13 @@ public record DrawRequest(
         PixelSamples samples,
         int stride,
         boolean isCoarsest,
-        Optional<BitSet> chosen) {
+        Optional<BitSet> chosen,
+        double footprintScale) {
     /** Returns a request for all samples of a tile of pixels. */
     public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, PixelSamples samples) {
         int side = samples.side();
         Tile inSamples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
-        return new DrawRequest(scene, side * width, side * height, inSamples, samples, 1, false, Optional.empty());
+        return new DrawRequest(scene, side * width, side * height, inSamples, samples, 1, false, Optional.empty(), 1);
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */
@@ -40,20 +42,30 @@ public record DrawRequest(
     }
 
     DrawRequest with(Scene other) {
-        return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest, chosen);
+        return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest, chosen, footprintScale);
     }
 
     DrawRequest coarsest() {
-        return new DrawRequest(scene, width, height, tile, samples, stride, true, chosen);
+        return new DrawRequest(scene, width, height, tile, samples, stride, true, chosen, footprintScale);
     }
 
     DrawRequest only(BitSet samplesOfTile) {
-        return new DrawRequest(scene, width, height, tile, samples, stride, isCoarsest, Optional.of(samplesOfTile));
+        return only(samplesOfTile, 1);
     }
 
-    /** Returns the request for the samples that are drawn in any case, from which adaptive samples choose the others. */
+    private DrawRequest only(BitSet samplesOfTile, double scale) {
+        return new DrawRequest(
+                scene, width, height, tile, samples, stride, isCoarsest, Optional.of(samplesOfTile), scale);
+    }
+
+    /**
+     * Returns the request for the samples that are drawn in any case. Of adaptive samples these are one in {@link PixelSamples#side}, whose
+     * footprints share the pixel's area.
+     */
     DrawRequest first() {
-        return samples.isAdaptive() ? only(samples.first(tile.width(), tile.height())) : this;
+        return samples.isAdaptive()
+                ? only(samples.first(tile.width(), tile.height()), Math.sqrt(samples.side()))
+                : this;
     }
 
     /** True if a sample is drawn; x and y count from the tile's top left. */

@@ -45,8 +45,8 @@ public final class PartSum {
     }
 
     /**
-     * Draws a tile of a picture. Of adaptive samples those that a pixel does not need are copies of those that it has. If a scheduler bakes
-     * tiles and one is missing, the others are not drawn, and {@link VirtualTexture#hasFeedback}.
+     * Draws a tile of a picture. Of adaptive samples those that a pixel does not need are copies of its first ones. If a scheduler bakes
+     * tiles and one is missing, only the first ones are drawn, and {@link VirtualTexture#hasFeedback}.
      *
      * @param exposure factor of linear colors, for the differences between samples on the display
      */
@@ -56,11 +56,11 @@ public final class PartSum {
             return picture;
         }
         Scene scene = request.scene();
-        BitSet others = request.samples().spread(picture, scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
-        if (!others.isEmpty()) {
-            ScenePicture further = draw(request.only(others), SceneSession::drawResident);
+        BitSet needed = request.samples().spread(picture, scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
+        if (!needed.isEmpty()) {
+            ScenePicture whole = draw(request.only(needed), SceneSession::drawResident);
             if (tables().noneMatch(VirtualTexture::hasFeedback)) {
-                picture.replace(further, others);
+                picture.replace(whole, needed);
             }
         }
         return picture;
@@ -130,7 +130,7 @@ public final class PartSum {
                     Math.min(stride * coarseTile.width(), width - x),
                     Math.min(stride * coarseTile.height(), height - y));
             DrawRequest request = new DrawRequest(
-                    scene, width, height, tile, PixelSamples.uniform(1), stride, false, Optional.empty());
+                    scene, width, height, tile, PixelSamples.uniform(1), stride, false, Optional.empty(), 1);
             light.put(light(request, SceneSession::drawResident), coarseTile.x(), coarseTile.y());
         });
         if (!isWhole) {

@@ -10,7 +10,7 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Samples of a pixel: a square of {@code side x side}. With adaptive samples a pixel has its <em>first</em> samples, one in each row and
- * column of the square, and all others only if these differ visibly, as at rims.
+ * column of the square with a larger footprint, and all samples instead only if these differ visibly, as at rims.
  *
  * @param side samples along a pixel's side, 1 to {@link #MOST}; even if adaptive
  */
@@ -76,10 +76,10 @@ public record PixelSamples(int side, boolean isAdaptive) {
      * Copies the first samples of each pixel along their rows, so that each counts {@link #side} times.
      *
      * @param picture picture whose first samples are drawn
-     * @return the other samples of pixels that need all samples
+     * @return all samples of the pixels that need them
      */
     BitSet spread(ScenePicture picture, DisplayTransform display, SceneColor background) {
-        BitSet others = new BitSet(picture.width() * picture.height());
+        BitSet needed = new BitSet(picture.width() * picture.height());
         double[] behind = background.light();
         double[] light = new double[CHANNELS - 1];
         for (int top = 0; top < picture.height(); top += side) {
@@ -99,23 +99,16 @@ public record PixelSamples(int side, boolean isAdaptive) {
                     }
                 }
                 if (differ(least, most)) {
-                    addOthers(others, top * picture.width() + left, picture.width());
+                    for (int row = top; row < top + side; row++) {
+                        needed.set(row * picture.width() + left, row * picture.width() + left + side);
+                    }
                 }
             }
         }
-        return others;
+        return needed;
     }
 
     private static boolean differ(double[] least, double[] most) {
         return IntStream.range(0, least.length).anyMatch(c -> most[c] - least[c] > LEAST_DIFFERENCE);
-    }
-
-    /** Adds all samples of a pixel but the first ones. */
-    private void addOthers(BitSet others, int corner, int width) {
-        for (int row = 0; row < side; row++) {
-            int begin = corner + row * width;
-            others.set(begin, begin + side);
-            others.clear(begin + firstColumn(row));
-        }
     }
 }

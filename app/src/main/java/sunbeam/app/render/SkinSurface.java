@@ -123,9 +123,9 @@ final class SkinSurface implements AutoCloseable {
                     texture.get().table(),
                     scene,
                     MOST_TAPS,
-                    request.samples().side(),
+                    request.samples().side() / request.footprintScale(),
                     request.isCoarsest());
-            program.set("stride", (float) request.stride());
+            program.set("footprintScale", (float) (request.stride() * request.footprintScale()));
             program.set("lookUps", pass.hasColors() ? 1 : 0);
             program.set("nextLevel", (float) (pass.hasColors() ? 0 : pass.draw()));
             textures.putAll(texture.get().textures());
@@ -144,7 +144,7 @@ final class SkinSurface implements AutoCloseable {
      * @param isCoarsest whether all footprints read the coarsest level
      */
     static void setFootprints(
-            ShaderProgram program, ColorTable table, Scene scene, int mostTaps, int samplesAcross, boolean isCoarsest) {
+            ShaderProgram program, ColorTable table, Scene scene, int mostTaps, double samplesAcross, boolean isCoarsest) {
         boolean hasRelief = table.slopeDeviation() > 0;
         program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
