@@ -68,14 +68,10 @@ final class PackedShading implements AutoCloseable {
         VirtualTexture tiles = skin.virtualTexture().get();
         SkinSurface.Pass pass = new SkinSurface.Pass(request, 0, true);
         float[] drawn = draw(skin, buffer, packing, pass);
-        // A scheduler has requests for all samples but those that a pixel turns out to need.
-        if (!isMissing(drawn) || (tiles.isScheduled() && request.chosen().isEmpty())) {
+        if (!isMissing(drawn) || tiles.isScheduled()) {
             return drawn;
         }
         addFeedback(skin, request, buffer, packing);
-        if (tiles.isScheduled()) {
-            return drawn;
-        }
         tiles.bakeFeedback();
         drawn = draw(skin, buffer, packing, pass);
         if (isMissing(drawn)) {

@@ -45,8 +45,7 @@ public final class PartSum {
     }
 
     /**
-     * Draws a tile of a picture. Of adaptive samples those that a pixel does not need are copies of its first ones. If a scheduler bakes
-     * tiles and one is missing, only the first ones are drawn, and {@link VirtualTexture#hasFeedback}.
+     * Draws a tile of a picture. Of adaptive samples those that a pixel does not need are copies of its first ones.
      *
      * @param exposure factor of linear colors, for the differences between samples on the display
      */
@@ -58,10 +57,7 @@ public final class PartSum {
         Scene scene = request.scene();
         BitSet needed = request.samples().spread(picture, scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
         if (!needed.isEmpty()) {
-            ScenePicture whole = draw(request.only(needed), SceneSession::drawResident);
-            if (tables().noneMatch(VirtualTexture::hasFeedback)) {
-                picture.replace(whole, needed);
-            }
+            picture.replace(draw(request.only(needed)), needed);
         }
         return picture;
     }

@@ -44,8 +44,17 @@ public record PixelSamples(int side, boolean isAdaptive) {
         if (!method.type().equals(TableMethod.TYPE)) {
             return uniform(1);
         }
-        int side = (int) Math.ceil(Math.sqrt(PICTURE_SAMPLES / ((double) width * height)));
-        return new PixelSamples(Math.max(LEAST_ADAPTIVE, Math.min(MOST, side + side % 2)), true);
+        int side = side(width, height);
+        return new PixelSamples(Math.max(LEAST_ADAPTIVE, side + side % 2), true);
+    }
+
+    /** Returns the samples of a picture in a window: uniform ones, whose tiles are known before the picture is drawn. */
+    public static PixelSamples inWindow(SceneMethod method, int width, int height) {
+        return uniform(method.type().equals(TableMethod.TYPE) ? side(width, height) : 1);
+    }
+
+    private static int side(int width, int height) {
+        return (int) Math.max(2, Math.min(MOST, Math.ceil(Math.sqrt(PICTURE_SAMPLES / ((double) width * height)))));
     }
 
     /** Returns words such as "16 samples a pixel (--supersample 4)". */

@@ -71,11 +71,6 @@ public final class VirtualTexture implements AutoCloseable {
         feedback.add(footprints.tiles(grids));
     }
 
-    /** True if footprints were added to the feedback since the tiles of the last were baked or requested. */
-    public boolean hasFeedback() {
-        return !feedback.isEmpty();
-    }
-
     /** Clears the feedback. */
     public void clearFeedback() {
         sample.clear();

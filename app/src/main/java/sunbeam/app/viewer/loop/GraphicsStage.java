@@ -258,19 +258,13 @@ public final class GraphicsStage implements Stage {
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
             BufferedImage part = image(
-                    current.sum().draw(DrawRequest.ofPixels(scene(), width, height, tile, samples), exposure),
+                    current.sum().draw(DrawRequest.ofPixels(scene(), width, height, tile, samples)),
                     samples.side(),
                     exposure);
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
-        if (!isWhole) {
-            return Optional.empty();
-        }
-        List<VirtualTexture> incomplete =
-                current.colors().filter(VirtualTexture::hasFeedback).toList();
-        incomplete.forEach(VirtualTexture::request);
-        return incomplete.isEmpty() ? Optional.of(new Final(whole, exposure)) : Optional.empty();
+        return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
     }
 
     private BufferedImage image(ScenePicture picture, int samples, double exposure) {
@@ -281,9 +275,8 @@ public final class GraphicsStage implements Stage {
         return state.firstPart().scene();
     }
 
-    /** Returns the samples of the final picture's pixels; {@code render} uses the same. */
     private PixelSamples samples() {
-        return PixelSamples.of(scene().method(), state.width(), state.height());
+        return PixelSamples.inWindow(scene().method(), state.width(), state.height());
     }
 
     @Override

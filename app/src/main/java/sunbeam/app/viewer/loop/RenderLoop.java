@@ -231,16 +231,14 @@ public final class RenderLoop implements AutoCloseable {
             return;
         }
         long start = clock.getAsLong();
-        Optional<Stage.Final> drawn = stage.refine(
-                interrupted, (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)));
-        if (drawn.isPresent()) {
-            finished.put(state.isOther(), new Finished(state, drawn.get(), clock.getAsLong() - start));
-            phase = Phase.COMPLETE;
-            complete(stage);
-        } else if (!inbox.isInterrupted()) {
-            phase = Phase.WAITING_FOR_TILES;
-            await(stage);
-        }
+        stage.refine(
+                        interrupted,
+                        (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
+                .ifPresent(picture -> {
+                    finished.put(state.isOther(), new Finished(state, picture, clock.getAsLong() - start));
+                    phase = Phase.COMPLETE;
+                    complete(stage);
+                });
     }
 
     /** Does waiting tasks and takes over a newer state of the same picture. Returns true if a newer state needs another picture. */

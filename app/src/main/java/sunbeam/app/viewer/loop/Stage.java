@@ -72,10 +72,7 @@ public interface Stage extends AutoCloseable {
     /** Returns the resident share of the requested tiles; 1 if none is missing. */
     double requestedShare();
 
-    /**
-     * Draws the final picture. Empty if interrupted, or if tiles are missing of samples that pixels turned out to need: these tiles are
-     * requested.
-     */
+    /** Draws the final picture, whose tiles are all resident; empty if interrupted. */
     Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn);
 
     /**

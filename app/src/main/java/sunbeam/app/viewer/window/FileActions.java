@@ -235,7 +235,7 @@ public final class FileActions {
         int height = image.getHeight();
         save(file, () -> {
             Scene scene = loaded.firstPart().scene();
-            PixelSamples samples = PixelSamples.of(scene.method(), width, height);
+            PixelSamples samples = PixelSamples.inWindow(scene.method(), width, height);
             FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
             PngWriter.write(file, Overwrite.REPLACE, image, text.of(scene, exposure, renderer));
         });

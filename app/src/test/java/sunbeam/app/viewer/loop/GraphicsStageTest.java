@@ -51,12 +51,8 @@ class GraphicsStageTest {
             assertThat(stage.request(() -> false)).isTrue();
             await(stage, () -> stage.requestedShare() == 1);
             Stage.Preview finer = stage.byTiles().orElseThrow();
-            Optional<Stage.Final> refined = Optional.empty();
-            while (refined.isEmpty()) {
-                await(stage, () -> stage.requestedShare() == 1);
-                refined = stage.refine(() -> false, (tile, part, share) -> {});
-            }
-            Stage.Final last = refined.get();
+            Stage.Final last =
+                    stage.refine(() -> false, (tile, part, share) -> {}).orElseThrow();
 
             assertThat(finer.exposure()).isEqualTo(first.exposure());
             assertThat(last.exposure()).isEqualTo(first.exposure());

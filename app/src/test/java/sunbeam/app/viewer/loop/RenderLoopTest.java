@@ -273,11 +273,6 @@ final class RenderLoopTest {
                 }
                 drawn.drawn(PIXEL, image(), 0.3 * part);
             }
-            if (isByTable && random.nextInt(4) == 0) {
-                missing = 1;
-                untaken = 0;
-                return Optional.empty();
-            }
             return Optional.of(new Final(image(), 1));
         }
 
