@@ -144,7 +144,12 @@ final class SkinSurface implements AutoCloseable {
      * @param isCoarsest whether all footprints read the coarsest level
      */
     static void setFootprints(
-            ShaderProgram program, ColorTable table, Scene scene, int mostTaps, double samplesAcross, boolean isCoarsest) {
+            ShaderProgram program,
+            ColorTable table,
+            Scene scene,
+            int mostTaps,
+            double samplesAcross,
+            boolean isCoarsest) {
         boolean hasRelief = table.slopeDeviation() > 0;
         program.set("finestVariance", (float) Math.pow(table.finestSigma(), 2));
         program.set("pointVariance", (float) Math.pow(table.sigma(), 2));
