@@ -166,7 +166,7 @@ class RenderCommandTest extends CommandLineFixture {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--light-sweep 0 | '0' is not a sweep",
+                "--light-sweep 0 | is not a sweep",
                 "--supersample 0 | --supersample 0 is out of range",
                 "--turntable 2 --light-sweep 0:1 | contradict each other",
                 "--exposure -1 | --exposure",
