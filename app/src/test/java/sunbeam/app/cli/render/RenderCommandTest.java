@@ -175,7 +175,6 @@ class RenderCommandTest extends CommandLineFixture {
                 "--replicas 2 | --replicas",
                 "--method gem --patch elaphe-like | for example 1um",
                 "--method table --preset thesis | --preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full",
-                "--method table --coherence-length 10mm | a shorter --coherence-length, or --method full",
                 "--size 0x5 | --size",
                 "--frames 5 | --frames 5 needs --light-sweep, whose frames it counts, as in",
                 "--frames 5 --turntable 3 | --turntable has its own number",
@@ -190,6 +189,14 @@ class RenderCommandTest extends CommandLineFixture {
         assertThat(render(output, options.split(" "))).as(err.toString()).isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString()).contains(words).hasLineCount(1);
         assertThat(output).doesNotExist();
+    }
+
+    @Test
+    void aCoherenceLengthThatNeedsATooLargeTableNamesAShorterOne() {
+        scene = Path.of("elaphe");
+        assertThat(render(folder.resolve("b.png"), "--coherence-length", "10mm"))
+                .isEqualTo(ExitCode.USAGE.code());
+        assertThat(err.toString()).contains("a shorter --coherence-length, or --method full");
     }
 
     @Test
