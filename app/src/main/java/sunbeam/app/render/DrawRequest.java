@@ -59,7 +59,7 @@ public record DrawRequest(
     }
 
     /**
-     * Returns the request for the samples that are drawn in any case. Of adaptive samples these are one in {@link PixelSamples#side}, whose
+     * Returns the request for the samples that are drawn in any case. One in {@link PixelSamples#side} adaptive samples is drawn; their
      * footprints share the pixel's area.
      */
     DrawRequest first() {

@@ -45,7 +45,7 @@ public final class PartSum {
     }
 
     /**
-     * Draws a tile of a picture. Of adaptive samples those that a pixel does not need are copies of its first ones.
+     * Draws a tile of a picture. Adaptive samples that a pixel does not need are copies of its first ones.
      *
      * @param exposure factor of linear colors, for the differences between samples on the display
      */

@@ -30,7 +30,7 @@ public final class LevelBaking {
     private final Interpolation interpolation;
     // Texels along the side of the square that a tile's prefilter reads.
     private final int inputSide;
-    // By tile number.
+    // The key is a tile's number.
     private final Map<Integer, Samples> samples = new HashMap<>();
 
     /** Square roots of X, Y, Z of the texels that a tile owns, and those texels that are evaluated. */
