@@ -18,13 +18,12 @@ public final class Complaint {
 
     /** Fails unless the program refused to overwrite a file, in one line that names it and the remedy. */
     public static void assertThatItExists(SunbeamResult result, String file) {
-        assertThat(result.exitCode()).as("%s", result).isEqualTo(OUTPUT_EXISTS);
-        assertThatIt(result, result.exitCode(), "cannot write " + file + ": it exists; add --force");
+        assertThatIt(result, OUTPUT_EXISTS, "cannot write " + file + ": it exists; add --force");
     }
 
     /** Fails unless the program complained with this exit code, in one line with all of these words. */
     public static void assertThatIt(SunbeamResult result, int exitCode, String... words) {
-        assertThat(result.exitCode()).as("%s", result).isEqualTo(exitCode);
+        result.ended(exitCode);
         assertThat(result.stdout()).as("%s", result).isEmpty();
         assertThat(result.complaints())
                 .as("%s", result)

@@ -14,7 +14,6 @@ import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Comma-separated numbers under a header. */
 public record CsvFile(List<String> header, List<double[]> rows) {
-
     public static CsvFile read(Path file) throws IOException {
         List<String> lines = Files.readAllLines(file);
         return new CsvFile(

@@ -37,7 +37,6 @@ class ExportTest extends InOneWorkplace {
 
     @Test
     void anArchiveSaysWhatItHoldsAndHowFarItIsFromTheReference() throws Exception {
-
         JsonNode metadata = NpzFile.read(workplace.resolve("b.npz")).metadata();
         assertThat(metadata.path("patch").asText()).isEqualTo("blaze");
         assertThat(metadata.path("coherence_length_m").asDouble()).isCloseTo(16e-6, offset());
@@ -135,7 +134,6 @@ class ExportTest extends InOneWorkplace {
     /** Reads KTX 2.0 by its specification: a coarser level is the mean of the finest. */
     @Test
     void aTextureHasLevelsOfWiderOrders() throws Exception {
-
         assertThat(workplace.resolve("b")).isDirectoryContaining("glob:**/sunbeam.glsl");
         ByteBuffer file = ByteBuffer.wrap(Files.readAllBytes(workplace.resolve("b/sunbeam.ktx2")))
                 .order(ByteOrder.LITTLE_ENDIAN);

@@ -18,8 +18,7 @@ class InterruptionTest extends InWorkplace {
         try (RunningSunbeam running = workplace.command(commandLine).start()) {
             RunningSunbeam.await("the first result", hasBegun);
             running.signal("INT");
-            SunbeamResult result = running.end(Duration.ofSeconds(30));
-            assertThat(result.exitCode()).as("%s", result).isEqualTo(Complaint.INTERRUPTED);
+            SunbeamResult result = running.end(Duration.ofSeconds(30)).ended(Complaint.INTERRUPTED);
             assertThat(result.stdout()).isEmpty();
             return result;
         }
@@ -53,9 +52,7 @@ class InterruptionTest extends InWorkplace {
                     .findFirst()
                     .orElseThrow();
             assertThat(screen.destroyForcibly()).isTrue();
-            SunbeamResult result = running.end(Duration.ofSeconds(60));
-
-            assertThat(result.exitCode()).as("%s", result).isEqualTo(Complaint.NO_GRAPHICS);
+            SunbeamResult result = running.end(Duration.ofSeconds(60)).ended(Complaint.NO_GRAPHICS);
             assertThat(result.stdout()).isEmpty();
             assertThat(result.stderr().lines().skip(1))
                     .singleElement()

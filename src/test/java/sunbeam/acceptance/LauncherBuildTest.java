@@ -12,16 +12,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The launcher's build and its failures. */
+/** The launcher's build, what it installs for it, and its failures. */
 class LauncherBuildTest extends InSandbox {
     @Test
     void buildsAtTheFirstStartOnlyAndSaysSo() throws Exception {
-        SunbeamResult first = sandbox.command("inspect").run();
-        SunbeamResult second = sandbox.command("inspect").run();
+        SunbeamResult first = command("inspect").run();
+        SunbeamResult second = command("inspect").run();
 
         assertThat(first.stderr()).startsWith("sunbeam: building").hasLineCount(1);
         assertThat(second.stderr()).isEmpty();
-        assertThat(sandbox.builds()).isEqualTo(1);
+        assertThat(builds()).isEqualTo(1);
     }
 
     @Test
@@ -34,22 +34,22 @@ class LauncherBuildTest extends InSandbox {
                 "jrtr/src/main/java/New.java",
                 "shaders/full.frag",
                 "data/color.csv")) {
-            Files.writeString(sandbox.repository().resolve(source), "changed");
-            sandbox.command("inspect").run();
+            Files.writeString(repository().resolve(source), "changed");
+            command("inspect").run();
             builds++;
-            assertThat(sandbox.builds()).as(source).isEqualTo(builds);
+            assertThat(builds()).as(source).isEqualTo(builds);
         }
-        sandbox.command("inspect").run();
-        assertThat(sandbox.builds()).as("without a change").isEqualTo(builds);
+        command("inspect").run();
+        assertThat(builds()).as("without a change").isEqualTo(builds);
     }
 
     @Test
     void aBuildLeavesRunningProgramsTheirLibraries() throws Exception {
         Path signal = folder.resolve("end now");
-        sandbox.installJava("jdk", "17.0.1", "until [ -e '" + signal + "' ]; do sleep 0.05; done");
-        try (RunningSunbeam early = sandbox.command("inspect").start()) {
+        installJava("jdk", "17.0.1", "until [ -e '" + signal + "' ]; do sleep 0.05; done");
+        try (RunningSunbeam early = command("inspect").start()) {
             early.firstLine(Duration.ofMinutes(1));
-            sandbox.installJava("jdk", "17.0.1");
+            installJava("jdk", "17.0.1");
 
             Path ofEarly = onlyCopy();
             rebuild();
@@ -58,8 +58,7 @@ class LauncherBuildTest extends InSandbox {
             assertThat(ofEarly.resolve("lib")).isDirectory();
             assertThat(copies()).hasSize(2);
             Files.createFile(signal);
-            SunbeamResult result = early.end(Duration.ofMinutes(1));
-            assertThat(result.exitCode()).as("%s", result).isZero();
+            SunbeamResult result = early.end(Duration.ofMinutes(1)).ended(0);
             assertThat(result.stdout())
                     .contains("\n" + ofEarly.toRealPath() + "/*:" + ofEarly.toRealPath() + "/lib/*\n");
         }
@@ -69,10 +68,10 @@ class LauncherBuildTest extends InSandbox {
     }
 
     private void rebuild() throws Exception {
-        int before = sandbox.builds();
-        Files.writeString(sandbox.repository().resolve("pom.xml"), "change " + before);
-        assertThat(sandbox.command("inspect").run().exitCode()).isZero();
-        assertThat(sandbox.builds()).isEqualTo(before + 1);
+        int before = builds();
+        Files.writeString(repository().resolve("pom.xml"), "change " + before);
+        assertThat(command("inspect").run().exitCode()).isZero();
+        assertThat(builds()).isEqualTo(before + 1);
     }
 
     private Path onlyCopy() throws IOException {
@@ -82,32 +81,32 @@ class LauncherBuildTest extends InSandbox {
 
     /** Returns the copies of the build that programs run from. */
     private List<Path> copies() throws IOException {
-        try (Stream<Path> files = Files.list(sandbox.repository().resolve("app/target/run"))) {
+        try (Stream<Path> files = Files.list(repository().resolve("app/target/run"))) {
             return files.filter(Files::isDirectory).toList();
         }
     }
 
     @Test
     void twoStartsAtOnceBuildOnce() throws Exception {
-        sandbox.installMaven("sleep 1");
+        installMaven("sleep 1");
 
-        try (RunningSunbeam one = sandbox.command("inspect").start();
-                RunningSunbeam other = sandbox.command("inspect").start()) {
+        try (RunningSunbeam one = command("inspect").start();
+                RunningSunbeam other = command("inspect").start()) {
             assertThat(one.end(Duration.ofMinutes(1)).exitCode()).isZero();
             assertThat(other.end(Duration.ofMinutes(1)).exitCode()).isZero();
         }
 
-        assertThat(sandbox.builds()).isEqualTo(1);
+        assertThat(builds()).isEqualTo(1);
     }
 
     @Test
     void aFailedBuildIsOneLineWithItsReasonAndTheLog() throws Exception {
-        sandbox.installProgram("mvn", "echo '[INFO] so far'", "echo '[ERROR] App.java:[3,1] no such color'", "exit 1");
+        installProgram("mvn", "echo '[INFO] so far'", "echo '[ERROR] App.java:[3,1] no such color'", "exit 1");
 
-        SunbeamResult result = sandbox.command("inspect").run();
+        SunbeamResult result = command("inspect").run();
 
-        Path log = sandbox.repository().toRealPath().resolve("app/target/launcher-build.log");
-        assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
+        Path log = repository().toRealPath().resolve("app/target/launcher-build.log");
+        result.ended(SET_UP_FAILED);
         assertThat(result.stdout()).isEmpty();
         assertThat(result.stderr().lines().skip(1))
                 .containsExactly("sunbeam: the build failed: App.java:[3,1] no such color; Maven's own words: " + log);
@@ -117,44 +116,75 @@ class LauncherBuildTest extends InSandbox {
     /** Javac's message about -Werror names no place, but the warning does. */
     @Test
     void aBuildThatFailsOnAWarningTellsTheWarning() throws Exception {
-        sandbox.installProgram(
+        installProgram(
                 "mvn",
                 "case \"$*\" in *' -q '*) ;; *) echo '[WARNING] /a/App.java:[7,5] unused' ;; esac",
                 "echo '[ERROR] warnings found and -Werror specified'",
                 "exit 1");
 
-        assertThat(sandbox.command("inspect").run().stderr())
+        assertThat(command("inspect").run().stderr())
                 .contains("the build failed: /a/App.java:[7,5] unused; Maven's own words");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"archive", "test"})
     void helpOfTheLaunchersOwnCommandsBuildsNothing(String command) throws Exception {
-        SunbeamResult result = sandbox.command(command, "--help").run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
+        SunbeamResult result = command(command, "--help").run().ended(0);
         assertThat(result.stdout()).contains("./sunbeam " + command);
-        assertThat(sandbox.builds()).isZero();
+        assertThat(builds()).isZero();
     }
 
     @Test
     void anArchiveIsNamedOnceItIsBuilt() throws Exception {
-        sandbox.installMaven("mkdir -p app/target && touch app/target/sunbeam-0.1.0-portable.zip");
+        installMaven("mkdir -p app/target && touch app/target/sunbeam-0.1.0-portable.zip");
 
-        SunbeamResult result = sandbox.command("archive").run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
+        SunbeamResult result = command("archive").run().ended(0);
         assertThat(result.stdout().strip()).endsWith("/app/target/sunbeam-0.1.0-portable.zip");
     }
 
     @Test
     void anArchiveThatFailsNamesTheLog() throws Exception {
-        sandbox.installMaven("exit 1");
+        installMaven("exit 1");
 
-        SunbeamResult result = sandbox.command("archive").run();
-
-        assertThat(result.exitCode()).isEqualTo(SET_UP_FAILED);
+        SunbeamResult result = command("archive").run().ended(SET_UP_FAILED);
         assertThat(result.stderr()).contains("no archives were built", "launcher-build.log");
         assertThat(result.stdout()).isEmpty();
+    }
+
+    private SunbeamResult runWithoutMavenAndXvfb(String command) throws Exception {
+        Files.deleteIfExists(folder.resolve("programs/mvn"));
+        return command(command)
+                .with("PATH", pathOfABareMachine())
+                .without("SUNBEAM_NO_INSTALL")
+                .run();
+    }
+
+    @Test
+    void withoutAptGetItListsAllThatIsMissingAndWhy() throws Exception {
+        SunbeamResult result = runWithoutMavenAndXvfb("brdf-map").ended(SET_UP_FAILED);
+        assertThat(result.stdout()).isEmpty();
+        assertThat(result.stderr())
+                .contains("maven (Maven, to build)", "xvfb (Xvfb, a screen in memory, as no DISPLAY is set)")
+                .contains("apt-get install --no-install-recommends maven xvfb");
+    }
+
+    @Test
+    void withAptGetItSaysWhatIsMissingAndInstallsIt() throws Exception {
+        Path calls = folder.resolve("apt calls");
+        Path maven = folder.resolve("maven package");
+        Files.move(folder.resolve("programs/mvn"), maven);
+        installProgram("sudo", "[ \"$1\" = -n ] && shift", "exec \"$@\"");
+        installProgram(
+                "apt-get",
+                "echo \"$@\" >>'" + calls + "'",
+                "case \" $* \" in *' install '*) cp '" + maven + "' '" + folder + "/programs/mvn' ;; esac");
+
+        SunbeamResult result = runWithoutMavenAndXvfb("inspect").ended(0);
+        assertThat(result.stderr()).contains("apt-get will now install", "maven (Maven, to build)");
+        assertThat(result.stdout()).startsWith("screen none");
+        assertThat(Files.readAllLines(calls))
+                .satisfiesExactly(
+                        update -> assertThat(update).endsWith(" update"),
+                        install -> assertThat(install).endsWith(" install -y --no-install-recommends maven"));
     }
 }

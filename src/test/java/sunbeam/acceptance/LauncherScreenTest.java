@@ -22,9 +22,9 @@ class LauncherScreenTest extends InSandbox {
     @CsvSource({"INT, 130", "TERM, 143", "KILL, 137"})
     void aPrivateScreenEndsWhenTheProgramIsKilled(String signal, int exitCode) throws Exception {
         // A killed launcher passes no signal on, so Java draws to its end.
-        sandbox.installJava("jdk", "17.0.1", "exec sleep 2");
+        installJava("jdk", "17.0.1", "exec sleep 2");
 
-        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
+        try (RunningSunbeam running = command("brdf-map").start()) {
             Screen screen = Screen.of(running);
             assertThat(screen.isUp()).isTrue();
             running.signal(signal);
@@ -36,8 +36,7 @@ class LauncherScreenTest extends InSandbox {
 
     @Test
     void aScreenOfThisMachineThatHasGoneIsReplacedWithAWord() throws Exception {
-        SunbeamResult result =
-                sandbox.command("brdf-map").with("DISPLAY", ":9876.0").run();
+        SunbeamResult result = command("brdf-map").with("DISPLAY", ":9876.0").run();
 
         assertThat(result.stdout()).as("%s", result).startsWith("screen :").doesNotStartWith("screen :9876");
         assertThat(result.stderr()).contains("warning: there is no screen :9876.0 any more: drawing on a private one");
@@ -46,9 +45,9 @@ class LauncherScreenTest extends InSandbox {
     /** The key is an unnamed file that only processes of its owner have open; without it the server refuses all clients. */
     @Test
     void nobodyElseUsesThePrivateScreen() throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "echo \"$XAUTHORITY\" >'" + folder + "/key'; exec sleep 60");
+        installJava("jdk", "17.0.1", "echo \"$XAUTHORITY\" >'" + folder + "/key'; exec sleep 60");
 
-        try (RunningSunbeam running = sandbox.command("brdf-map").start()) {
+        try (RunningSunbeam running = command("brdf-map").start()) {
             Screen screen = Screen.of(running);
             Path noted = folder.resolve("key");
             RunningSunbeam.await("the key's name", () -> Files.exists(noted) && Files.size(noted) > 0);
@@ -87,9 +86,7 @@ class LauncherScreenTest extends InSandbox {
     void whatDrawsNothingGetsNoScreen(String commandLine) throws Exception {
         String[] arguments = commandLine.isEmpty() ? new String[0] : commandLine.split(" ", -1);
 
-        SunbeamResult result = sandbox.command(arguments).run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
+        SunbeamResult result = command(arguments).run().ended(0);
         assertThat(result.stdout()).as("%s", result).startsWith("screen none");
     }
 
@@ -100,7 +97,7 @@ class LauncherScreenTest extends InSandbox {
         Process server = new ProcessBuilder("Xvfb", "-displayfd", "1").start();
         try (BufferedReader said = server.inputReader()) {
             String display = ":" + said.readLine();
-            sandbox.installJava(
+            installJava(
                     "jdk",
                     "17.0.1",
                     "kill -KILL " + server.pid(),
@@ -109,9 +106,7 @@ class LauncherScreenTest extends InSandbox {
                     "exit " + codeOfJava);
 
             SunbeamResult result =
-                    sandbox.command("view").with("DISPLAY", display).run();
-
-            assertThat(result.exitCode()).as("%s", result).isEqualTo(NO_SCREEN);
+                    command("view").with("DISPLAY", display).run().ended(NO_SCREEN);
             assertThat(result.stderr())
                     .doesNotContain("Nativewindow")
                     .endsWith("sunbeam: the X server of DISPLAY=" + display
@@ -124,10 +119,10 @@ class LauncherScreenTest extends InSandbox {
     @ParameterizedTest
     @CsvSource({"INT, 130", "TERM, 143", "HUP, 129"})
     void aSignalReachesTheViewer(String signal, int exitCode) throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "exec sleep 60");
+        installJava("jdk", "17.0.1", "exec sleep 60");
 
         try (RunningSunbeam running =
-                sandbox.command("view").with("DISPLAY", "elsewhere:0").start()) {
+                command("view").with("DISPLAY", "elsewhere:0").start()) {
             assertThat(running.firstLine(PATIENCE)).startsWith("screen elsewhere:0");
             running.signal(signal);
 
@@ -137,9 +132,7 @@ class LauncherScreenTest extends InSandbox {
 
     @Test
     void theViewerWithoutAScreenSaysThatItNeedsOne() throws Exception {
-        SunbeamResult result = sandbox.command("view", "--patch", "blaze").run();
-
-        assertThat(result.exitCode()).isEqualTo(NO_SCREEN);
+        SunbeamResult result = command("view", "--patch", "blaze").run().ended(NO_SCREEN);
         assertThat(result.stdout()).isEmpty();
         assertThat(result.stderr())
                 .startsWith("sunbeam: the viewer needs a screen")

@@ -16,9 +16,7 @@ class LauncherStartTest extends InSandbox {
     @Test
     void theRealProgramAnswersHelpWithoutBuilding() throws Exception {
         SunbeamResult result =
-                Sunbeam.command("--help").without("DISPLAY").in(folder).run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
+                Sunbeam.command("--help").without("DISPLAY").in(folder).run().ended(0);
         assertThat(result.stderr()).as("%s", result).isEmpty();
     }
 
@@ -26,11 +24,10 @@ class LauncherStartTest extends InSandbox {
     void argumentsAndWorkingFolderReachTheProgramUnchanged() throws Exception {
         Path elsewhere = Files.createDirectories(folder.resolve("some where"));
 
-        SunbeamResult result = sandbox.command("inspect", "a b", "", "*.png", "../up")
+        SunbeamResult result = command("inspect", "a b", "", "*.png", "../up")
                 .in(elsewhere)
-                .run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
+                .run()
+                .ended(0);
         assertThat(result.stdout().lines().skip(1))
                 .startsWith(elsewhere.toRealPath().toString())
                 .endsWith("sunbeam.app.Main", "inspect", "a b", "", "*.png", "../up");
@@ -39,12 +36,12 @@ class LauncherStartTest extends InSandbox {
     @Test
     void findsItsRepositoryThroughASymbolicLinkAndBlanks() throws Exception {
         Path link = folder.resolve("sunbeam link");
-        Files.createSymbolicLink(link, sandbox.launcher());
+        Files.createSymbolicLink(link, launcher());
 
-        SunbeamResult result = sandbox.equip(Sunbeam.launcher(link, "inspect")).run();
+        SunbeamResult result = equip(Sunbeam.launcher(link, "inspect")).run();
 
-        Path repository = sandbox.repository().toRealPath();
-        assertThat(result.exitCode()).as("%s", result).isZero();
+        Path repository = repository().toRealPath();
+        result.ended(0);
         assertThat(result.stdout().lines())
                 .contains("-Dsunbeam.home=" + repository)
                 .anyMatch(line -> line.matches(Pattern.quote(repository + "/app/target/run/") + "([-0-9]+)/\\*:"
@@ -54,13 +51,13 @@ class LauncherStartTest extends InSandbox {
     /** Java would warn, on standard output if it may, about a class archive that was made for another folder. */
     @Test
     void aCopiedCheckoutHasAClassArchiveOfItsOwnAndJavaIsSilentAboutIt() throws Exception {
-        sandbox.command("inspect").run();
+        command("inspect").run();
         Path copied = folder.resolve("copied");
-        Process copying = new ProcessBuilder("cp", "-a", sandbox.repository().toString(), copied.toString()).start();
+        Process copying = new ProcessBuilder("cp", "-a", repository().toString(), copied.toString()).start();
         assertThat(copying.waitFor()).isZero();
 
-        SunbeamResult result = sandbox.equip(Sunbeam.launcher(copied.resolve("sunbeam"), "inspect"))
-                .run();
+        SunbeamResult result =
+                equip(Sunbeam.launcher(copied.resolve("sunbeam"), "inspect")).run();
 
         Path runs = copied.toRealPath().resolve("app/target/run");
         assertThat(result.stdout().lines())
@@ -77,10 +74,10 @@ class LauncherStartTest extends InSandbox {
     /** Mesa maps its cache of shaders into memory: on a full disk that would kill Java. */
     @Test
     void aFullDiskNeitherKillsJavaNorDoesADeadJavaLeaveFilesInTheUsersFolder() throws Exception {
-        sandbox.installJava("jdk", "17.0.1", "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_GLSL_CACHE_DISABLE\"");
-        sandbox.installProgram("df", "echo Filesystem", "echo /dev/disk 100000000 99999000 1000 100% /");
+        installJava("jdk", "17.0.1", "echo \"Mesa $MESA_SHADER_CACHE_DISABLE $MESA_GLSL_CACHE_DISABLE\"");
+        installProgram("df", "echo Filesystem", "echo /dev/disk 100000000 99999000 1000 100% /");
 
-        assertThat(sandbox.command("brdf-map")
+        assertThat(command("brdf-map")
                         .with("DISPLAY", "elsewhere:0")
                         .run()
                         .stdout()
@@ -93,9 +90,7 @@ class LauncherStartTest extends InSandbox {
     @Test
     void aShellWithoutPatternsStartsTheProgram() throws Exception {
         SunbeamResult result =
-                sandbox.command("inspect").with("SHELLOPTS", "noglob:noclobber").run();
-
-        assertThat(result.exitCode()).as("%s", result).isZero();
+                command("inspect").with("SHELLOPTS", "noglob:noclobber").run().ended(0);
         assertThat(result.stdout()).contains("sunbeam.app.Main");
     }
 
@@ -110,12 +105,7 @@ class LauncherStartTest extends InSandbox {
             })
     void whatTheLauncherCannotDoIsALineOfOurs(String script, String words, int code) throws Exception {
         ProcessBuilder start = new ProcessBuilder(
-                "/bin/bash",
-                "-c",
-                script,
-                "start",
-                "/bin/bash",
-                sandbox.launcher().toString());
+                "/bin/bash", "-c", script, "start", "/bin/bash", launcher().toString());
         start.environment().put("LANG", "C");
         Process process =
                 start.directory(folder.toFile()).redirectErrorStream(true).start();
@@ -128,24 +118,21 @@ class LauncherStartTest extends InSandbox {
     @Test
     void aPathWithoutBashIsALineOfOurs() throws Exception {
         SunbeamResult result =
-                sandbox.command("inspect").with("PATH", folder.toString()).run();
-
-        assertThat(result.exitCode()).as("%s", result).isEqualTo(7);
+                command("inspect").with("PATH", folder.toString()).run().ended(7);
         assertThat(result.stderr())
                 .isEqualTo("sunbeam: there is no bash on the PATH (" + folder + "); add the folder that has it\n");
     }
 
     @Test
     void passesOverAJavaThatIsTooOld() throws Exception {
-        sandbox.installJava("old jdk", "11.0.2", "exit 11");
-        sandbox.installJava("jdk", "17.0.1", "exit 17");
+        installJava("old jdk", "11.0.2", "exit 11");
+        installJava("jdk", "17.0.1", "exit 17");
         String path = folder.resolve("jdk/bin") + ":" + folder.resolve("programs") + ":" + System.getenv("PATH");
 
-        SunbeamResult result = sandbox.command("inspect")
+        SunbeamResult result = command("inspect")
                 .with("JAVA_HOME", folder.resolve("old jdk").toString())
                 .with("PATH", path)
-                .run();
-
-        assertThat(result.exitCode()).as("%s", result).isEqualTo(17);
+                .run()
+                .ended(17);
     }
 }

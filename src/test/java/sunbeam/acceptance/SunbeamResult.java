@@ -1,5 +1,7 @@
 package sunbeam.acceptance;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 /**
  * Result of a finished start of the launcher.
  *
@@ -9,6 +11,12 @@ package sunbeam.acceptance;
  * @param stderr everything written to standard error, UTF-8
  */
 public record SunbeamResult(String commandLine, int exitCode, String stdout, String stderr) {
+    /** Fails unless it ended with this exit code. */
+    public SunbeamResult ended(int code) {
+        assertThat(exitCode).as(this::toString).isEqualTo(code);
+        return this;
+    }
+
     /** Returns standard error without the plan and lines of progress. */
     public String complaints() {
         return stderr.replaceFirst("(?m)^plan: .*\n", "").replaceAll("(?m)^sunbeam: .* \\d+% \\[.*\n", "");

@@ -57,9 +57,7 @@ public record Workplace(Path folder, Path caches) {
 
     /** Starts the program, which must succeed. */
     public SunbeamResult succeed(String commandLine) throws IOException, InterruptedException {
-        SunbeamResult result = command(commandLine).run();
-        assertThat(result.exitCode()).as("%s", result).isZero();
-        return result;
+        return command(commandLine).run().ended(0);
     }
 
     /**
@@ -111,9 +109,7 @@ public record Workplace(Path folder, Path caches) {
 
     /** Runs a command line in this process, which must succeed. */
     public SunbeamResult succeedHere(String commandLine, Object... values) throws IOException {
-        SunbeamResult result = here(commandLine, values);
-        assertThat(result.exitCode()).as("%s", result).isZero();
-        return result;
+        return here(commandLine, values).ended(0);
     }
 
     /** Returns the JSON that a command line prints, which must succeed. */
