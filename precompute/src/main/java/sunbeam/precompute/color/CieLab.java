@@ -1,12 +1,6 @@
 package sunbeam.precompute.color;
 
-/**
- * Color in CIE 1976 L*a*b* (ISO/CIE 11664-4) with D65 as white.
- *
- * @param lightness L*, 100 for white, more for brighter colors
- * @param a a*, green to red
- * @param b b*, blue to yellow
- */
+/** Color in CIE 1976 L*a*b* (ISO/CIE 11664-4) with D65 as white, of lightness 100; brighter colors have more. */
 public record CieLab(double lightness, double a, double b) {
     /** X, Y, Z of D65 for the 2-degree observer (CIE 15:2018, table 3), Y = 1. */
     private static final double[] WHITE = {0.95047, 1, 1.08883};
@@ -16,7 +10,6 @@ public record CieLab(double lightness, double a, double b) {
 
     private static final double POWER_25_TO_7 = Math.pow(25, 7);
 
-    /** Converts linear X, Y, Z, with Y = 1 for white. */
     public static CieLab ofXyz(double x, double y, double z) {
         double fx = response(x / WHITE[0]);
         double fy = response(y / WHITE[1]);
@@ -34,15 +27,14 @@ public record CieLab(double lightness, double a, double b) {
         return ratio > DELTA * DELTA * DELTA ? Math.cbrt(ratio) : ratio / (3 * DELTA * DELTA) + 4.0 / 29;
     }
 
-    /** Returns C*, the distance from gray. */
     public double chroma() {
         return Math.hypot(a, b);
     }
 
     /**
-     * Returns CIEDE2000 with all weights 1, at least 0; a difference of about 1 is just visible. ISO/CIE 11664-6; numbers below are equations
-     * of G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula: implementation notes, supplementary test data, and mathematical
-     * observations", Color Research and Application 30 (2005).
+     * Returns CIEDE2000 (ISO/CIE 11664-6) with all weights 1, at least 0; a difference of about 1 is just visible. Numbers below are
+     * equations of G. Sharma, W. Wu, E. Dalal, "The CIEDE2000 color-difference formula: implementation notes, supplementary test data, and
+     * mathematical observations", Color Research and Application 30 (2005).
      */
     public double difference(CieLab other) {
         double stretch = stretch(0.5 * (chroma() + other.chroma()));

@@ -21,10 +21,9 @@ import sunbeam.precompute.files.Sha256;
  * @param isSmooth whether the light's spectrum is as smooth as daylight, unlike lines of lamps and lasers
  */
 public record CieTable(double[][] weighted, double integralOfY, String description, boolean isSmooth) {
-    /** Shortest wavelength, meters. */
+    /** Ends of the visible band, meters. */
     public static final double MINIMUM_WAVELENGTH = 380e-9;
 
-    /** Longest wavelength, meters. */
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
 
     /** Width of the band in 1 / lambda, 1 / meters. */
@@ -48,7 +47,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
             this.suffix = suffix;
         }
 
-        /** Returns the name in messages. */
         public String label() {
             return label;
         }
@@ -69,7 +67,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         }
     }
 
-    /** Returns one of the CIE's functions of wavelength at each nanometer from 380 to 780 nm. */
     static double[] column(String name) {
         return ROWS.stream()
                 .mapToDouble(row -> Double.parseDouble(row.getField(name)))
@@ -98,7 +95,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return of(observer, band.equals(WavelengthBand.VISIBLE) ? light : light.through(band));
     }
 
-    /** Returns a table with three other weight functions in place of X, Y and Z; the integral of each is a nanometer. */
+    /** Returns three other weight functions in place of X, Y and Z; the integral of each is a nanometer. */
     static CieTable ofFunctions(double[][] weighted, String description) {
         return new CieTable(weighted, 1e-9, description, false);
     }
@@ -122,7 +119,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return MINIMUM_WAVELENGTH + Math.max(0, lit().min().orElseThrow() - 1) * 1e-9;
     }
 
-    /** Returns the longest wavelength with light, in meters. */
     public double longestWavelength() {
         return MINIMUM_WAVELENGTH + Math.min(weighted.length - 1, lit().max().orElseThrow() + 1) * 1e-9;
     }
@@ -132,7 +128,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
                 .filter(i -> Arrays.stream(weighted[i]).anyMatch(value -> value != 0));
     }
 
-    /** Returns the SHA-256 of all values. */
     public String digest() {
         Sha256 digest = new Sha256();
         for (double[] row : weighted) {

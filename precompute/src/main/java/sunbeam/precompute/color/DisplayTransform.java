@@ -1,10 +1,6 @@
 package sunbeam.precompute.color;
 
-/**
- * Transform from linear CIE XYZ to display light: exposure, linear sRGB, gamut, tone (in GLSL: shaders/include/display.glsl).
- *
- * @param exposure factor of XYZ, above 0
- */
+/** Transform from linear CIE XYZ, times an exposure above 0, to display light: linear sRGB, gamut, tone (shaders/include/display.glsl). */
 public record DisplayTransform(double exposure, Tone tone, Primaries primaries) {
     public DisplayTransform(double exposure, Tone tone) {
         this(exposure, tone, Primaries.SRGB);
@@ -49,9 +45,8 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
         /** CIE 1931 RGB, as in the thesis's shader; on an sRGB screen its white is bluish. Negative channels are clipped. */
         CIE_RGB;
 
-        // Inverse of the matrix whose columns are X, Y, Z of red, green and blue: (0.49, 0.17697, 0), (0.31, 0.8124,
-        // 0.01),
-        // (0.2, 0.01063, 0.99), over 0.17697.
+        // Inverse of the matrix of columns (0.49, 0.17697, 0), (0.31, 0.8124, 0.01), (0.2, 0.01063, 0.99), over
+        // 0.17697.
         private static final double[][] CIE_RGB_OF_XYZ = {
             {2.36461385, -0.89654057, -0.46807328},
             {-0.51516621, 1.42640810, 0.08875810},
@@ -62,7 +57,6 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
             return thesis ? CIE_RGB : SRGB;
         }
 
-        /** Computes linear channels, none negative, of a color with luminance y above 0. */
         void channels(double x, double y, double z, double[] rgb) {
             if (this == CIE_RGB) {
                 for (int c = 0; c < 3; c++) {
@@ -83,11 +77,10 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
     }
 
     /**
-     * Tone mapping of light brighter than the screen's white (1), in linear sRGB; shaders/include/display.glsl computes it in GLSL.
-     *
-     * <p>Red, green and blue are scaled together, which keeps the hue: the largest of them, m, stays m up to s and becomes 1 - (1 - s)^2 / (m +
-     * 1 - 2 s) above. Colors much brighter than white lose saturation. The form is that of the Khronos PBR Neutral tone mapper (2024). Start
-     * and desaturation differ, since first orders are several times brighter than white.
+     * Tone mapping of light brighter than the screen's white (1), in linear sRGB. Red, green and blue are scaled together, which keeps the
+     * hue: the largest of them, m, stays m up to s and becomes 1 - (1 - s)^2 / (m + 1 - 2 s) above. Colors much brighter than white lose
+     * saturation. The form is that of the Khronos PBR Neutral tone mapper (2024); start and desaturation differ, since first orders are
+     * several times brighter than white.
      */
     public enum Tone {
         /** Compresses highlights above half of white. */
@@ -99,7 +92,6 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
         /** Clips and raises to 2.4 / 2.5, so that the exponent of sRGB's curve is 1 / 2.5, as in the thesis's program. */
         GAMMA(Float.MAX_VALUE);
 
-        // Exponent of sRGB's curve over that of the thesis's program.
         private static final double PROGRAM_GAMMA = 2.4 / 2.5;
 
         // Light at a hundred times white loses a third of its saturation.
@@ -135,7 +127,6 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
             return room * room / (1 - Math.min(shown, BRIGHTEST_SHOWN)) - room + start;
         }
 
-        /** Maps linear sRGB of at least 0 into 0 to 1. */
         void apply(double[] rgb) {
             double largest = Math.max(rgb[0], Math.max(rgb[1], rgb[2]));
             if (largest > start) {

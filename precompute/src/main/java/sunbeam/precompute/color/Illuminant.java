@@ -4,11 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * Relative spectral power of a light.
- *
- * @param power values at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale
- */
+/** Relative spectral power of a light at each nanometer from 380 to 780 nm, at least 0, linear between; in any scale. */
 public record Illuminant(String name, double[] power) {
     /** Index of the value at 780 nm. */
     public static final int LAST = 400;
@@ -16,9 +12,8 @@ public record Illuminant(String name, double[] power) {
     /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 
-    // Second differences of a smooth spectrum over neighboring nanometers, relative to its power, from 400 to 700 nm
-    // and beyond. D65, for which the wavelengths of method full are designed, has up to 3 % and 8 %; lines of lamps and
-    // lasers have 100 %.
+    // Second differences of a smooth spectrum, relative to its power, from 400 to 700 nm and beyond. D65, for which the
+    // wavelengths of method full are designed, has up to 3 % and 8 %; lines of lamps and lasers have 100 %.
     private static final double LARGEST_BEND = 0.04;
     private static final double LARGEST_BEND_AT_ENDS = 0.1;
     // Below this share of the strongest power bends are invisible.
@@ -33,7 +28,6 @@ public record Illuminant(String name, double[] power) {
         }
     }
 
-    /** Returns a built-in illuminant, one of {@link #NAMES}. */
     public static Illuminant of(String name) {
         double[] power = new double[LAST + 1];
         Arrays.fill(power, 100);
@@ -48,7 +42,6 @@ public record Illuminant(String name, double[] power) {
         return new Illuminant(name + ", " + band, passed);
     }
 
-    /** True if the spectrum is as smooth as daylight. */
     public boolean isSmooth() {
         double strongest = Arrays.stream(power).max().orElseThrow();
         for (int i = 1; i < LAST; i++) {

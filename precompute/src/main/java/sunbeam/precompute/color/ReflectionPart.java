@@ -7,8 +7,8 @@ import sunbeam.precompute.optics.RefractiveIndex;
 
 /**
  * Fresnel component: a part of the reflected light whose Fresnel factor is a product of a function of wavelength and one of direction.
- * Schlick's reflectance is R0 (1 - s) + s with s = (1 - cos theta_d)^5, where R0 may depend on the wavelength: then a color is the sum of
- * two integrals, one of them with R0 as a factor of the light's spectrum.
+ * Schlick's reflectance is R0 (1 - s) + s with s = (1 - cos theta_d)^5; if R0 depends on the wavelength, a color is the sum of two
+ * integrals, one of them with R0 as a factor of the light's spectrum.
  *
  * @param cie observer, and light times this component's spectral factor
  * @param constant constant term of the directional factor, constant + schlick s
@@ -25,7 +25,7 @@ public record ReflectionPart(CieTable cie, double constant, double schlick) {
         return List.of(new ReflectionPart(colored, 1, -1), new ReflectionPart(cie, 0, 1 / mirror));
     }
 
-    /** Returns the mean reflectance along the normal, weighted by luminance. */
+    /** Weighted by luminance. */
     public static double mirror(RefractiveIndex index, CieTable cie) {
         double sum = 0;
         double weights = 0;

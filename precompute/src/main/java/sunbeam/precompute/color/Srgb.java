@@ -10,8 +10,7 @@ public final class Srgb {
         {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
     };
     private static final int CHANNELS = 256;
-    // Equal ranges of linear light, 2.4e-4 wide: the darkest 8-bit values lie 3e-4 apart, so no range holds two of
-    // their limits.
+    // Ranges of linear light, 2.4e-4 wide: the darkest 8-bit values lie 3e-4 apart, so no range holds two limits.
     private static final int RANGES = 4096;
     // Lower limit of each 8-bit value in linear light, and the 8-bit value at the start of each range.
     private static final double[] BEGINS = begins();

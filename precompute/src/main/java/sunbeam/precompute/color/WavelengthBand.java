@@ -15,7 +15,6 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final double MAXIMUM = 780;
     private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";
 
-    /** The whole visible band. */
     public static final WavelengthBand VISIBLE = new WavelengthBand(MINIMUM, MAXIMUM);
 
     public WavelengthBand {
@@ -27,11 +26,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         }
     }
 
-    /**
-     * Parses {@code 532nm} or {@code 500nm..600nm}.
-     *
-     * @throws IllegalArgumentException if the text is neither
-     */
+    /** Parses {@code 532nm} or {@code 500nm..600nm}; throws IllegalArgumentException for other texts. */
     public static WavelengthBand parse(String text) {
         String[] ends = BETWEEN.split(text.strip(), -1);
         if (ends.length > 2) {
@@ -67,7 +62,6 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         return Math.max(0, Math.min(last, lastNanometers) - Math.max(first, firstNanometers)) / (last - first);
     }
 
-    /** Returns the text that {@link #parse} reads. */
     @Override
     public String toString() {
         double width = lastNanometers - firstNanometers;
@@ -81,9 +75,8 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     }
 
     /**
-     * Spectral bands at equally spaced wavelengths. Weights are triangles that end at the neighbors' wavelengths, and add up to 1.
-     *
-     * @param count number of bands, at least 2, at most one every 2 nm
+     * Spectral bands, at least 2, at equally spaced wavelengths at least 2 nm apart. Weights are triangles that end at the neighbors'
+     * wavelengths, and add up to 1.
      */
     public record SpectralBands(WavelengthBand range, int count) {
         /** Number of bands in one {@link CieTable}: its three channels. */
@@ -101,19 +94,16 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
             }
         }
 
-        /** Returns the distance of bands in nanometers. */
         public double step() {
             return (range.lastNanometers() - range.firstNanometers()) / (count - 1);
         }
 
-        /** Returns the wavelengths in nanometers. */
         public double[] nanometers() {
             return IntStream.range(0, count)
                     .mapToDouble(band -> range.firstNanometers() + band * step())
                     .toArray();
         }
 
-        /** Returns the number of tables that hold all bands. */
         public int tables() {
             return (count + TOGETHER - 1) / TOGETHER;
         }

@@ -9,11 +9,8 @@ import org.apache.commons.math3.analysis.integration.gauss.GaussIntegratorFactor
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Quadrature nodes and weights over wavelengths: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's
- * white with Y = 1.
- *
- * @param wavelengths nodes in meters, ascending
- * @param weights {@code [node][3]}, weights of X, Y and Z
+ * Quadrature over wavelengths, meters, ascending: X = sum_i power(lambda_i) weightX_i, Y and Z alike, so that power 1 gives the light's
+ * white with Y = 1. Weights are {@code [node][3]}.
  */
 public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     /** Relative change of X, Y, Z at which halving ends. At half the step, polynomials of degree 11 err a thousand times less. */
@@ -27,7 +24,6 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
         return wavelengths.length;
     }
 
-    /** Integrates a power, given as a function of the wavelength in meters, to X, Y, Z. */
     public double[] sum(DoubleUnaryOperator power) {
         double[] sum = new double[3];
         for (int i = 0; i < wavelengths.length; i++) {
@@ -40,10 +36,8 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Returns nodes at equal steps over 380..780 nm with weights of the trapezoid rule, normalized by its sum for Y. For light with lines
-     * the steps of 1 / lambda are equal and at most half as long, and the weights integrate the light exactly.
-     *
-     * @param stepMeters wanted step; shortened so that the band's ends are nodes
+     * Returns nodes at equal steps, at most as long as wanted, over 380..780 nm with the trapezoid rule, normalized by its sum for Y. For
+     * light with lines the steps of 1 / lambda are equal and at most half as long, and the weights integrate the light exactly.
      */
     public static WavelengthNodes uniform(CieTable cie, double stepMeters) {
         if (!cie.isSmooth()) {
@@ -72,10 +66,8 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Returns nodes at equal steps of 1 / lambda, in which diffraction orders are equally wide: those of nonzero weight over 380..780 nm and
-     * five beyond each end, which the polynomials need.
-     *
-     * @param widestStep largest step, in cycles per meter
+     * Returns nodes at equal steps of 1 / lambda, 1 / meters, in which orders are equally wide: those of nonzero weight over 380..780 nm
+     * and five beyond each end, which the polynomials need.
      */
     public static WavelengthNodes integrated(CieTable cie, double widestStep) {
         return select(new Polynomials(cie, false, widestStep).integrate(), false, 0);
@@ -99,11 +91,8 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Integrates a power to X, Y, Z over 380..780 nm, to nine digits: halves the step of 1 / lambda until the result converges.
-     *
-     * @param power function of the wavelength in meters; also evaluated slightly outside the band
-     * @param firstStep step of 1 / lambda in cycles per meter that resolves the power's structure
-     * @throws ArithmeticException when halving does not converge
+     * Integrates a power to X, Y, Z over 380..780 nm and slightly beyond, to nine digits: halves the step of 1 / lambda until the result
+     * converges, else throws ArithmeticException. The first step resolves the power's structure.
      */
     public static double[] exact(CieTable cie, DoubleUnaryOperator power, double firstStep) {
         double[] coarse = integrated(cie, firstStep).sum(power);
@@ -124,9 +113,9 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Integration of the weights, exact for color matching functions that are linear between whole nanometers, times the polynomial of
-     * degree 11 through the powers at neighboring nodes. Weights that only sample these functions err by up to 1e-3 for a narrow blue order:
-     * where the functions grow exponentially, chords lie above them.
+     * Weights that are exact for color matching functions linear between nanometers, times the polynomial of degree 11 through the powers
+     * at neighboring nodes. Weights that only sample these functions err by up to 1e-3 for a narrow blue order: where the functions grow
+     * exponentially, chords lie above them.
      */
     private static final class Polynomials {
         // Nodes of a polynomial, and how many of them precede the interval of an integrand.

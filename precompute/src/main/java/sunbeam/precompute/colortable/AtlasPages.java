@@ -11,8 +11,8 @@ import sunbeam.precompute.shader.TableArray;
 
 /**
  * Atlas pages and page table, as in shaders/include/color_table.glsl. Pages lie side by side in layers of texels, in the order in which
- * tiles are added. The page table has two numbers for each tile of the grids: its page number plus one (0 without a page), and the same for
- * the tile at its column and row in the next slice. Not thread-safe.
+ * tiles are added. The page table has two numbers for each tile: its page number plus one (0 without a page), and that of the tile at its
+ * column and row in the next slice. Not thread-safe.
  */
 public final class AtlasPages {
     /** Texels along a layer's side: a power of two, so that texture coordinates are exact. */
@@ -35,7 +35,6 @@ public final class AtlasPages {
     private final float[][] pageTable;
     private int pages;
 
-    /** @param grids tile grids of the levels, finest first */
     public AtlasPages(List<TileGrid> grids, NumberFormat format) {
         this.grids = List.copyOf(grids);
         this.format = format;
@@ -55,7 +54,6 @@ public final class AtlasPages {
                 .linear();
     }
 
-    /** Adds the constants and uniforms that every color table needs. */
     public static ShaderTables.Builder define(ShaderTables.Builder tables, TileGrid finest) {
         return tables.define("COLOR_SLICES", finest.slices())
                 .define("COLOR_TILE_SIDE", (float) TileGrid.SIDE)
@@ -102,7 +100,6 @@ public final class AtlasPages {
         return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());
     }
 
-    /** Implements {@link TableLookUp.Tiles#coefficient} for tiles that were added. */
     public float coefficient(int level, int tile, int index) {
         TileGrid grid = grids.get(level);
         int page = (int) pageTable[level * slices + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
@@ -111,17 +108,14 @@ public final class AtlasPages {
         return format.decoded(layers.get(page / PER_LAYER), number);
     }
 
-    /** Returns the layers of texels, each of {@link #LAYER_NUMBERS} numbers. */
     public List<ByteBuffer> layers() {
         return layers;
     }
 
-    /** Returns the page table of each slice of each level. */
     public float[][] pageTable() {
         return pageTable;
     }
 
-    /** Adds texels and page table to a shader's tables, as 32-bit numbers. */
     void putInto(ShaderTables.Builder tables) {
         tables.array(new TableArray(texels(pages), layer -> format.floats(layers.get(layer))))
                 .array(new TableArray(

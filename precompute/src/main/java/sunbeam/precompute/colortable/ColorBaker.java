@@ -8,14 +8,10 @@ public interface ColorBaker extends AutoCloseable {
     /** Progress and cancellation of a bake. Thread-safe. */
     @FunctionalInterface
     interface Token extends AutoCloseable {
-        /** Shows no progress and never cancels. */
         Token NONE = samples -> {};
 
         /**
-         * Reports progress.
-         *
-         * @param samples number of samples done since the last call; 0 for a call that only tests for cancellation
-         * @throws java.util.concurrent.CancellationException if the bake was cancelled
+         * Reports the number of samples done since the last call, 0 to test alone; throws CancellationException if the bake was cancelled.
          */
         void step(long samples);
 
@@ -23,12 +19,7 @@ public interface ColorBaker extends AutoCloseable {
         default void close() {}
     }
 
-    /**
-     * Evaluates a batch.
-     *
-     * @param uvw u, v and w of each sample, w at most 0. Consecutive samples of one (u, v) share work
-     * @return CIE X, Y, Z of each sample's power
-     */
+    /** Returns CIE X, Y, Z of the power at each u, v, w (at most 0); consecutive samples of one (u, v) share work. */
     float[] bake(float[] uvw, Token token);
 
     /** Returns a baker of the same colors without interpolation between samples: slower, for validation. */

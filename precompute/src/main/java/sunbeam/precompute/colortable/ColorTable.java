@@ -8,19 +8,19 @@ import sunbeam.precompute.plan.GaussianArea;
 
 /**
  * Color table with mip levels, each averaged over wider footprints in (u, v) than the one before. The ensemble average under a Gaussian
- * window is a sum of Gaussians in frequency. Its mean over a Gaussian footprint is a sum of wider Gaussians, those of a shorter window. So
- * a coarse level is evaluated at its own few texels under a shorter window, not averaged from a fine level (docs/color-tables.md). Level 0
- * is for points, as in maps and lists.
+ * window is a sum of Gaussians in frequency; its mean over a Gaussian footprint is a sum of wider ones, those of a shorter window. So a
+ * coarse level is evaluated at its own few texels under a shorter window, not averaged from a fine level (docs/color-tables.md). Level 0 is
+ * for points, as in maps and lists.
  *
- * <p>A window's Gaussians have the same width in frequency at all wavelengths, so in (u, v) a width proportional to the wavelength; {@link
- * #sigma()} is their width at {@link #MIDDLE_WAVELENGTH}.
+ * <p>Gaussians of one width in frequency have in (u, v) a width proportional to the wavelength; {@link #sigma()} is that at
+ * {@link #MIDDLE_WAVELENGTH}.
  *
  * <p>If the surface has relief finer than a pixel (Toksvig 2005; Olano and Baker 2010), all levels are also averages over its slopes: a
- * slope shifts (u, v) by slope times w, at all wavelengths alike. The finest level of such a table is as coarse as this blur.
+ * slope shifts (u, v) by slope times w, at all wavelengths alike. The finest level is then as coarse as this blur.
  *
  * @param area window and average at a point, without a footprint
- * @param levels levels, finest first. Without slopes the finest one has the window of {@code area}; if levels use linear filters, it comes
- *     twice: first for points with a cubic filter, then with a linear one
+ * @param levels levels, finest first; without slopes the finest has the window of {@code area}, and with linear filters it comes twice:
+ *     first for points with a cubic filter
  * @param tolerance promised relative error of X, Y, Z
  * @param slopeDeviation standard deviation of the relief's slopes along either axis; 0 for none
  */
@@ -29,45 +29,40 @@ public record ColorTable(
     /** Wavelength of the eye's greatest sensitivity, meters. */
     public static final double MIDDLE_WAVELENGTH = 550e-9;
 
-    // Ratio of the Gaussians' widths from level to level.
     private static final double RATIO = Math.sqrt(2);
-    // Largest standard deviation of a level, in (u, v): in a wider one a fifth of the hemisphere would have one color.
+    // Standard deviation in (u, v): in a wider level a fifth of the hemisphere would have one color.
     private static final double WIDEST_SIGMA = 0.06;
 
-    // Smallest |w| at which the finest level of a table with slopes has the exact width; at smaller ones it is too
-    // wide.
+    // Smallest |w| at which the finest level of a table with slopes is not too wide.
     private static final double SHALLOWEST = 0.5;
 
-    // Least standard deviation of slopes in a table: tan 1 degree. The power spectra of smaller ones, with the square
-    // of their reciprocal, take more than 1 GB.
+    // Standard deviation: tan 1 degree. Power spectra of smaller slopes take more than 1 GB.
     private static final double LEAST_SLOPES = 0.01745;
 
     /** Largest |w|: light and view along the normal. */
     public static final double DEEPEST = 2;
 
-    // Smallest tolerance at which levels for footprints use linear filters, unless orders are isolated: on their flanks
-    // linear filters err by a tenth.
+    // Smallest tolerance at which levels for footprints use linear filters, which err by a tenth on flanks of isolated
+    // orders.
     private static final double LINES_TOLERANCE = 5e-3;
 
-    // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means over footprints
-    // grow.
+    // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means grow.
     private static final double LINES_STEP = 1.5;
 
     // Factor of the step if orders are isolated, since splines ring in the dark between them: at tolerance 1e-2 the
-    // 95th percentile of the errors of patch blaze is then 2 %, without the factor 4 %.
+    // 95th percentile of the errors of patch blaze is 2 % with it, 4 % without.
     private static final double ISOLATED_STEP = 0.85;
 
-    // Factor of the number of slices at tolerances of at least LINES_TOLERANCE: at a |w| where an order has no power,
-    // the remaining power is smaller than the error of interpolation between slices.
+    // Factor of the number of slices from LINES_TOLERANCE on: at a |w| where an order has no power, the remaining power
+    // is smaller than the error of interpolation between slices.
     private static final double SLICE_FACTOR = 1.5;
 
-    // Smallest tolerance for 16-bit floats, which round a color's square root by at most 2^-11, so the color by 1e-3.
+    // For 16-bit floats, which round a color's square root by at most 2^-11, so the color by 1e-3.
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
      * Mip level of a table.
      *
-     * @param area window and average of the level
      * @param scale factor of the baked power: averaging makes a Gaussian of height 1 lower as it makes it wider
      * @param includeFaintTails whether the baker includes the tails of orders down to a millionth of a neighboring order's power
      */
@@ -82,22 +77,16 @@ public record ColorTable(
         levels = List.copyOf(levels);
     }
 
-    /**
-     * True if the levels of a table can average over slopes; smaller ones, 0 included, widen footprints instead.
-     *
-     * @param slopeDeviation standard deviation of the slopes along either axis
-     */
+    /** True if a table can average over slopes of this standard deviation; smaller ones, 0 included, widen footprints instead. */
     public static boolean averages(double slopeDeviation) {
         return slopeDeviation >= LEAST_SLOPES;
     }
 
     /**
-     * Returns a table that keeps a tolerance.
+     * Returns a table that keeps a tolerance. A coherent average, which is no sum of Gaussians, has one level and no slopes.
      *
-     * @param area window and average at a point; a coherent average, which is no sum of Gaussians, has one level
      * @param relief effective relief in meters, see {@link TableDesign#depth}
      * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
-     * @param slopeDeviation standard deviation of the slopes of relief finer than a pixel; 0 for none, and for a coherent average
      */
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {
@@ -138,26 +127,18 @@ public record ColorTable(
         return sigma(area.window());
     }
 
-    /**
-     * Returns the standard deviation in (u, v) of a sharp order in the finest level for footprints; the variance doubles from level to
-     * level.
-     */
+    /** Returns the same in the finest level for footprints; the variance doubles from level to level. */
     public double finestSigma() {
         return sigma(levels.get(pointLevelCount()).area().window());
     }
 
-    /**
-     * Returns the variance in (u, v) that slopes and a level's average add to a sharp order in {@link #area()}, at all wavelengths.
-     *
-     * @param depth |w| of a direction, 0..2
-     */
+    /** Returns the variance in (u, v) that slopes and a level's average add to a sharp order in {@link #area()}, at |w| of 0..2. */
     public double slopeVariance(int level, double depth) {
         double finest = Math.pow(finestSigma(), 2);
         double relief = Math.pow(slopeDeviation * depth, 2);
         return Math.max(relief, finest - Math.pow(sigma(), 2)) + (Math.pow(2, level) - 1) * finest;
     }
 
-    /** Returns the area with the shortest window of all levels, whose orders are the widest. */
     public GaussianArea widest() {
         int coarsest = levels.size() - 1;
         return slopeDeviation == 0
@@ -174,7 +155,6 @@ public record ColorTable(
     }
 
     private static double sigma(CoherenceWindow window) {
-        // Power is the square of an amplitude.
         return MIDDLE_WAVELENGTH * window.sigmaFrequency() / Math.sqrt(2);
     }
 

@@ -5,10 +5,7 @@ import sunbeam.precompute.numerics.SplineFilter;
 
 /** Filter between texels, of square roots of X, Y and Z: ringing beside a peak would hide powers of 1e-6, but not roots of 1e-3. */
 public enum Interpolation {
-    /**
-     * Cubic B-splines (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16 (1999)): 16
-     * coefficients per look-up.
-     */
+    /** Cubic B-splines (Unser, see {@link SplineFilter}): 16 coefficients per look-up. */
     CUBIC("cubicXyz", 0, LevelBaking.MARGIN) {
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
@@ -25,11 +22,10 @@ public enum Interpolation {
     },
     /**
      * Linear interpolation with knots shifted by a fifth of a texel (T. Blu, P. Thevenaz and M. Unser, "Linear interpolation revitalized",
-     * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit. Lines between samples would err 2.4 times as
-     * much, always to the same side of a bend. 4 coefficients per look-up.
+     * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit, where lines between samples would err 2.4 times
+     * as much. 4 coefficients per look-up.
      */
     SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0) {
-        /** Recursion of first order, with samples before the first row equal to it. */
         @Override
         void toCoefficients(float[] plane, int rows, int columns) {
             float pole = (float) (-shift() / (1 - shift()));
@@ -64,7 +60,7 @@ public enum Interpolation {
         return shaderFunction;
     }
 
-    /** Returns the filter's identity for cache keys: its name and impulse response, so that a changed filter has another key. */
+    /** Returns name and impulse response for cache keys, so that a changed filter has another key. */
     public String key() {
         float[] impulse = new float[KEY_SAMPLES];
         impulse[KEY_SAMPLES / 2] = 1;
@@ -76,16 +72,11 @@ public enum Interpolation {
         return shift;
     }
 
-    /** Returns the number of samples behind a tile that its coefficients depend on. */
     int marginBehind() {
         return marginBehind;
     }
 
-    /**
-     * Prefilters samples along columns, in place.
-     *
-     * @param plane {@code rows * columns} values; at least 11 rows for splines
-     */
+    /** Prefilters {@code rows * columns} samples along columns, in place; splines need at least 11 rows. */
     abstract void toCoefficients(float[] plane, int rows, int columns);
 
     /** Returns the weights of four coefficients at t, 0..1, from the second to the third. */

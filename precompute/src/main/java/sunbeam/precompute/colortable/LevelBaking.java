@@ -21,14 +21,13 @@ public final class LevelBaking {
     private static final int COLORS = 3;
     private static final int CHANNELS = 4;
 
-    /** Numbers of a stored tile, with 4 channels. */
     public static final int TILE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final TileGrid grid;
     private final NumberFormat numbers;
     private final int largestBatch;
     private final Interpolation interpolation;
-    // Texels along the side of the square that a tile's prefilter reads.
+    // Side of the square that a tile's prefilter reads, in texels.
     private final int inputSide;
     // The key is a tile's number.
     private final Map<Integer, Samples> samples = new HashMap<>();
@@ -48,28 +47,21 @@ public final class LevelBaking {
         this.inputSide = STORED_SIDE + MARGIN + interpolation.marginBehind();
     }
 
-    /** Returns the bytes that the samples of tiles take in Java's heap. */
     public static long sampleBytes(long tiles) {
         return tiles * SIDE * SIDE * COLORS * Float.BYTES;
     }
 
-    /** Returns the number of samples to evaluate for these tiles. */
     public long missing(BitSet tiles) {
         return missingTexels(tiles).values().stream()
                 .mapToLong(BitSet::cardinality)
                 .sum();
     }
 
-    /**
-     * Bakes tiles. Samples of batches that finished before a failure are not evaluated again.
-     *
-     * @return {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order of tiles
-     */
+    /** Returns {@link #TILE_NUMBERS} encoded numbers per tile, in ascending order; does not evaluate samples again after a failure. */
     public List<byte[]> bake(BitSet tiles, ColorBaker baker, ColorBaker.Token token) {
         Map<Integer, BitSet> missingTexels = missingTexels(tiles);
         missingTexels.values().removeIf(BitSet::isEmpty);
-        // Tiles are sorted by angle around the grid's center, so that a batch is a wedge: few of the rays of (u, v)
-        // along which bakers compute cross two batches.
+        // Sorted by angle, so that a batch is a wedge: few of the rays along which bakers compute cross two batches.
         BitSet missing = new BitSet();
         missingTexels.keySet().forEach(missing::set);
         int[] byAngle = grid.byAngle(missing).toArray();
@@ -104,8 +96,8 @@ public final class LevelBaking {
         }
 
         /**
-         * Visits the samples of all slices at one (u, v), then those at the next (u, v) in Morton order: successive samples read nearly the
-         * same frequencies of the surface's spectrum.
+         * Visits the samples of all slices at one (u, v), then the next (u, v) in Morton order: successive samples read nearly the same
+         * frequencies of the surface's spectrum.
          */
         void forEach(SampleVisitor visitor) {
             int sample = first;
@@ -188,7 +180,6 @@ public final class LevelBaking {
         return missingTexels;
     }
 
-    /** Marks the texels that the prefilter of the tile at place {@code reader} reads. */
     private void mark(BitSet texels, int column, int row, int[] reader) {
         int left = Math.max(0, firstInput(reader[0]) - column * SIDE);
         int right = Math.min(SIDE, firstInput(reader[0]) + inputSide - column * SIDE);
@@ -205,7 +196,7 @@ public final class LevelBaking {
 
     private byte[] coefficients(int tile) {
         int[] place = grid.place(tile);
-        // Rows, then columns: the filter runs along all lines at once.
+        // The filter runs along all lines at once.
         float[] rows = prefilterInput(place);
         interpolation.toCoefficients(rows, inputSide, inputSide * COLORS);
         float[] transposed = storedRowsTransposed(rows);
@@ -251,8 +242,7 @@ public final class LevelBaking {
     }
 
     /**
-     * Returns x of a square's cell by its number in Morton order (G. M. Morton, 1966): numbers interleave the bits of x and y, so that near
-     * numbers are near cells; y is x of half the number.
+     * Returns x of a cell by its number in Morton order (G. M. Morton, 1966), which interleaves the bits of x and y; y is x of half of it.
      */
     public static int mortonX(int number) {
         int x = number & 0x55555555;

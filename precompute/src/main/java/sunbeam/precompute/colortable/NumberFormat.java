@@ -34,10 +34,9 @@ public enum NumberFormat {
         }
     };
 
-    // Bits of binary16: the sign, and the largest finite number.
     private static final int SIGN = 0x8000;
     private static final int LARGEST = 0x7bff;
-    // From binary32 to binary16: bits of the significand that are dropped, and the difference of the exponents' biases.
+    // Bits of the significand that are dropped, and the difference of the exponents' biases.
     private static final int DROPPED_BITS = 13;
     private static final int ROUNDING = (1 << (DROPPED_BITS - 1)) - 1;
     private static final int EXPONENTS_APART = (127 - 15) << 23;
@@ -61,7 +60,6 @@ public enum NumberFormat {
         return bytes;
     }
 
-    /** Returns the factor by which coefficients are multiplied when they are stored. */
     public int scale() {
         return scale;
     }
@@ -72,7 +70,6 @@ public enum NumberFormat {
         return encoded;
     }
 
-    /** Decodes all values, without dividing by {@link #scale()}. */
     FloatBuffer floats(ByteBuffer encoded) {
         if (this == FLOAT) {
             return encoded.asFloatBuffer();
@@ -86,10 +83,8 @@ public enum NumberFormat {
 
     abstract void put(float[] values, ByteBuffer target);
 
-    /** Decodes one value, without dividing by {@link #scale()}. */
     abstract float decoded(ByteBuffer encoded, int index);
 
-    /** Returns the value of a finite binary16. */
     public static float ofHalf(short bits) {
         int magnitude = bits & Short.MAX_VALUE;
         float value = magnitude < LEAST_NORMAL_HALF

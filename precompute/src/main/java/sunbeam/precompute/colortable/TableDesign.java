@@ -22,16 +22,15 @@ public record TableDesign(double step, int slices) {
     private static final double SLICE_STEP = 0.1;
     // Relief of the deepest measured patch, meters.
     private static final double RELIEF = 0.82e-6;
-    // Effective relief in standard deviations of the heights: in gratings of few heights all samples have extreme
-    // heights. Colors vary along w as cos(2 pi relief w / wavelength).
+    // In standard deviations of the heights: in gratings of few heights all samples have extreme heights. Colors vary
+    // along w as cos(2 pi relief w / wavelength).
     private static final double RELIEF_OF_DEVIATION = 8.5;
-    // Exponent of the step in the error of cubic B-splines of square roots: between 4 and 6.
+    // Exponents of the steps in the errors: between 4 and 6 for cubic B-splines of square roots.
     private static final double STEP_ORDER = 5;
-    // Exponent of the slice step in the error of cubic polynomials.
     private static final double SLICE_ORDER = 4;
 
-    // Exponent of the coherence length in the step for coherent averages, whose roots have kinks at the zeros between
-    // speckles. Under long windows these zeros are filled, since each wavelength has them elsewhere.
+    // Exponent of the coherence length for coherent averages, whose roots have kinks at the zeros between speckles;
+    // under long windows these are filled, since each wavelength has them elsewhere.
     private static final double COHERENT_ORDER = 0.15;
 
     public TableDesign {
@@ -40,12 +39,7 @@ public record TableDesign(double step, int slices) {
         }
     }
 
-    /**
-     * Returns the coarsest design that keeps a tolerance.
-     *
-     * @param area area whose window limits how small features in (u, v) are
-     * @param relief effective relief in meters, see {@link #depth}; slices are closer for deeper relief
-     */
+    /** Returns the coarsest design that keeps a tolerance under a window, for an effective relief in meters ({@link #depth}). */
     public static TableDesign within(double tolerance, GaussianArea area, double relief) {
         double ratio = tolerance / TOLERANCE;
         double length = area.window().coherenceLength() / CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH;
@@ -61,12 +55,10 @@ public record TableDesign(double step, int slices) {
         return Math.max(map.relief(), RELIEF_OF_DEVIATION * deviation);
     }
 
-    /** Returns a design whose steps in (u, v) and w are these times a factor. */
     public TableDesign scaled(double factor) {
         return new TableDesign(step * factor, Math.max(TAPS, 1 + (int) Math.ceil((slices - 1) / factor)));
     }
 
-    /** Returns the distance of slices in |w|. */
     public double sliceStep() {
         return 2.0 / (slices - 1);
     }

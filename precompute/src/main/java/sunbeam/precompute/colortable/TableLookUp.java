@@ -9,21 +9,19 @@ public final class TableLookUp {
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
     private static final int COLORS = 3;
-    // Positions beyond the last tile are clamped to this distance from its edge, in texels, as in the shader.
+    // From the last tile's edge, in texels, as in the shader.
     private static final double EDGE_MARGIN = 0.01;
 
     private final List<TileGrid> grids;
     private final NumberFormat numbers;
     private final Tiles tiles;
 
-    /** Source of the tiles' coefficients. */
     @FunctionalInterface
     public interface Tiles {
         /** Returns a coefficient of an existing tile, times {@link NumberFormat#scale()}, by its index in the tile. */
         float coefficient(int level, int tile, int index);
     }
 
-    /** @param grids tile grids of the table's levels, finest first */
     public TableLookUp(List<TileGrid> grids, NumberFormat numbers, Tiles tiles) {
         this.grids = List.copyOf(grids);
         this.numbers = numbers;
@@ -67,7 +65,7 @@ public final class TableLookUp {
         double[] roots = new double[COLORS];
         for (int i = 0; i < 16; i++) {
             double weight = down[i >> 2] * across[i & 3];
-            // The stored tile begins one texel before the first one that the tile owns, which a spline reads, too.
+            // The stored tile begins one texel before the first one that the tile owns.
             int texel = ((int) y + (i >> 2)) * STORED_SIDE + (int) x + (i & 3);
             for (int c = 0; weight != 0 && c < COLORS; c++) {
                 roots[c] += weight * tiles.coefficient(level, tile, CHANNELS * texel + c);

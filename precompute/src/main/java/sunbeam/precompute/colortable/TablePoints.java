@@ -14,13 +14,9 @@ import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 
-/**
- * Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them.
- *
- * @param visible one light with all views, or pairs of directions
- */
+/** Points (u, v, w) that a map or a list of directions looks up, and the tiles that hold them: one light with all views, or pairs. */
 public record TablePoints(VisibleRange visible) {
-    // Directions of a validation: 20 times the bright ones needed, since nearly all directions of a grating are dark.
+    // 20 times the bright directions needed, since nearly all directions of a grating are dark.
     private static final int SAMPLES = 20 * ValidatedTable.ENOUGH;
     private static final long SEED = 20140607;
 
@@ -28,12 +24,10 @@ public record TablePoints(VisibleRange visible) {
         return visible.light();
     }
 
-    /** Returns the grid of a table for these points only. */
     public TileGrid grid(TableDesign design) {
         return light().map(light -> TileGrid.of(design, light)).orElseGet(() -> TileGrid.of(design, visible));
     }
 
-    /** Returns the tiles of a grid that hold the points. */
     public BitSet tiles(TileGrid grid) {
         if (light().isPresent()) {
             return grid.space() instanceof TableSpace.OneLight ? grid.reachable() : grid.reachable(light().get());
@@ -44,7 +38,7 @@ public record TablePoints(VisibleRange visible) {
         return tiles;
     }
 
-    /** Returns an upper estimate of the memory of a table for these points, and of baking it. */
+    /** Returns an upper estimate of the memory of a table, and of baking it. */
     public MemoryNeed memory(TableDesign design) {
         TileGrid grid = grid(design);
         double all = (double) grid.columns() * grid.rows();
@@ -58,7 +52,6 @@ public record TablePoints(VisibleRange visible) {
         return new MemoryNeed(2 * textures + 2 * LevelBaking.sampleBytes(tiles), arrays);
     }
 
-    /** Returns a range that holds all texels of a table for these points. */
     public VisibleRange range(TableDesign design) {
         double margin = 2 * TileGrid.STORED_SIDE * design.step();
         if (light().isPresent()) {
@@ -82,12 +75,11 @@ public record TablePoints(VisibleRange visible) {
                 Math.min(2, visible.maximumW() + slices));
     }
 
-    /** Returns the largest |(u, v)| of a texel. */
     public double farthest() {
         return light().map(light -> 1 + Math.hypot(light.x(), light.y())).orElse(TableSpace.AllLights.REACH);
     }
 
-    /** Returns directions for validation; for one light uniform on an orthographic map. */
+    /** For one light uniform on an orthographic map. */
     public List<DirectionPair> samples() {
         Random random = new Random(SEED);
         List<DirectionPair> samples = new ArrayList<>(visible.pairs());
@@ -103,7 +95,6 @@ public record TablePoints(VisibleRange visible) {
         return samples.subList(0, Math.min(samples.size(), SAMPLES));
     }
 
-    /** Returns a text that determines the points. */
     public String key() {
         Sha256 hash = new Sha256();
         ByteBuffer bytes = ByteBuffer.allocate(3 * Double.BYTES);

@@ -2,13 +2,12 @@ package sunbeam.precompute.colortable;
 
 import sunbeam.precompute.optics.Direction;
 
-/** Coordinates (x, y) of a table, in which colors vary no faster than in u and v, so that the steps of a {@link TableDesign} suffice. */
+/** Coordinates (x, y) in which colors vary no faster than in u and v, so that the steps of a {@link TableDesign} suffice. */
 public sealed interface TableSpace {
 
-    /** Returns the coordinates x, y of (u, v, w). */
     double[] place(double u, double v, double w);
 
-    /** Returns u, v, w of coordinates in the slice of this |w|, if the space has slices. */
+    /** Returns u, v, w at coordinates, in the slice of this |w| if the space has slices. */
     double[] uvw(double x, double y, double depth);
 
     /** Space of a table of all lights: x is u, y is v, and w has slices. Points beyond {@link #REACH} have the color there. */
@@ -16,11 +15,7 @@ public sealed interface TableSpace {
         /** Largest |(u, v, w)| of two directions. */
         public static final double REACH = 2;
 
-        /**
-         * Shortens (u, v, w) to {@link #REACH}, which linearly extrapolated footprints at silhouettes may exceed.
-         *
-         * @param uvw u, v, w and any further values; changed
-         */
+        /** Shortens the first three values, u, v, w, to {@link #REACH}, which footprints extrapolated at silhouettes may exceed. */
         public static void shorten(double[] uvw) {
             double inside = REACH / Math.max(REACH, Math.sqrt(uvw[0] * uvw[0] + uvw[1] * uvw[1] + uvw[2] * uvw[2]));
             for (int axis = 0; axis < 3; axis++) {
@@ -42,14 +37,13 @@ public sealed interface TableSpace {
     }
 
     /**
-     * Space of a table of one light: w follows from u and v, so that one slice suffices. The slope of w as a function of u and v is
-     * infinite at the horizon. Therefore the view at the angle theta to the normal has the radius (sin theta + 2 sin(theta / 2)) / 2, which
-     * is smooth across the horizon.
+     * Space of a table of one light: w follows from u and v, so that one slice suffices. Its slope is infinite at the horizon; so the view
+     * at the angle theta to the normal has the radius (sin theta + 2 sin(theta / 2)) / 2, which is smooth there.
      */
     record OneLight(Direction light) implements TableSpace {
         static final double HORIZON = radius(Math.PI / 2);
 
-        // Largest radius, below the horizon; up to here u and v vary no faster than x and y.
+        // Below the horizon; up to here u and v vary no faster than x and y.
         private static final double LARGEST = radius(Math.toRadians(101));
         private static final int NEWTON_STEPS = 8;
 
@@ -68,8 +62,7 @@ public sealed interface TableSpace {
         public double[] uvw(double x, double y, double depth) {
             double radius = Math.hypot(x, y);
             double distance = Math.min(radius, LARGEST);
-            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3; sin theta is 2 (1 - t) / (2 - t) times the
-            // radius.
+            // With t = 1 - cos(theta / 2) the squared radius is t (2 - t)^3, and sin theta 2 (1 - t) / (2 - t) radii.
             double t = versedSine(distance * distance);
             double across = 2 * (1 - t) / (2 - t) * (radius > distance ? distance / radius : 1);
             // Below the horizon, where there are no views, the grid continues, so that filters see a smooth function.

@@ -8,10 +8,10 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 
 /**
- * Texel grid of a level, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice.
+ * Texel grid of a level, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice. Columns and rows of tiles
+ * include a border of one tile on each side, which prefilters read.
  *
  * @param originX x of texel (0, 0)
- * @param columns number of tiles along x, including a border of one tile on each side, which prefilters read
  */
 public record TileGrid(
         TableSpace space,
@@ -21,21 +21,18 @@ public record TileGrid(
         double originY,
         int columns,
         int rows) {
-    /** Texels along a tile's side that the tile owns. */
     public static final int SIDE = 16;
 
-    /** Texels along a stored tile's side: one before and two behind its own, for cubic B-splines. */
+    /** One before and two behind a tile's own texels, for cubic B-splines. */
     public static final int STORED_SIDE = SIDE + 3;
 
     // CPU and graphics card may round a position, in texels or slices, to different sides of an edge.
     static final double ROUNDING = 0.02;
 
-    /** Returns the grid of a level, for all (u, v) of two directions. */
     public static TileGrid of(ColorTable.Level level) {
         return square(new TableSpace.AllLights(), level.design(), level.interpolation(), TableSpace.AllLights.REACH);
     }
 
-    /** Returns the grid of a table of one light, which is looked up at points. */
     public static TileGrid of(TableDesign design, Direction light) {
         return square(new TableSpace.OneLight(light), design, Interpolation.CUBIC, TableSpace.OneLight.HORIZON);
     }
@@ -46,7 +43,6 @@ public record TileGrid(
         return new TileGrid(space, design, interpolation, origin, origin, columns, columns);
     }
 
-    /** Returns the grid that covers a range of (u, v), which is looked up at points. */
     public static TileGrid of(TableDesign design, VisibleRange range) {
         double side = SIDE * design.step();
         return new TileGrid(
@@ -76,7 +72,7 @@ public record TileGrid(
         return Math.min(TableDesign.TAPS, slices());
     }
 
-    /** Returns the shape of the page table (see {@link AtlasPages}) of a number of levels, of which this is the finest. */
+    /** Returns the shape of the page table ({@link AtlasPages}) of some levels, of which this is the finest. */
     public ArrayLayout tileList(int levels) {
         return ArrayLayout.layered("colorTiles", columns, rows, levels * slices(), 2);
     }
@@ -85,7 +81,7 @@ public record TileGrid(
         return Math.multiplyExact(columns, rows);
     }
 
-    /** Returns the tiles that look-ups read for all pairs of directions, or for all views under the light of a table of one light. */
+    /** Returns the tiles that all pairs of directions read, or all views under the light of a table of one light. */
     public BitSet reachable() {
         double rounding = 2 * ROUNDING * design.step();
         if (space instanceof TableSpace.OneLight) {
@@ -104,7 +100,6 @@ public record TileGrid(
         });
     }
 
-    /** Returns the smallest and the largest |w| between two distances from the center. */
     private interface Depths {
         double[] between(double nearest, double farthest);
     }
@@ -137,7 +132,7 @@ public record TileGrid(
         return Math.max(-from, from + length);
     }
 
-    /** Returns tiles, sorted by angle around the grid's center; those of one column and row are consecutive. */
+    /** Sorts tiles by angle around the grid's center; those of one column and row are consecutive. */
     public IntStream byAngle(BitSet tiles) {
         return tiles.stream()
                 .boxed()
@@ -155,7 +150,7 @@ public record TileGrid(
         return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }
 
-    /** Returns the first of the slices that an interpolation at a position reads; at the ends all are on one side of it. */
+    /** At the ends all slices are on one side of the position. */
     int firstSlice(double slice) {
         return Math.max(0, Math.min((int) slice - 1, slices() - taps()));
     }
@@ -182,7 +177,6 @@ public record TileGrid(
         private int firstSlice;
         private int endSlice;
 
-        /** @param tiles receives a bit for each marked tile */
         public Feedback(TileGrid grid, BitSet tiles) {
             this.grid = grid;
             this.tiles = tiles;
@@ -195,7 +189,7 @@ public record TileGrid(
             this.perSliceStep = 1 / grid.design().sliceStep();
         }
 
-        /** Marks the tiles of a look-up, and their neighbors within rounding of an edge. */
+        /** Also marks the neighbors within rounding of an edge. */
         public void mark(double u, double v, double w) {
             double x = u * perStep - firstX;
             double y = v * perStep - firstY;

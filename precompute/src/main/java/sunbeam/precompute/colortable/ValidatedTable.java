@@ -21,50 +21,37 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Table of one level for points, compared with its source at directions between its texels, and refined until it keeps its tolerance. The
- * laws of {@link TableDesign} are too coarse for some surfaces: under a coherent average, the square roots of colors, which the table
- * stores, have kinks along lines between the tails of sharp orders.
- *
- * @param errors relative errors of the table against its source
+ * laws of {@link TableDesign} are too coarse for some surfaces: under a coherent average the stored square roots have kinks along lines
+ * between the tails of sharp orders.
  */
 public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, ErrorStatistics errors) {
-    // Assumed order of convergence: errors fall with the fourth to sixth power of the step, more slowly at kinks.
+    // Errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
     // A smaller change would not show whether refinement helps.
     private static final double LARGEST_FACTOR = 0.75;
-    // Largest ratio of errors after and before two refinements at which refinement goes on; above, errors have another
-    // cause. One refinement is no evidence, since the 95th percentile of few directions jumps.
+    // Ratio of errors after and before two refinements; above, errors have another cause. One refinement is no
+    // evidence, since the 95th percentile of few directions jumps.
     private static final double IMPROVEMENT = 0.8;
     // Bright directions to compare; they determine the 95th percentile to a tenth.
     static final int ENOUGH = 2000;
 
-    // Allowed median and 95th percentile of the table's errors, in tolerances. Source and table may err by half the
-    // tolerance each in the median. If errors have a long tail, one of twenty certificates of a hundred pixels measures
-    // twice the percentile, so that the table may have 1.25 of the 3 tolerances promised.
+    // In tolerances. Source and table may err by half the tolerance each in the median. If errors have a long tail, one
+    // of twenty certificates of a hundred pixels measures twice the percentile, so that the table may have 1.25 of the
+    // 3 tolerances promised.
     private static final double MEDIAN_SHARE = 0.5;
     private static final double PERCENTILE_SHARE = 1.25;
-    // The same for the 98th percentile: then one of twelve samples of fifty directions has three errors above the
-    // limit.
+    // Then one of twelve samples of fifty directions has three errors above the limit.
     private static final double PERCENTILE_98_SHARE = 3;
     // Allowed at any tolerance, since float32 causes them.
     private static final double ROUNDING = 2e-5;
     private static final double ROUNDING_PERCENTILE = 2 * ErrorBudget.FLOAT32_PERCENTILE;
     private static final String CLOSE = ", close to the limit";
 
-    /**
-     * Receivers of messages about deviations from the plan.
-     *
-     * @param note receives a line if baking takes longer, or if errors are close to the tolerance
-     * @param shortfall receives a line if errors exceed the tolerance
-     */
+    /** Receivers of lines about errors close to the tolerance or longer baking, and about errors beyond it. */
     public record Diagnostics(Consumer<String> note, Consumer<String> shortfall) {}
 
-    /**
-     * Returns the finest level of a table of all lights, if all tiles that the points need are cached, and keep the tolerance.
-     *
-     * @param bakers opens the baker for a design, which this method closes
-     * @param tokens opens the token for a number of samples, which this method closes
-     */
+    /** Returns the finest level of a table of all lights, if all tiles that the points need are cached, and keep the tolerance. */
     public static Optional<ValidatedTable> cached(
             ColorTable levels,
             TablePoints points,
@@ -138,12 +125,9 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     }
 
     /**
-     * Bakes a table.
+     * Bakes a table; closes the bakers and tokens that it opens.
      *
      * @param tolerance relative error of X, Y, Z that table and source may have together
-     * @param coarsest design of the first table, which refinements make finer
-     * @param bakers opens the baker for a design, which this method closes
-     * @param tokens opens the token for a number of samples, which this method closes
      * @param room test of whether a table fits into memory
      * @param refused throws an exception for the design of a necessary table that does not fit
      */
@@ -195,7 +179,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         }
     }
 
-    /** Returns the largest ratio of an error to the allowed one: at most 1 if the tolerance is kept; 0 if there are no errors. */
+    /** Returns the largest ratio of an error to the allowed one; 0 without errors. */
     double excess(double tolerance) {
         if (errors.count() == 0) {
             return 0;
@@ -206,7 +190,6 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         return Math.max(errors.median() / Math.max(ROUNDING, MEDIAN_SHARE * tolerance), tail);
     }
 
-    /** Returns the validation's result in words. */
     public String words(double tolerance) {
         String steps = Text.format("steps of %.2g in (u, v)", grid.design().step())
                 + (grid.slices() > 1 ? ", " + grid.slices() + " slices in w" : "");
@@ -224,7 +207,6 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
                         ErrorStatistics.PERCENTILE_95_LIMIT * tolerance);
     }
 
-    /** Adds the table to the arrays of shaders/method/table.glsl. */
     public void putInto(ShaderTables.Builder tables) {
         pages.putInto(tables);
         AtlasPages.define(tables, grid)

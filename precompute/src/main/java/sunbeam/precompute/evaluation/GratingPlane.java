@@ -5,13 +5,12 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
 /**
- * Set of directions into which a grating diffracts one light: those whose (u, v) lies along the grating's direction. With the light in the
- * plane of the grating's direction that is the plane of incidence; else it is the cone on which the component across the grating is the
- * mirror's (conical diffraction).
+ * Set of directions into which a grating diffracts one light: those whose (u, v) lies along the grating's direction. If the light is not in
+ * the plane of that direction, it is the cone on which the component across the grating is the mirror's (conical diffraction).
  *
- * <p>Directions to the viewer are named by a signed angle theta_r, whose sine is their component along the grating's direction; positive on
- * the side where the light is for phi 0, so that the mirror lies at theta_r = -theta_i. The grating equation then reads {@code u = -(sin
- * theta_i cos phi + sin theta_r) = m lambda / d}.
+ * <p>A direction to the viewer has a signed angle theta_r, whose sine is its component along the grating's direction, positive on the
+ * light's side for phi 0: the mirror lies at theta_r = -theta_i. The grating equation then reads
+ * {@code u = -(sin theta_i cos phi + sin theta_r) = m lambda / d}.
  *
  * @param thetaI angle of the light to the normal, radians, 0 to below pi / 2
  * @param phiI azimuth of the light against the grating's direction, radians
@@ -43,7 +42,6 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
         return Math.acos(Math.min(1, Math.abs(lightAcross())));
     }
 
-    /** Returns the directions to the light and to the viewer in the patch's frame. */
     public DirectionPair pair(double thetaR) {
         Direction wi = new Direction(lightAlong(), lightAcross(), Math.cos(thetaI));
         Direction wr = new Direction(Math.sin(thetaR), -lightAcross(), cosine(thetaR));
@@ -64,14 +62,13 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
             return new FirstOrder(period / factor, period * factor);
         }
 
-        /** Returns the geometric mean of the range, meters. */
         public double middle() {
             return Math.sqrt(shortest * longest);
         }
 
         /**
-         * Returns evenly spaced angles theta_r to the viewer, radians. They span all directions that see the order +1 or -1 at a wavelength
-         * between two limits (meters); empty if no direction does.
+         * Returns evenly spaced theta_r, radians, over all directions that see the order +1 or -1 between two wavelengths, meters, if any
+         * does.
          */
         public Optional<double[]> angles(
                 GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {

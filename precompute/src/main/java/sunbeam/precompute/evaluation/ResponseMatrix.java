@@ -5,12 +5,7 @@ import java.util.List;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 
-/**
- * A surface's response over wavelengths and directions.
- *
- * @param grid wavelengths and directions of the values
- * @param values {@code [wavelength][angle]}: diffracted power, 1 for a flat mirror in specular direction, or relative radiance
- */
+/** A surface's response {@code [wavelength][angle]}: diffracted power, 1 for a flat mirror in specular direction, or relative radiance. */
 public record ResponseMatrix(ResponseGrid grid, double[][] values) {
     /** Converts power to the relative radiance rho that BRDF maps show (see {@link Gain#relativeRadiance}). */
     public ResponseMatrix toRelativeRadiance() {
@@ -26,7 +21,7 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return new ResponseMatrix(grid, radiance);
     }
 
-    /** Returns the response at a frequency u / lambda in cycles per meter, linear between angles; NaN beyond the grid. */
+    /** Linear between angles; NaN beyond the grid. The frequency is u / lambda in cycles per meter. */
     double atFrequency(int row, double frequency) {
         double position = position(grid.plane().thetaR(frequency * grid.wavelengths()[row]));
         if (!(position >= 0 && position <= grid.angles().length - 1)) {
@@ -52,12 +47,7 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return next - 1 + (angle - angles[next - 1]) / (angles[next] - angles[next - 1]);
     }
 
-    /**
-     * Wavelengths and directions at which a response is evaluated.
-     *
-     * @param wavelengths meters, ascending
-     * @param angles signed angles theta_r to the viewer, radians, ascending (see {@link GratingPlane})
-     */
+    /** Wavelengths, meters, and signed angles theta_r, radians, of a response, both ascending (see {@link GratingPlane}). */
     public record ResponseGrid(GratingPlane plane, double[] wavelengths, double[] angles) {
         public List<DirectionPair> pairs() {
             return Arrays.stream(angles).mapToObj(plane::pair).toList();

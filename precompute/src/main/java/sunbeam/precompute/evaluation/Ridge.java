@@ -7,12 +7,7 @@ import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 
-/**
- * Peaks of a response: one angle at each wavelength.
- *
- * @param wavelengths wavelengths with a peak, meters, ascending
- * @param angles angles theta_r of the peaks, radians
- */
+/** Peaks of a response: one angle theta_r, radians, at each wavelength that has one, meters, ascending. */
 public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
     /** Returns the order, +1 or -1, which is the sign of u: -1 if theta_r is above the mirror's angle, else 1. */
     public int order() {

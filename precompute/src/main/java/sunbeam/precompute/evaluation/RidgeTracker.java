@@ -12,12 +12,10 @@ import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Follows the ridge of a first order through a response. The frequency f = u / lambda = +-1 / d has the largest sum of the response along
- * its curve, the grating equation. Local maxima near that curve are candidates at each wavelength; dynamic programming (Viterbi) finds the
- * path through them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it jump. A peak's
- * angle is the maximum of the parabola through the logarithms of the three samples around it.
- *
- * @param sigmaFrequency standard deviation of the coherence window's spectrum, cycles per meter
+ * Follows the ridge of a first order: the frequency f = u / lambda = +-1 / d with the largest sum of the response along its curve, the
+ * grating equation. Local maxima near that curve are candidates at each wavelength; dynamic programming (Viterbi) finds the path through
+ * them that is bright and bends least, so that neither a brighter neighboring ridge nor a gap makes it jump. A peak's angle is the maximum
+ * of the parabola through the logarithms of the three samples around it.
  */
 public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
     // Deviations of the window's spectrum: well below a ridge's width of 1.7.
@@ -32,7 +30,6 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
     /** Local maximum at one wavelength, with the cost of the cheapest path to it and the peak before it, or null. */
     private record Peak(double wavelength, double angle, double frequency, double value, double cost, Peak previous) {}
 
-    /** Returns the strongest ridge of an order; empty if it has peaks at fewer than three wavelengths. */
     public Optional<Ridge> follow(FirstOrder order) {
         double strongest = 0;
         double frequency = 0;
@@ -95,7 +92,6 @@ public record RidgeTracker(ResponseMatrix response, double sigmaFrequency) {
         return peaks;
     }
 
-    /** Connects each peak by the cheapest path to the wavelength before. */
     private List<Peak> connected(List<Peak> before, List<Peak> peaks) {
         double brightest = peaks.stream().mapToDouble(Peak::value).max().orElseThrow();
         return peaks.stream()

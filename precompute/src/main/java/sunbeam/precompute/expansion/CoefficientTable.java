@@ -5,16 +5,13 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Functions of the phase zeta, such as the coefficients c_n(zeta) of an {@link Expansion}, sampled at equal steps in radians. Shaders
- * interpolate them by parabolas through the nearest three samples.
- *
- * @param values {@code [sample][function]}
+ * Functions of the phase zeta, {@code [sample][function]}, such as the coefficients c_n of an {@link Expansion}, at equal steps in radians.
+ * Shaders interpolate them by parabolas through the nearest three samples.
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, double[][] values) {
 
-    // Error of the parabolas for functions of bandwidth 1 and magnitude 1, per radian of the range of phases: a third
-    // of float32's rounding of the phase and of the coefficients. Weak orders, small differences of large terms, see
-    // both errors.
+    // Error of the parabolas for functions of bandwidth and magnitude 1, per radian of phases: a third of float32's
+    // rounding, since weak orders are small differences of large terms.
     private static final double LARGEST_ERROR = 2e-8;
     // The parabola through three samples errs by step^3 / PARABOLA.
     private static final double PARABOLA = 16;
@@ -26,11 +23,7 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, double[
         return sampled(expansion.minimumPhase(), expansion.maximumPhase(), 1, expansion::coefficients);
     }
 
-    /**
-     * Returns the samples of functions between two phases.
-     *
-     * @param bandwidth largest frequency of the functions, in radians per radian of phase
-     */
+    /** Returns samples between two phases of functions up to a bandwidth, radians per radian of phase. */
     public static CoefficientTable sampled(
             double low, double high, double bandwidth, DoubleFunction<double[]> functions) {
         int samples = sampleCount(high - low, bandwidth);
@@ -59,7 +52,6 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, double[
         return values[0].length;
     }
 
-    /** Returns a function's samples in single precision. */
     public float[] floats(int term) {
         float[] floats = new float[samples()];
         for (int i = 0; i < floats.length; i++) {
@@ -68,10 +60,7 @@ public record CoefficientTable(double minimumPhase, double maximumPhase, double[
         return floats;
     }
 
-    /**
-     * Returns all functions at a phase, by polynomials of degree 5, which err by less than 1e-9 for functions of magnitude 1. Phases beyond
-     * the samples are clamped.
-     */
+    /** Returns all functions at a phase, by polynomials of degree 5 with an error below 1e-9 of magnitude 1; clamped at the ends. */
     public double[] at(double phase) {
         double perSample = (maximumPhase - minimumPhase) / (samples() - 1);
         double place = Math.max(0, Math.min(samples() - 1.0, (phase - minimumPhase) / perSample));

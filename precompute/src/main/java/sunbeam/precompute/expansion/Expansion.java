@@ -13,7 +13,6 @@ import sunbeam.precompute.setting.ValueKind;
  */
 public interface Expansion {
 
-    /** Kind of an expansion of exp(i k w h). */
     enum Kind {
         /** Powers of the height: the thesis's choice (eq. 2.44). Its terms reach e^phase before they shrink. */
         TAYLOR,
@@ -44,7 +43,6 @@ public interface Expansion {
     /** Returns the real part of T_n(s) for s in [-1, 1] and n from 0 to terms() - 1. */
     double realBasis(int n, double s);
 
-    /** Returns the imaginary part of T_n(s). */
     default double imaginaryBasis(int n, double s) {
         return 0;
     }
@@ -62,7 +60,6 @@ public interface Expansion {
     /** Returns the error of the sum in exact arithmetic: an upper bound or a root mean square, depending on the kind. */
     double error();
 
-    /** Returns a text that identifies this expansion of a patch's heights in cache keys. */
     default String key() {
         return String.join(
                 "|",

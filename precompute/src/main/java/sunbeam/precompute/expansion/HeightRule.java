@@ -5,17 +5,15 @@ import org.apache.commons.math3.linear.EigenDecomposition;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Quadrature rule over the heights of a patch: a weighted sum at a few heights replaces the mean over all samples. The range of heights is
- * divided into intervals of bounded phase. Each has the Gauss rule of its heights with at most {@value #NODES} nodes, exact for polynomials
- * up to degree 2 {@value #NODES} - 1.
+ * Quadrature rule over the heights of a patch: a weighted sum at a few heights replaces the mean over all samples. Each interval of bounded
+ * phase has the Gauss rule of its heights with at most {@value #NODES} nodes, exact for polynomials up to degree 2 {@value #NODES} - 1.
  *
  * @param heights nodes of the rule: scaled heights, -1..1
  * @param shares weight of each node, as a share of the patch's samples
  */
 record HeightRule(double[] heights, double[] shares) {
-    // Length of an interval of heights, as the difference of the phase zeta times scaled height over it at the largest
-    // zeta, radians. The squared error of an expansion is a function of bandwidth 1 of that phase; the rule's mean of
-    // it errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
+    // Difference over an interval of the phase zeta times scaled height at the largest zeta, radians. The squared error
+    // of an expansion has bandwidth 1; its mean errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
     private static final double INTERVAL = 4;
     private static final int NODES = 12;
 
@@ -47,7 +45,7 @@ record HeightRule(double[] heights, double[] shares) {
 
     /**
      * Jacobi matrix of the heights in an interval, weighted by their numbers of samples; numerically stable rotations add a height (Gragg
-     * and Harrod 1984). Rows do not depend on later rows.
+     * and Harrod 1984).
      */
     private static final class Interval {
         private final double[] diagonal = new double[NODES];

@@ -4,17 +4,13 @@ import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Linear map of heights h to s = (h - center) / halfRange in [-1, 1]: k^n and h^n in SI units exceed the range of float32 and even of
- * double. The center changes the phase of the whole surface only, never its power.
- *
- * @param center height that maps to 0, meters
- * @param halfRange height above the center that maps to 1, meters, above 0
+ * Linear map of heights h to s = (h - center) / halfRange in [-1, 1], in meters: k^n and h^n in SI units exceed the range of float32 and
+ * even of double. The center changes the phase of the whole surface only, never its power.
  */
 public record HeightScale(double center, double halfRange) {
     // Meters, for a flat patch; the phase of a picometer is negligible.
     private static final double FLAT_HALF_RANGE = 1e-12;
 
-    /** Returns the scale with the smallest half range. */
     public static HeightScale midRange(HeightLevels heights) {
         double center = 0.5 * (heights.minimum() + heights.maximum());
         return new HeightScale(center, Math.max(FLAT_HALF_RANGE, heights.maximum() - center));

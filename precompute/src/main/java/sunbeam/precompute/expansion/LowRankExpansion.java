@@ -21,9 +21,8 @@ public final class LowRankExpansion implements Expansion {
     private final PhaseNodes nodes;
     private final int terms;
     private final double error;
-    // [term][node]
     private final double[][] functions;
-    // [term][degree]: coefficients of the Chebyshev polynomials.
+    // [term][degree]
     private final double[][] series;
 
     private LowRankExpansion(
@@ -36,8 +35,8 @@ public final class LowRankExpansion implements Expansion {
         this.scale = scale;
         // The bandwidth is 1, since |s| is at most 1.
         this.nodes = new PhaseNodes(minimumPhase, maximumPhase, 1);
-        // The kernel's Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9
-        // count. The kernel's triangular QR factor has few rows and the same singular values and right vectors.
+        // Its Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9 count. The
+        // triangular QR factor has few rows and the same singular values and right vectors.
         RealMatrix triangle = new QRDecomposition(kernel(HeightRule.of(heights, scale, maximumPhase))).getR();
         int last = nodes.count() - 1;
         SingularValueDecomposition decomposition =
@@ -60,13 +59,12 @@ public final class LowRankExpansion implements Expansion {
         this.series = Arrays.stream(full).map(one -> Arrays.copyOf(one, length)).toArray(double[][]::new);
     }
 
-    /** Returns the expansion with the fewest terms whose root mean square error over heights and phases is within a tolerance. */
+    /** Returns the fewest terms whose root mean square error over heights and phases is within a tolerance. */
     public static LowRankExpansion within(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, double tolerance) {
         return new LowRankExpansion(heights, scale, minimumPhase, maximumPhase, tolerance, Integer.MAX_VALUE);
     }
 
-    /** Returns the expansion with the smallest error for this number of terms. */
     public static LowRankExpansion ofTerms(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
         return new LowRankExpansion(heights, scale, minimumPhase, maximumPhase, Double.NEGATIVE_INFINITY, terms);
@@ -99,13 +97,9 @@ public final class LowRankExpansion implements Expansion {
         return errors;
     }
 
-    /**
-     * Returns the Chebyshev series of each T_n: {@code [n][k]} multiplies the Chebyshev polynomial of degree k; even k belong to the real
-     * part, odd k to the imaginary part.
-     */
+    /** {@code [n][k]} multiplies the Chebyshev polynomial of degree k; even k belong to the real part of T_n, odd k to the imaginary. */
     private double[][] chebyshevSeries() {
-        // Beyond n = zeta, the Bessel function J_n(zeta) falls faster than exponentially; 12 zeta^(1/3) orders later it
-        // is below 1e-17.
+        // Beyond n = zeta, J_n(zeta) falls faster than exponentially; 12 zeta^(1/3) orders later it is below 1e-17.
         int length = (int) Math.ceil(maximumPhase() + 12 * Math.cbrt(maximumPhase()) + 12);
         double[][] series = new double[terms][length];
         for (int q = 0; q < nodes.count(); q++) {
@@ -133,7 +127,6 @@ public final class LowRankExpansion implements Expansion {
         return values;
     }
 
-    /** Up to the last significant coefficient of any term; at least two. */
     private static int significantLength(double[][] series) {
         double largest = 0;
         int length = 2;
@@ -167,28 +160,21 @@ public final class LowRankExpansion implements Expansion {
         return scale;
     }
 
-    /**
-     * Sums the even Chebyshev polynomials, which are the real part (Jacobi-Anger): with s = cos x and C_m the Chebyshev polynomial of
-     * degree m, C_2j(s) = cos 2jx = C_j(y), y = 2 s^2 - 1.
-     */
+    /** Sums the even polynomials (Jacobi-Anger): with s = cos x, C_2j(s) = cos 2jx = C_j(y), y = 2 s^2 - 1. */
     @Override
     public double realBasis(int n, double s) {
         double y = 2 * s * s - 1;
         return clenshaw(series[n], 0, y, y);
     }
 
-    /** Sums the odd Chebyshev polynomials, the imaginary part: C_2j+1(s) = s V_j(y), V_j of the third kind (DLMF 18.5.3). */
+    /** Sums the odd Chebyshev polynomials: C_2j+1(s) = s V_j(y), V_j of the third kind (DLMF 18.5.3). */
     @Override
     public double imaginaryBasis(int n, double s) {
         double y = 2 * s * s - 1;
         return s * clenshaw(series[n], 1, y, 2 * y - 1);
     }
 
-    /**
-     * Sums c_j p_j by Clenshaw's recurrence, for polynomials with p_0 = 1, p_1 = {@code first} and p_j+1 = 2 y p_j - p_j-1.
-     *
-     * @param parity 0 for every even coefficient, 1 for every odd one
-     */
+    /** Sums every second c_j p_j by Clenshaw's recurrence, with p_0 = 1, p_1 = {@code first} and p_j+1 = 2 y p_j - p_j-1. */
     private static double clenshaw(double[] coefficients, int parity, double y, double first) {
         double next = 0;
         double afterNext = 0;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import sunbeam.precompute.numerics.GaussLegendre;
 
 /**
- * Gauss-Legendre nodes over a range of phases, in radians. They integrate functions of limited bandwidth, and interpolate them by the
- * barycentric formula, to a double's rounding.
+ * Gauss-Legendre nodes over a range of phases, in radians. They integrate functions of limited bandwidth (radians per radian of phase), and
+ * interpolate them by the barycentric formula, to a double's rounding.
  */
 public final class PhaseNodes {
     // Beyond one node per radian of phase and bandwidth; for a double's rounding also over short ranges.
@@ -19,7 +19,6 @@ public final class PhaseNodes {
     private final double[] weights;
     private final double[] barycentric;
 
-    /** @param bandwidth largest frequency, in radians per radian of phase, of the functions to integrate or interpolate */
     public PhaseNodes(double minimum, double maximum, double bandwidth) {
         this.minimum = minimum;
         this.maximum = Math.max(maximum, minimum + SMALLEST_RANGE);
@@ -58,11 +57,7 @@ public final class PhaseNodes {
         return weights[index];
     }
 
-    /**
-     * Interpolates the first functions at a phase.
-     *
-     * @param functions values at the nodes, {@code [function][node]}
-     */
+    /** Interpolates the first functions, {@code [function][node]}, at a phase. */
     public double[] interpolate(double[][] functions, int count, double zeta) {
         double[] sums = new double[count];
         double denominator = 0;

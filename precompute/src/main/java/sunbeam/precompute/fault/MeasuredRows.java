@@ -13,14 +13,13 @@ import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.text.Text;
 
 /**
- * Detection of rows without a measurement: missing, constant, or equal to the row before. A computed surface has many such rows, so if
- * there are many, all rows count as measured.
+ * Detection of rows without a measurement: missing, constant, or equal to the row before. A computed surface has many such rows; then all
+ * rows count as measured.
  */
 final class MeasuredRows {
     // Single samples are often missing.
     private static final double MISSING = 0.9;
-    // Measured rows per run of unmeasured ones; a computed surface has more runs, as the crest of each period has two
-    // equal rows.
+    // Measured rows per run of unmeasured ones; a computed surface has more runs, two equal rows per crest.
     private static final int ROWS_PER_RUN = 16;
     // Relative to the largest height: the rounding to 32-bit floats of repeated rows that were leveled afterwards.
     private static final double ROUNDING = 4e-7;
@@ -52,7 +51,6 @@ final class MeasuredRows {
         return row + 1 < scan.rows() && !unmeasured.get(row) && !unmeasured.get(row + 1);
     }
 
-    /** Otherwise equal rows do not show a fault. */
     private boolean rowsDiffer() {
         double[] heights = scan.heights();
         long same = IntStream.range(scan.columns(), heights.length)
@@ -94,9 +92,7 @@ final class MeasuredRows {
     }
 
     /**
-     * Describes the rows without a measurement and the largest part of the scan without them.
-     *
-     * @param place position of the examined samples in the whole scan
+     * Describes the rows without a measurement and the largest part of the scan without them; the place is that of the examined samples.
      */
     Optional<ScanFault> fault(HeightMap whole, Crop.Samples place) {
         if (unmeasured.isEmpty()) {

@@ -31,15 +31,13 @@ public final class ScanFaults {
     private static final double JUMP_SPREADS = 4;
     // Relative to the spread in other rows.
     private static final double LARGEST_JUMP_SPREAD = 3;
-    // Difference between the mean and the median of a jump, and between jumps up and down of a ridge, relative to the
-    // jump.
+    // Difference between a jump's mean and median, and between jumps up and down of a ridge, per jump.
     private static final double ALIKE = 0.25;
     // More jumps belong to the surface.
     private static final int MOST_JUMPS = 3;
-    // Smaller deviations of all offsets, in spreads of the columns, arise by chance.
+    // In spreads of the columns; smaller deviations of all offsets arise by chance.
     private static final double LEAST_OFFSET = 0.5;
-    // Correlation of neighboring offsets: -0.5 for independent heights of the rows, 0 for a random walk, near 1 for a
-    // smooth surface.
+    // Correlation of neighbors: -0.5 for independent rows, 0 for a random walk, near 1 for a smooth surface.
     private static final double LARGEST_WITH_NEXT = 0.3;
     // Correlation of offsets farther apart: near 1 for a grating. Three standard deviations of chance for 75 rows.
     private static final double LARGEST_BEYOND = 0.35;
@@ -51,7 +49,6 @@ public final class ScanFaults {
     private final double medianOffset;
     private final double deviation;
 
-    /** Offset from a row, in the examined part, to the next; meters. */
     private record Offset(int row, double median, double mean, double spread) {}
 
     private ScanFaults(HeightMap whole, Crop.Samples place, HeightMap scan, MeasuredRows measured) {
@@ -70,10 +67,8 @@ public final class ScanFaults {
     }
 
     /**
-     * Returns the faults of a scan: rows without a measurement first, then offsets.
-     *
-     * @param whole raw heights, with tilt, before missing samples are filled
-     * @throws IllegalArgumentException when the crop leaves the scan or holds fewer than two samples
+     * Returns the faults of raw heights, with tilt and missing samples: rows without a measurement first, then offsets; throws
+     * IllegalArgumentException if the crop leaves the scan or holds fewer than two samples.
      */
     public static List<ScanFault> in(HeightMap whole, Optional<Crop> crop) {
         Crop.Samples place = crop.map(part -> part.samples(whole)).orElseGet(() -> Crop.Samples.allOf(whole));
@@ -135,7 +130,7 @@ public final class ScanFaults {
         return new ScanFault(words, Optional.empty(), Optional.of(Leveling.MEDIAN_ROWS), 0, "");
     }
 
-    /** Returns no jumps if there are too many, or jumps up and down by the same amount, as at a ridge along the rows. */
+    /** None if there are too many, or jumps up and down by the same amount, as at a ridge along the rows. */
     private List<Offset> jumps() {
         double least = Math.max(JUMP_DEVIATIONS * deviation, JUMP_SPREADS * spread);
         List<Offset> steep = offsets.stream()
@@ -174,7 +169,6 @@ public final class ScanFaults {
      *
      * @param words description without a full stop; rows are counted from 1 at the top of the whole scan
      * @param part largest part of the scan without the fault; empty if no part is, or if a leveling removes the fault
-     * @param leveling leveling that removes the fault; empty if none does
      * @param unmeasured share, 0..1, of rows without a measurement
      * @param remedy text that names the option that removes the fault; empty if unknown
      */

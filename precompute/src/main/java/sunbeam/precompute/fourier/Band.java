@@ -13,7 +13,6 @@ public record Band(int first, int count) {
         return new Band(first, last - first + 1);
     }
 
-    /** Returns the smallest band that holds an interval of frequencies, with a margin of bins on both sides. */
     public static Band covering(double minimumFrequency, double maximumFrequency, double period, int margin) {
         return of(
                 (int) Math.floor(minimumFrequency * period) - margin,
@@ -24,7 +23,6 @@ public record Band(int first, int count) {
         return first + count - 1;
     }
 
-    /** Returns a band of at least this many bins from the same first one. */
     public Band extended(int least) {
         return new Band(first, Math.max(count, least));
     }
@@ -42,11 +40,7 @@ public record Band(int first, int count) {
         return of(-reach, reach);
     }
 
-    /**
-     * Returns exp(2 pi i bin shift / samples) of each bin, which moves the origin of a DFT by {@code shift} samples.
-     *
-     * @return {@code [0][bin]}: cosines; {@code [1][bin]}: sines
-     */
+    /** Returns the cosines and sines of 2 pi bin shift / samples of each bin, which move the origin of a DFT by {@code shift} samples. */
     public double[][] phases(int samples, int shift) {
         double[][] phases = new double[2][count];
         for (int i = 0; i < count; i++) {

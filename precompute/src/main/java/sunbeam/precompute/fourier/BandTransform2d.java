@@ -21,13 +21,12 @@ public final class BandTransform2d {
     private final Line alongX;
     private final Line alongY;
 
-    /** Source of the samples of a complex field. Must be thread-safe. */
+    /** Samples of a complex or a real field. Must be thread-safe. */
     @FunctionalInterface
     public interface RowSource {
         void fill(int row, double[] real, double[] imaginary);
     }
 
-    /** Source of the samples of a real field. Must be thread-safe. */
     @FunctionalInterface
     public interface RealRowSource {
         void fill(int row, double[] samples);
@@ -36,7 +35,7 @@ public final class BandTransform2d {
     public BandTransform2d(int columns, int rows, Band bandX, Band bandY) {
         this.rows = rows;
         this.alongX = new Line(columns, bandX);
-        // Rows run downwards: bin jy of y is bin -jy of the row index. Descending row bins are ascending y bins.
+        // Bin jy of y is bin -jy of the row index: descending row bins are ascending y bins.
         this.alongY = new Line(rows, Band.of(-bandY.last(), -bandY.first()));
     }
 
@@ -69,8 +68,7 @@ public final class BandTransform2d {
 
     /**
      * Returns the squared magnitudes of the bins of a real field, for bands that are symmetric about 0 and less than half the samples wide
-     * on each side. Bins (jx, jy) and (-jx, -jy) are complex conjugates: two rows are transformed as one complex row, and only columns with
-     * jx >= 0.
+     * on each side. Bins (jx, jy) and (-jx, -jy) are conjugate: two rows are transformed as one, and only columns with jx >= 0.
      */
     public double[] powers(RealRowSource source) {
         int reachX = alongX.band().last();
@@ -116,9 +114,8 @@ public final class BandTransform2d {
     }
 
     /**
-     * Inverse DFT of one period, limited to a band of bins: X_j = (1/N) sum_n x_n exp(+2 pi i n j / N) for the bins j of a {@link Band}:
-     * Commons Math's FFT where N is a power of two, a nonuniform FFT over it otherwise. The band may be longer than N, since the DFT is
-     * periodic. Immutable and thread-safe.
+     * Inverse DFT of one period, X_j = (1/N) sum_n x_n exp(+2 pi i n j / N), for the bins j of a {@link Band}, which may be longer than N:
+     * Commons Math's FFT where N is a power of two, a nonuniform FFT over it otherwise. Thread-safe.
      */
     static final class Line {
         private final int length;
@@ -140,7 +137,7 @@ public final class BandTransform2d {
             return ComplexVector.zeros(length);
         }
 
-        /** Transforms the first N values of {@code work} (overwritten) and writes the band to {@code target}, in steps of {@code stride}. */
+        /** Overwrites the first N values of {@code work}; writes the band to {@code target}, in steps of {@code stride}. */
         void transform(ComplexVector work, ComplexVector target, int offset, int stride) {
             if (nonuniform == null) {
                 double[][] data = {work.real(), work.imaginary()};
@@ -156,13 +153,10 @@ public final class BandTransform2d {
         }
 
         /**
-         * Nonuniform FFT for a band of the DFT of a sequence of any length. The sequence is convolved with a Kaiser-Bessel kernel onto a grid,
-         * whose size is a power of two and at least twice the band's. The grid's FFT is divided by the kernel's transform (Fessler and Sutton, IEEE
-         * Transactions on Signal Processing 51 (2003)).
-         *
-         * <pre>X_j = sum_n x_n exp(+2 pi i j n / N)</pre>
-         *
-         * <p>Errors are some 1e-14 of the largest bin. Immutable and thread-safe.
+         * Nonuniform FFT for a band of the DFT of a sequence of any length, X_j = sum_n x_n exp(+2 pi i j n / N). A Kaiser-Bessel kernel
+         * convolves the sequence onto a grid, whose size is a power of two and at least twice the band's; the grid's FFT is divided by the
+         * kernel's transform (Fessler and Sutton, IEEE Transactions on Signal Processing 51 (2003)). Errors are some 1e-14 of the largest
+         * bin. Thread-safe.
          */
         private static final class Nonuniform {
             // Aliases from beyond the grid's frequencies are some 100 exp(-pi ACCURACY) of their amplitude.
@@ -213,7 +207,6 @@ public final class BandTransform2d {
                 Arrays.setAll(gains, m -> gridSize / kernel.transform((double) (band.first() + m - middle) / gridSize));
             }
 
-            /** Transforms the first N values and writes the band, times a factor, to the target in steps of {@code stride}. */
             void transform(ComplexVector samples, double factor, ComplexVector target, int offset, int stride) {
                 ComplexVector turned = turned(samples);
                 double[] re = turned.real();

@@ -1,6 +1,6 @@
 package sunbeam.precompute.fourier;
 
-/** Vector of complex numbers as two arrays of equal length, which are not copied, since transforms work in place. */
+/** Vector of complex numbers, whose two arrays of equal length are not copied, since transforms work in place. */
 public record ComplexVector(double[] real, double[] imaginary) {
 
     public ComplexVector {

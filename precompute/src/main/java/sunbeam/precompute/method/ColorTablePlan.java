@@ -28,7 +28,6 @@ import sunbeam.precompute.text.Text;
  * planned when {@link #source} is called.
  *
  * @param relief effective relief of the surface, meters, see {@link TableDesign#depth}
- * @param tolerance relative error of evaluated colors
  * @param finest plan by which colors of the finest level are evaluated
  */
 public record ColorTablePlan(
@@ -60,10 +59,8 @@ public record ColorTablePlan(
     }
 
     /**
-     * Returns the plan for a surface with relief finer than a pixel; this plan itself if the slopes are too small, or if the average is
-     * coherent, since no table has its mean over slopes.
-     *
-     * @param slopeDeviation standard deviation of the slopes along either axis; 0 for none
+     * Returns the plan for slopes, finer than a pixel, of a standard deviation along either axis; this plan itself if they are too small,
+     * or if the average is coherent, since no table has its mean over slopes.
      */
     public ColorTablePlan onRelief(double slopeDeviation) {
         if (!ColorTable.averages(slopeDeviation) || table.area().average() == Average.COHERENT) {
@@ -73,7 +70,7 @@ public record ColorTablePlan(
         return new ColorTablePlan(surface, sloping, relief, tolerance, roughness, finest);
     }
 
-    /** Returns the plan by which the colors of a level of {@link #table()} are evaluated. */
+    /** Returns the plan by which the colors of a level are evaluated. */
     public MethodPlan source(int level) {
         ColorTable.Level one = table.levels().get(level);
         return one.area().equals(table.area()) ? finest : planned(surface, one, tolerance, roughness);

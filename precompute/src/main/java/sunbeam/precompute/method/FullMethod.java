@@ -18,13 +18,8 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
-/**
- * Method {@code full}: sums power over all wavelengths, with a planned sampling or the thesis's, under a Gaussian window.
- *
- * @param table choices for tables, bins and wavelengths
- */
+/** Method {@code full}: sums power over all wavelengths, with a planned sampling or the thesis's, under a Gaussian window. */
 public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
-    /** Settings of methods that sum over bins under a Gaussian window, in the manual's order. */
     static final List<Setting<?>> SETTINGS =
             Setting.union(TableChoices.SETTINGS, List.of(RADIUS, ANCHOR), GaussianArea.SETTINGS, List.of(FRESNEL));
 
@@ -39,7 +34,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }
 
-    /** Returns the method with the thesis's choices. */
     public static FullMethod thesis() {
         return new FullMethod(TableChoices.THESIS, GaussianArea.THESIS, FresnelFactor.SQUARED);
     }
@@ -77,7 +71,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
                         fresnel.applyTo(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }
 
-    /** Returns the plan of the method's Fourier table. */
     public SpectrumPlan tablePlan(Surface surface, VisibleRange range) {
         return surface.planner().plan(table, area, range);
     }

@@ -26,7 +26,7 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Grating formula of GPU Gems, chapter 8, which uses only a spacing of the surface; for comparison only.
+ * Grating formula of GPU Gems, chapter 8, for comparison only.
  *
  * @param spacing distance of the lines in meters; empty for the patch's width, if that is one period
  * @param orders number of orders on each side of the mirror's; empty for the form's
@@ -34,7 +34,6 @@ import sunbeam.precompute.units.Lengths;
 public record GemMethod(
         Optional<Double> spacing, Optional<Integer> orders, GemForm form, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
-    // Default number of orders of Stam's form.
     private static final int STAM_ORDERS = 8;
 
     // Widest patch that may be one period of a grating with visible colors, meters.
@@ -97,7 +96,6 @@ public record GemMethod(
                 (use, sources) -> tables(period, count));
     }
 
-    /** Returns the largest n of a visible wavelength spacing |u| / n; |u| is 2 at most. */
     private static int visibleOrders(double period) {
         return Math.max(1, (int) (2 * period / CieTable.MINIMUM_WAVELENGTH));
     }

@@ -51,12 +51,10 @@ public final class LevelBakers {
         }
     }
 
-    /** Shows the progress of baking a number of samples, until the caller closes it. */
     public ColorBaker.Token progress(long samples) {
         return sources.progress(samples);
     }
 
-    /** Reports colors that miss their tolerance. */
     public void warn(String line) {
         sources.diagnostics().shortfall().accept(line);
     }
@@ -71,7 +69,7 @@ public final class LevelBakers {
                 : new RadialBaker(spectrum.get(), cie, table().levels().get(level));
     }
 
-    /** Opens a baker of colors at points, not averaged over slopes as all levels are; to be closed by the caller. */
+    /** Opens a baker of colors at points, not averaged over slopes as all levels are. */
     public ColorBaker points() {
         if (table().slopeDeviation() == 0) {
             return level(0);

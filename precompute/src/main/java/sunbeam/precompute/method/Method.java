@@ -9,11 +9,7 @@ import sunbeam.precompute.setting.Setting.Sentence;
 public interface Method {
     MethodType type();
 
-    /**
-     * Plans the method for a surface and the directions that can occur.
-     *
-     * @throws sunbeam.precompute.setting.SettingException if a setting does not suit the surface
-     */
+    /** Plans the method for the directions that can occur; throws SettingException if a setting does not suit the surface. */
     MethodPlan plan(Surface surface, VisibleRange range);
 
     /** Returns the exact method that this one approximates and is compared with. */

@@ -14,13 +14,11 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 /**
  * Plan of a method for a surface and the directions that can occur.
  *
- * @param summary one line about what is computed
- * @param explanation a line per choice, with its reason; computed when needed
+ * @param explanation a line per choice, with its reason
  * @param spectrum plan of the sums that the shader takes, or from which its tables are baked; empty if there is none
  * @param isTabulated whether the shader reads tables of colors and takes no sums
  * @param colorTable levels whose tiles are baked on demand, so that {@link #tables} has no texels; empty for other methods
- * @param memory upper estimate of the tables' memory
- * @param identity text that determines the tables, except for the use; computed when needed
+ * @param identity text that determines the tables, except for the use
  * @param maker makes the shader's tables for a supported use
  */
 public record MethodPlan(
@@ -34,7 +32,6 @@ public record MethodPlan(
         Supplier<String> identity,
         BiFunction<MethodUse, TableSources, ShaderTables> maker) {
 
-    /** Returns a line per choice, with its reason. */
     public List<String> reasons() {
         return explanation.get();
     }
@@ -58,7 +55,6 @@ public record MethodPlan(
         return uses.contains(use);
     }
 
-    /** Returns a text that determines the tables. */
     public String key(MethodUse use) {
         return identity.get() + "|" + use;
     }

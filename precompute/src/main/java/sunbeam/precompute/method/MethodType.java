@@ -9,9 +9,7 @@ import sunbeam.precompute.setting.Setting;
 /**
  * Kind of a method, with its settings; each kind has one instance, in {@link Methods#ALL}.
  *
- * @param label lower-case name: {@code full}
  * @param help one sentence for the manual
- * @param settings accepted settings
  * @param fixed settings with a single value
  * @param creation function that creates the method, and refuses choices that contradict each other
  */
@@ -25,7 +23,7 @@ public record MethodType(
         this(label, help, settings, Choices.none(), creation);
     }
 
-    /** Returns this type with a setting that has a single value: users may give this value, but no other. */
+    /** Returns this type with a setting of a single value: users may give this value, but no other. */
     <T> MethodType fixing(Setting<T> setting, T value) {
         return new MethodType(label, help, settings, fixed.with(setting, value), creation);
     }
@@ -38,11 +36,7 @@ public record MethodType(
         return fixed.has(setting) ? Optional.of(fixed.written(setting)) : Optional.empty();
     }
 
-    /**
-     * Creates the method; settings of other types are ignored.
-     *
-     * @throws sunbeam.precompute.setting.SettingException for contradictory choices
-     */
+    /** Creates the method; throws SettingException for contradictory choices, and ignores settings of other types. */
     public Method create(Choices choices) {
         Choices own = choices.only(settings);
         return own.located(() -> creation.apply(own));

@@ -9,13 +9,11 @@ import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 
 /** Registry of all methods. */
 public final class Methods {
-    /** All methods; new ones are added here. */
     public static final List<MethodType> ALL = List.of(
             FullMethod.TYPE, // every wavelength
             TableMethod.TYPE, // tabulated
@@ -44,11 +42,7 @@ public final class Methods {
 
     private Methods() {}
 
-    /**
-     * Returns the chosen method; settings other than {@link #SETTINGS} are ignored.
-     *
-     * @throws SettingException for a choice that the method does not have, or that contradicts another
-     */
+    /** Returns the chosen method; throws SettingException for a choice that the method does not have, or that contradicts another. */
     public static Method of(Choices choices) {
         MethodType type = choices.get(METHOD);
         for (Setting<?> setting : choices.only(SETTINGS)
@@ -68,7 +62,6 @@ public final class Methods {
         Choices all = Choices.none();
         for (Setting<?> setting : choices.get(METHOD).settings()) {
             Choices one = choices.only(List.of(setting));
-            // The preset has no tolerance.
             all = (thesis && setting.equals(TOLERANCE) ? one : one.orStandard(setting)).over(all);
         }
         return choices.only(LightSettings.ALL).over(all).describe();
@@ -96,7 +89,7 @@ public final class Methods {
         }
     }
 
-    /** Returns the methods that have a setting: "pq or reference". */
+    /** Such as "pq or reference". */
     private static String owners(Setting<?> setting) {
         List<String> labels = labels(setting);
         String last = labels.get(labels.size() - 1);

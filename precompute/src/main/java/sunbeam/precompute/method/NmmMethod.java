@@ -26,19 +26,15 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     // Meters, for directions so close to the specular one that an order covers the visible band.
     private static final double WAVELENGTH_STEP = 5e-9;
 
-    // Widest order that one wavelength represents, in 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third
-    // of the narrowest color matching function's.
+    // In 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third of the narrowest color matching function's.
     private static final double WIDEST_ORDER = 7e4;
     private static final double LARGEST_UV = 2;
-    // Power of an order beside the ray of all (u, v) / lambda, relative to that on the ray, below which the order is
-    // ignored.
+    // Relative to an order on the ray of all (u, v) / lambda; fainter orders beside it are ignored.
     private static final double FAINTEST = 1e-3;
-    // Deviation of the window's spectrum, in bins, above which orders overlap: neighbors interfere by exp(-1 / (4
-    // sigma^2)).
+    // Deviation of the window's spectrum, in bins; above, neighbors interfere by more than exp(-1 / (4 sigma^2)).
     private static final double OVERLAP_SIGMA_BINS = 0.2;
 
-    // Size of the table of orders' weights. The step is 0.7 nm at 500 nm; color matching functions bend over tens of
-    // nanometers.
+    // The step is 0.7 nm at 500 nm; color matching functions bend over tens of nanometers.
     private static final int CENTERS = 768;
     private static final int WIDTHS = 24;
     // In widths: exp(-4.5^2) = 2e-9.
@@ -117,9 +113,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
         double width = surface.map().width();
         double height = surface.map().height();
         double sigma = plan.window().sigmaFrequency();
-        // Largest distance, in bins along a column, from where the ray crosses it, at which an order still counts; for
-        // the most oblique
-        // ray.
+        // Largest distance, in bins along a column, of an order that counts from the most oblique ray.
         double reach = Math.sqrt(-Math.log(FAINTEST)) * sigma * Math.hypot(width, height);
         ShaderTables.Builder tables = new ShaderTables.Builder(weighted ? "nmm" : "nmm_thesis")
                 .all(bins)
@@ -142,7 +136,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
      *
      * <pre>W(s, width) = int S xbar exp(-((1 / lambda - s) / width)^2) dlambda / int S ybar dlambda</pre>
      *
-     * tabulated as W / width, in meters, which hardly depends on width where orders are narrow: sqrt(pi) lambda^2 S xbar(lambda).
+     * as W / width, in meters, which hardly depends on width where orders are narrow: sqrt(pi) lambda^2 S xbar(lambda).
      */
     private static void addWidths(Surface surface, ShaderTables.Builder tables, double sigma) {
         double narrowest = Math.min(sigma / LARGEST_UV, 0.5 * WIDEST_ORDER);

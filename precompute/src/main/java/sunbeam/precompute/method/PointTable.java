@@ -26,15 +26,11 @@ import sunbeam.precompute.text.Text;
 /**
  * {@link TableMethod} for a map or a list of directions: uses cached tiles of the table of all lights if these suffice; otherwise bakes a
  * table for its own points, with steps refined until colors keep the tolerance.
- *
- * @param coarsest design of the first table
- * @param source plan by which colors are evaluated
  */
 record PointTable(Surface surface, TableMethod method, TablePoints points, TableDesign coarsest, MethodPlan source) {
     // Factor of the first table's steps, at which an ensemble average errs by a fifth of the tolerance's share.
     private static final double COARSE = 1.3;
 
-    /** @throws sunbeam.precompute.setting.SettingException if the coarsest table does not fit */
     static PointTable of(Surface surface, TableMethod method, TablePoints points) {
         // A coherent average, with zeros between its speckles, begins with finer steps.
         double coarse = method.area().average() == Average.COHERENT ? 1 : COARSE;
@@ -117,7 +113,6 @@ record PointTable(Surface surface, TableMethod method, TablePoints points, Table
         return tables.build(sums.window().sigmaMeters(), sums.specularReach());
     }
 
-    /** Returns the finest level of the table of all lights, if its cached tiles suffice. */
     private Optional<ValidatedTable> cached(TableSources sources, Function<TableDesign, ColorBaker> bakers) {
         if (!sources.hasTiles()) {
             return Optional.empty();
@@ -131,7 +126,6 @@ record PointTable(Surface surface, TableMethod method, TablePoints points, Table
         }
     }
 
-    /** Returns the function that opens a baker for a design. */
     private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
         if (isCoherent()) {
             ShaderTables evaluated = source.tables(use, sources);

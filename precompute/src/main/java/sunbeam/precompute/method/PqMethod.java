@@ -43,10 +43,9 @@ import sunbeam.precompute.spectrum.PeriodSpectrum;
 import sunbeam.precompute.text.Text;
 
 /**
- * Method {@code pq}: the patch is repeated Q times, with sharp edges instead of a window. The replicas' place is fixed, so that there is
- * only the coherent average.
+ * Method {@code pq}: the patch is repeated Q times, with sharp edges instead of a window, at a fixed place, so that there is only the
+ * coherent average.
  *
- * @param interpolation interpolation between the bins of one period's DFT
  * @param window window whose coherence length the replicas fill along each axis
  * @param replicas number of replicas along each axis, 1..{@link Replicas#MOST}; replaces the number that follows from the window
  */
@@ -85,7 +84,6 @@ public record PqMethod(
                 FresnelFactor.of(choices));
     }
 
-    /** Returns the chosen interpolation, or the preset's. */
     public static PeriodInterpolation interpolation(Choices choices) {
         return choices.get(
                 INTERPOLATION, Preset.isThesis(choices) ? PeriodInterpolation.RING : PeriodInterpolation.SINC);
@@ -145,10 +143,7 @@ public record PqMethod(
         return planned.plan();
     }
 
-    /**
-     * Returns the wavelength step that resolves the replicas' fringes, meters: the power of an area a x b, as a function of 1 / lambda, is
-     * band-limited to |u| a + |v| b cycles.
-     */
+    /** Meters; resolves the fringes: the power of an area a x b, as a function of 1 / lambda, is band-limited to |u| a + |v| b cycles. */
     private static double wavelengthStep(HeightMap map, Replicas replicas, VisibleRange range) {
         double cycles = largest(range.minimumU(), range.maximumU()) * replicas.alongX() * map.width()
                 + largest(range.minimumV(), range.maximumV()) * replicas.alongY() * map.height();
@@ -238,7 +233,6 @@ public record PqMethod(
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
             ShaderArrays.define(tables, true, expansion.terms());
-            // Its effective area, 4 pi sigma^2, equals the replicas' area.
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             if (interpolation == PeriodInterpolation.RING) {
                 tables.define("PERIOD_RING", 1);

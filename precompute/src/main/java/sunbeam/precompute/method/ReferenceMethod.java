@@ -16,11 +16,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/**
- * Exact method: direct sums over the surface in double precision.
- *
- * @param area Gaussian coherence window, or evenly lit repetitions of the patch (replicas)
- */
+/** Exact method: direct sums over the surface in double precision. */
 public record ReferenceMethod(CoherenceArea area) implements Method {
     /** For this type the preset determines the window's origin only. */
     public static final MethodType TYPE = new MethodType(
@@ -54,7 +50,6 @@ public record ReferenceMethod(CoherenceArea area) implements Method {
         return this;
     }
 
-    /** Refuses: the method has no shader. */
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         throw new SettingException(Methods.METHOD, "evaluates single directions; use it with 'reflectance'");

@@ -15,10 +15,9 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * Limit of the coherence length by the size of a scan. A longer window resolves orders that are 1 / size apart in frequency, which come
- * from the scan's repetition and not from the surface. A patch that is no period of its surface gets a coherence length of at most its
- * shorter side; one whose repetition is only assumed keeps the chosen length, with a warning. The thesis's preset repeats any patch.
+ * from the scan's repetition and not from the surface. A patch that is no period of its surface gets at most its shorter side; one whose
+ * repetition is only assumed keeps the chosen length, with a warning. The thesis's preset repeats any patch.
  *
- * @param choices choices with the limited coherence length
  * @param limiting side of the scan that limits the coherence length: width or height
  */
 public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<String> limiting) {
@@ -26,7 +25,6 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
     private static final double SHORTEST = 100e-9;
     private static final double SLACK = 1 + 1e-9;
 
-    /** Limits the choices for a patch; has no effect on methods without a window. */
     public static ScanLimit of(Choices choices, Patch patch) {
         boolean windowed = choices.get(Methods.METHOD).has(COHERENCE_LENGTH);
         boolean thesis = Preset.isThesis(choices);

@@ -14,19 +14,17 @@ import sunbeam.precompute.setting.SettingException;
  * @param levels heights, without missing samples
  * @param name name in messages, not unique
  * @param digest SHA-256 of grid and heights, in hexadecimal, for cache keys
- * @param cie observer and illuminant
  */
 public record Surface(HeightLevels levels, String name, String digest, CieTable cie, Roughness.Cache statistics) {
     public Surface(HeightMap map, String name, String digest, CieTable cie) {
         this(HeightLevels.of(map), name, digest, cie, Roughness.Cache.NONE);
     }
 
-    /** Returns the surface of a loaded patch, under D65. */
     public static Surface of(Patch patch) {
         return of(patch, patch.digest());
     }
 
-    /** Returns the surface of a loaded patch, under D65, for plans only: without the slow digest of all heights. */
+    /** Returns the surface of a patch for plans only: without the slow digest of all heights. */
     public static Surface withoutIdentity(Patch patch) {
         return of(patch, "");
     }
@@ -35,7 +33,6 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
         return new Surface(patch.heights(), patch.name(), digest, CieTable.load());
     }
 
-    /** Returns the heights, without missing samples. */
     public HeightMap map() {
         return levels.map();
     }
@@ -48,7 +45,6 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
         return new Surface(levels, name, digest, cie, newStatistics);
     }
 
-    /** @throws SettingException for light with spectral lines */
     void requireSmoothLight() {
         if (!cie.isSmooth()) {
             throw new SettingException(
@@ -62,7 +58,6 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
         return new Planner(levels, cie, statistics);
     }
 
-    /** Identifies surface and light in cache keys. */
     String key() {
         return digest + "|" + cie.digest();
     }

@@ -19,7 +19,7 @@ import sunbeam.precompute.text.Text;
 
 /** Colors of {@link FullMethod}, tabulated over (u, v, w) beforehand: a few look-ups per pixel (docs/color-tables.md). */
 public record TableMethod(double tolerance, GaussianArea area) implements Method {
-    // Share of the tolerance for the evaluation of tabulated colors; the rest is for interpolation.
+    // The rest of the tolerance is for interpolation.
     private static final double SOURCE_SHARE = 0.5;
 
     public static final MethodType TYPE = new MethodType(
@@ -57,7 +57,6 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         return Math.max(ErrorBudget.FINEST, SOURCE_SHARE * tolerance);
     }
 
-    /** @throws SettingException if a table does not fit */
     void requireRoom(Surface surface, TableDesign design, MemoryNeed need) {
         surface.planner().excess(need).ifPresent(excess -> {
             throw SettingException.of(

@@ -6,7 +6,6 @@ package sunbeam.precompute.numerics;
  * <pre>phi(x) = I0(beta sqrt(1 - (2 x / taps)^2)) / I0(beta),  |x| &lt; taps / 2</pre>
  */
 public record KaiserBessel(int taps, double beta, double peak) {
-    /** Creates a kernel; peak becomes I0(beta). */
     public KaiserBessel(int taps, double beta) {
         this(taps, beta, besselI0(beta));
     }

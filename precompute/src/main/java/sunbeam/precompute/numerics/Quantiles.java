@@ -7,23 +7,17 @@ import org.apache.commons.math3.stat.descriptive.rank.Percentile.EstimationType;
 import org.apache.commons.math3.stat.ranking.NaNStrategy;
 
 /**
- * Quantiles of samples, linear between neighbors in order of size; the extremes are quantiles 0 and 1 (type 7 of Hyndman and Fan, "Sample
- * Quantiles in Statistical Packages", 1996).
+ * Quantiles of samples, linear between neighbors in order of size (type 7 of Hyndman and Fan, "Sample Quantiles in Statistical Packages",
+ * 1996).
  */
 public final class Quantiles {
-    // Differences of infinite neighbors are NaN. Interpolation towards this value exceeds INFINITE_FROM even at a share
-    // of 1e-16.
+    // Differences of infinite neighbors are NaN. Interpolation towards this value exceeds INFINITE_FROM.
     private static final double IN_PLACE_OF_INFINITY = 1e300;
     private static final double INFINITE_FROM = 1e280;
 
     private Quantiles() {}
 
-    /**
-     * Returns the value below which a share, 0..1, of the samples lies; infinite if an infinite sample contributes to it, NaN without
-     * samples.
-     *
-     * @param samples in any order, without NaN, up to 1e280 or positive infinity
-     */
+    /** Returns the quantile 0..1 of samples without NaN, up to 1e280 or positive infinity; NaN without samples. */
     public static double of(double[] samples, double share) {
         if (share == 0) {
             return StatUtils.min(samples);

@@ -6,22 +6,17 @@ package sunbeam.precompute.numerics;
  * 2).
  */
 public final class SplineFilter {
-    /** Pole of the cubic B-spline's filter. */
+    /** Poles of the filters. */
     public static final double CUBIC = Math.sqrt(3) - 2;
 
-    /** Pole of the quadratic B-spline's filter. */
     public static final double QUADRATIC = 2 * Math.sqrt(2) - 3;
 
-    // Samples that initialize the forward filter: the largest pole to this power is below the rounding of float32.
+    // Samples that initialize the forward filter: 0.43^20 is below the rounding of float32.
     private static final int HORIZON = 20;
 
     private SplineFilter() {}
 
-    /**
-     * Filters in place along each column; both ends continue as mirror images.
-     *
-     * @param samples {@code rows * columns} values, row by row, of at least 11 rows
-     */
+    /** Filters {@code rows * columns} samples, of at least 11 rows, in place along columns, whose ends continue as mirror images. */
     public static void alongColumns(float[] samples, int rows, int columns, double... poles) {
         double gain = 1;
         for (double pole : poles) {

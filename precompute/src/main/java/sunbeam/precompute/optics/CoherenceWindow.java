@@ -1,17 +1,12 @@
 package sunbeam.precompute.optics;
 
-/**
- * Gaussian coherence window exp(-r^2 / (2 sigma^2)) with amplitude 1 at its center.
- *
- * @param sigmaMeters standard deviation sigma in space, meters; a quarter of the coherence length
- */
+/** Gaussian coherence window exp(-r^2 / (2 sigma^2)), amplitude 1 at its center; sigma, meters, is a quarter of the coherence length. */
 public record CoherenceWindow(double sigmaMeters) {
     /** Sunlight's coherence length, meters (thesis, draft 001, section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
 
-    // Meters.
+    // Meters; scatter of surface waves longer than the second counts as gloss.
     private static final double LONGEST_WAVELENGTH = 780e-9;
-    // Meters; scatter of longer surface waves counts as gloss.
     private static final double LONGEST_WAVE = 5e-6;
 
     public CoherenceWindow {
@@ -20,7 +15,6 @@ public record CoherenceWindow(double sigmaMeters) {
         }
     }
 
-    /** Returns the window for a coherence length in meters. */
     public static CoherenceWindow ofCoherenceLength(double meters) {
         return new CoherenceWindow(meters / 4);
     }
@@ -47,16 +41,13 @@ public record CoherenceWindow(double sigmaMeters) {
 
     /**
      * Returns the |(u, v)| below which only gloss is seen, and no orders (docs/color.md): the specular peak of visible light, and light
-     * scattered by waves of the surface longer than both 5 um and two periods.
-     *
-     * @param period the surface's period, meters; 0 if none is known
+     * scattered by waves longer than both 5 um and two periods of the surface (meters; 0 if none is known).
      */
     public double mirrorReach(double period) {
         double longest = Math.max(LONGEST_WAVE, 2 * period);
         return Math.max(specularReach(LONGEST_WAVELENGTH), LONGEST_WAVELENGTH / longest);
     }
 
-    /** The sample under the coherence window's maximum. */
     public enum WindowOrigin {
         /** Sample (floor(columns / 2), floor(rows / 2)), counted from the top left. */
         CENTRE,

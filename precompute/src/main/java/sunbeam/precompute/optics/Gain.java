@@ -5,7 +5,6 @@ public final class Gain {
     /** Refractive index of keratin, as in the thesis. */
     public static final double REFRACTIVE_INDEX = 1.5;
 
-    /** Reflectance at normal incidence. */
     public static final double R0 = Math.pow((REFRACTIVE_INDEX - 1) / (REFRACTIVE_INDEX + 1), 2);
 
     private Gain() {}

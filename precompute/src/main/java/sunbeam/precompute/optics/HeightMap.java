@@ -10,9 +10,7 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * Heights in meters on a rectangular grid, seen from above: a scan, or one period of a surface. Column index grows with +x, row 0 is the
- * top (largest y).
- *
- * <p>Immutable. Missing samples are NaN or infinite until they are filled.
+ * top (largest y). Immutable. Missing samples are NaN or infinite until they are filled.
  */
 public final class HeightMap {
     private static final int HEIGHTS_PER_BLOCK = 8192;
@@ -26,13 +24,11 @@ public final class HeightMap {
     private String digest;
 
     /**
-     * @param columns number of samples along x, at least 1
-     * @param rows number of samples along y, at least 1
+     * Creates a map; throws IllegalArgumentException if a size, pitch or the array's length does not fit.
+     *
      * @param pitchX distance of neighboring columns in meters, positive and finite
-     * @param pitchY distance of neighboring rows in meters, positive and finite
      * @param heights {@code rows * columns} heights in meters, row by row from the top; not copied, so that a large scan is not held twice:
      *     the caller must not change them afterwards
-     * @throws IllegalArgumentException when a size, pitch or the array's length does not fit
      */
     public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
         if (columns < 1 || rows < 1) {
@@ -58,12 +54,10 @@ public final class HeightMap {
         return same;
     }
 
-    /** Returns a map of the same grid that takes over an array of other heights. */
     public HeightMap with(double[] others) {
         return new HeightMap(columns, rows, pitchX, pitchY, others);
     }
 
-    /** Returns a rectangle of this map. */
     public HeightMap part(int firstColumn, int firstRow, int partColumns, int partRows) {
         double[] part = new double[partColumns * partRows];
         for (int row = 0; row < partRows; row++) {
@@ -125,7 +119,6 @@ public final class HeightMap {
         return maximum() - minimum();
     }
 
-    /** True if no sample is missing. */
     public boolean isComplete() {
         return range().getCount() == heights.length;
     }
@@ -141,8 +134,8 @@ public final class HeightMap {
     }
 
     /**
-     * Returns a fingerprint for cache keys, equal for equal surfaces from any file: the SHA-256 of a tag, columns and rows (int), pitch
-     * along x and y and all heights row by row (IEEE doubles), all big-endian.
+     * Returns a fingerprint for cache keys: the SHA-256 of a tag, columns and rows (int), pitch along x and y and all heights row by row
+     * (IEEE doubles), all big-endian.
      */
     public String digest() {
         String known = digest;
@@ -169,7 +162,7 @@ public final class HeightMap {
         return sha.hex();
     }
 
-    /** Returns a description: "512 x 256 samples, 20 um x 10 um". */
+    /** Such as "512 x 256 samples, 20 um x 10 um". */
     public String describe() {
         return Text.format(
                 "%d x %d samples, %s x %s", columns, rows, Lengths.format(width()), Lengths.format(height()));

@@ -12,10 +12,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Refractive index n + i k of a material in air, linear between tabulated wavelengths and constant beyond them. Immutable.
- *
- * @param real n by wavelength in meters, at least one
- * @param imaginary k by wavelength in meters; 0 if empty
+ * Refractive index n + i k of a material in air by wavelength in meters, linear between entries and constant beyond them; n has at least
+ * one, k is 0 without any. Immutable.
  */
 public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Double, Double> imaginary) {
     /** Index of keratin (thesis section 3.3.2). */
@@ -25,7 +23,7 @@ public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Do
     private static final Pattern NUMBER = Pattern.compile(
             "([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)(?:\\s*\\+\\s*([0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)i)?");
 
-    /** @throws IllegalArgumentException when an index is out of range */
+    /** Throws IllegalArgumentException for an index out of range. */
     public RefractiveIndex {
         real = Collections.unmodifiableNavigableMap(new TreeMap<>(real));
         imaginary = Collections.unmodifiableNavigableMap(new TreeMap<>(imaginary));
@@ -61,7 +59,6 @@ public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Do
         return constant(Double.parseDouble(matcher.group(1)), k);
     }
 
-    /** True if the index is the same at all wavelengths. */
     public boolean isConstant() {
         return real.size() == 1 && imaginary.size() <= 1;
     }
@@ -77,17 +74,16 @@ public record RefractiveIndex(NavigableMap<Double, Double> real, NavigableMap<Do
         return values.isEmpty() ? 0 : Lagrange.between(values, wavelength);
     }
 
-    /** Returns Schlick's reflectance for a wavelength in meters and the cosine of the angle between the half vector and the view. */
+    /** Returns Schlick's reflectance at a wavelength in meters for the cosine of the angle between the half vector and the view. */
     public double reflectance(double wavelength, double cosThetaD) {
         return schlick(reflectance(wavelength), cosThetaD);
     }
 
-    /** Returns Schlick's reflectance (1994) for that along the normal and the cosine of the angle between the half vector and the view. */
+    /** Returns Schlick's reflectance (1994) for that along the normal. */
     public static double schlick(double normal, double cosThetaD) {
         return normal + (1 - normal) * Math.pow(Math.max(0, 1 - cosThetaD), 5);
     }
 
-    /** True if this is keratin's index, the default. */
     public boolean isStandard() {
         return equals(KERATIN);
     }

@@ -18,24 +18,20 @@ import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /**
- * Sum over a neighborhood of bins at fixed wavelengths for all directions (shaders/method/full_bins.glsl): equal steps, as in the thesis,
- * or exact weights for light with spectral lines.
+ * Sum over a neighborhood of bins at fixed wavelengths (shaders/method/full_bins.glsl): equal steps, as in the thesis, or exact weights for
+ * light with spectral lines.
  *
  * @param planned whether the wavelengths keep the tolerance; false if the user chose them
  */
 public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths, boolean planned) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
 
-    // Largest number of bins of a neighborhood whose shader has terms in the outer loop and bins in the inner one.
+    // Most bins of a neighborhood whose shader sums terms in the outer loop and bins in the inner one.
     private static final int FEW_BINS = 81;
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
-    /**
-     * Returns a sum over all bins that count, at wavelengths with exact weights for any light.
-     *
-     * @param widestStep largest step in 1 / lambda, 1 / meters, that resolves the diffracted power
-     */
+    /** Returns a sum that is exact for any light; the widest step, in 1 / lambda, 1 / meters, resolves the diffracted power. */
     static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
         return new BinSampling(neighborhood, WavelengthNodes.integrated(cie, widestStep), true);
     }
@@ -94,12 +90,11 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         return layouts;
     }
 
-    /** One layer per term, with real and imaginary parts as channels. */
     private static ArrayLayout terms(Band bandX, Band bandY, int terms) {
         return ArrayLayout.layered(TERMS, bandX.count(), bandY.count(), terms, 2);
     }
 
-    /** Returns arrays and constants of shaders/method/neighborhood.glsl, which reads the DFT bins of all terms. */
+    /** Returns arrays and constants of shaders/method/neighborhood.glsl. */
     static ShaderTables.Builder binTables(
             String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);

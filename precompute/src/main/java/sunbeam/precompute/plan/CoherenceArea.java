@@ -8,7 +8,6 @@ import sunbeam.precompute.reference.ReplicaLight;
 
 /** Part of a surface over which light adds by amplitude. */
 public sealed interface CoherenceArea permits GaussianArea, CoherenceArea.Replicated {
-    /** Returns the exact diffracted light of a patch, evaluated by direct sums. */
     ExactLight over(HeightMap map, CieTable cie);
 
     /** Area with sharp edges: replicas of the patch side by side, evenly lit. */

@@ -6,30 +6,24 @@ import sunbeam.precompute.spectrum.InterpolationDesign;
  * Shares of the tolerance t for each source of error. The promise holds for powers of {@link #DARKEST_POWER} or more: the relative error of
  * power, and of X, Y, Z, is at most t in the median and 3 t at the 95th percentile. The shares of one output add up to less than 1.
  *
- * <p>An amplitude a with error e has a power with relative error 2 e / |a|. So errors that do not depend on the direction, of the expansion
- * or of omitted bins, may be t / 2 times the darkest amplitude. Interpolation errs relative to what it interpolates: a bright order's skirt
- * is a Gaussian, down to the darkest amplitude, 4.6 deviations from the middle.
+ * <p>An amplitude a with error e has a power with relative error 2 e / |a|. So errors of the expansion or of omitted bins may be t / 2
+ * times the darkest amplitude. Interpolation errs relative to what it interpolates: a bright order's skirt is a Gaussian, down to the
+ * darkest amplitude, 4.6 deviations from the middle.
  *
- * <p>On a rough patch, which scatters light everywhere, no skirt stands alone, and a color sums dozens of wavelengths over dozens of orders
- * with independent errors. Then errors count relative to the dark directions' amplitude, and interpolation and the trapezoid rule may err
- * several times as much; these factors are measured.
- *
- * @param tolerance relative error, {@link #FINEST}..{@link #COARSEST}
+ * <p>On a rough patch no skirt stands alone, and a color sums dozens of wavelengths over dozens of orders with independent errors. Errors
+ * count relative to the dark directions' amplitude; interpolation and the trapezoid rule may err several times as much, by measured
+ * factors.
  */
 public record ErrorBudget(double tolerance, Roughness roughness) {
     /** Smallest power within the promise, relative to the mirror's. */
     public static final double DARKEST_POWER = 1e-9;
 
-    /** Smallest amplitude within the promise, relative to the mirror's. */
     public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
 
     /** Finest tolerance that float32 tables and shaders can keep; method {@code reference} is more accurate. */
     public static final double FINEST = 1e-5;
 
-    /**
-     * Finest tolerance whose 95th percentile is certain. Below it the median keeps the tolerance, but float32 leaves errors of up to {@link
-     * #FLOAT32_PERCENTILE} at the 95th percentile (docs/accuracy-and-speed.md).
-     */
+    /** Finest tolerance that the 95th percentile keeps, too (docs/accuracy-and-speed.md). */
     static final double FINEST_CERTAIN = 2e-5;
 
     /** Measured 95th percentile of the power's relative error in float32. */
@@ -38,7 +32,6 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     public static final double COARSEST = 1;
     public static final double STANDARD = 1e-3;
 
-    // Shares of the tolerance.
     private static final double EXPANSION_SHARE = 0.4;
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
@@ -50,7 +43,6 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     // One direction in ten is darker than Roughness.dark, and there 3 t is promised.
     private static final double AT_DARK_DIRECTIONS = 2;
 
-    // See panelDeviations and cutSpacing.
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
     private static final double LARGEST_PANEL = 3.5;
@@ -70,23 +62,21 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return EXPANSION_SHARE * tolerance;
     }
 
-    /** Returns the amplitude below which a bin's contribution to a frequency may be omitted. */
     public double leftOut() {
         return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
     }
 
-    /** Returns the radius of the neighborhood that counts, in bins; omitted bins are at least half a bin farther. */
+    /** Omitted bins are at least half a bin farther. */
     public int neighborhoodRadius(double sigmaBins) {
         double reach = Math.sqrt(2 * Math.log(1 / leftOut()));
         return (int) Math.max(0, Math.ceil(sigmaBins * reach - 0.5));
     }
 
-    /** Returns the interpolation of an average's grid; the ensemble's serves both averages. */
+    /** The ensemble's grid serves both averages. */
     public InterpolationDesign interpolation(Average average) {
         return InterpolationDesign.within(interpolated(average), skirt(average));
     }
 
-    /** Returns the interpolation on a coarser grid, for less memory. */
     public InterpolationDesign compactInterpolation(Average average) {
         return InterpolationDesign.compact(interpolated(average), skirt(average));
     }
@@ -99,7 +89,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return average == Average.ENSEMBLE ? 2 * amplitude : amplitude;
     }
 
-    /** Returns the skirt to design for, in standard deviations of the Gaussian. */
+    /** In standard deviations of the Gaussian. */
     private double skirt(Average average) {
         if (roughness.isRough()) {
             return ROUGH_SKIRT;
@@ -111,8 +101,8 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
 
     /**
      * Returns the panel of Gauss's rule with four nodes, in deviations of an order's power, where the band cuts the order. A panel of size
-     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30). For exp(-x^2 / 2), whose integral is
-     * sqrt(2 pi), that is at most 105.
+     * H errs by H^9 4!^4 / (9 8!^3) times the eighth derivative (Abramowitz and Stegun 25.4.30), at most 105 for exp(-x^2 / 2), whose
+     * integral is sqrt(2 pi).
      */
     public double panelDeviations() {
         return Math.min(LARGEST_PANEL, Math.pow(wavelengths() / PANEL_ERROR, 1.0 / 9));

@@ -16,19 +16,13 @@ import sunbeam.precompute.reference.WindowLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/**
- * Coherence area with a Gaussian window, and the average over positions of the window.
- *
- * @param origin sample under the window's maximum
- */
+/** Coherence area with a Gaussian window, and the average over positions of the window. */
 public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average average) implements CoherenceArea {
-    /** Sunlight's window on the patch's center. */
     public static final GaussianArea STANDARD = new GaussianArea(
             CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH),
             WindowOrigin.CENTRE,
             Average.COHERENT);
 
-    /** The thesis's area: sunlight's window on the corner. */
     public static final GaussianArea THESIS =
             new GaussianArea(STANDARD.window(), WindowOrigin.CORNER, Average.COHERENT);
 

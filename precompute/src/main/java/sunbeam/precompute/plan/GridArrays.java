@@ -36,7 +36,6 @@ final class GridArrays {
     private final Band samplesX;
     private final Band samplesY;
 
-    /** Fields with one real value per DFT bin: parts of amplitudes, or terms of powers. */
     private record Fields(CoefficientTable coefficients, int count, Values values) {
         /** Returns {@code [field - first][bin]}. */
         interface Values {
@@ -59,9 +58,7 @@ final class GridArrays {
         this.samplesY = plan.range().bandY(1 / step, taps);
     }
 
-    /**
-     * The ensemble has about twice as many terms as the expansion; these are real, four per texel, while two complex terms share a texel.
-     */
+    /** The ensemble has about twice as many terms as the expansion, real ones, four per texel; two complex terms share a texel. */
     List<ArrayLayout> layouts(MethodUse use) {
         int terms = plan.expansion().terms();
         int texels = texels(2 * terms);
@@ -90,7 +87,6 @@ final class GridArrays {
                 1);
     }
 
-    /** Returns the layouts of columns, which follow each other along x, and of rows: one texture for both, or two. */
     private List<TermsLayout> raysLayouts(int texels) {
         return sampling.apart()
                 ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
@@ -162,7 +158,7 @@ final class GridArrays {
         return Axis.forGridPoints(grid, sampling.nodeStep(), bins, sigma);
     }
 
-    /** Adds the two grids for rays: columns at steps along x, and rows at steps along y. Each column or row is one row of a texture. */
+    /** Adds columns at steps along x, and rows at steps along y. Each column or row is one row of a texture. */
     private void addRays(ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
         TermsLayout layout = layouts.get(0);
         int height = layout.array().height();

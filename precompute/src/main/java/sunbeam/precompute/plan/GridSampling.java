@@ -20,9 +20,9 @@ import sunbeam.precompute.text.Text;
  *
  * @param nodeStep distance of columns and of rows, cycles per meter
  * @param longestStep longest step along a ray, cycles per meter; rays that cross many columns skip some
- * @param fewestNodes fewest wavelengths; near the specular direction, where rays cross fewer columns, both axes are interpolated
+ * @param fewestNodes fewest wavelengths; where rays cross fewer columns, near the specular direction, both axes are interpolated
  * @param band rule for the wavelengths near the specular direction
- * @param single sampling for single wavelengths; if empty, they are interpolated in a grid that serves both averages
+ * @param single sampling for single wavelengths; if empty, a grid that serves both averages
  * @param apart whether columns and rows are in separate textures, for drivers with smaller limits
  */
 public record GridSampling(
@@ -49,7 +49,7 @@ public record GridSampling(
         return new GridSampling(design, neighborhood, step, longestStep, fewestNodes, band, single, divided, budget);
     }
 
-    /** True if the columns resolve orders that the ends of the visible band cut; on rough patches these dim ends need not be resolved. */
+    /** On rough patches the dim ends of cut orders need not be resolved. */
     public boolean endsCut() {
         return !budget.roughness().isRough();
     }
@@ -71,9 +71,8 @@ public record GridSampling(
                 Math.ceil(range.maximumComponent() * CieTable.BAND_WIDTH / (diagonalStride() * nodeStep)));
     }
 
-    /** At 45 degrees, where a ray takes the most steps. */
     private int diagonalStride() {
-        // The last factor allows for rounding of a quotient that should be a whole number.
+        // At 45 degrees, where a ray takes the most steps; the last factor allows for rounding.
         return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
     }
 
@@ -92,7 +91,6 @@ public record GridSampling(
                 : List.of(plan.area().average());
     }
 
-    /** Single wavelengths have no columns to cross. */
     public Sampling serving(MethodUse use) {
         if (use == MethodUse.COLOR) {
             return this;
@@ -116,7 +114,6 @@ public record GridSampling(
         return layouts;
     }
 
-    /** Two copies of the terms, for both averages, and two layers that are being resampled. */
     @Override
     public long workBytes(SpectrumPlan plan) {
         long bins = (long) plan.bandX().count() * plan.bandY().count();

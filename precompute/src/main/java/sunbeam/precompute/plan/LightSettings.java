@@ -26,7 +26,6 @@ public final class LightSettings {
                             + " and of power.")
             .withStandard("D65");
 
-    /** Band of wavelengths that passes a filter. */
     public static final Setting<WavelengthBand> WAVELENGTHS = new Setting<>(
                     "wavelengths",
                     ValueKind.text(
@@ -47,7 +46,6 @@ public final class LightSettings {
 
     private LightSettings() {}
 
-    /** True if an illuminant names a file. */
     public static boolean isFile(String illuminant) {
         return illuminant.toLowerCase(Locale.ROOT).endsWith(".csv");
     }

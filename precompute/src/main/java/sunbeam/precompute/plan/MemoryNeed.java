@@ -11,12 +11,7 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 
-/**
- * Upper estimate of the memory that a plan needs.
- *
- * @param heapBytes peak size of tables and work arrays in Java's heap
- * @param textures all arrays on the graphics card
- */
+/** Upper estimate of the memory that a plan needs: peak size in Java's heap, and all arrays on the graphics card. */
 public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
     static final long MOST_TEXTURE_BYTES = 3L << 30;
 
@@ -49,7 +44,6 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
                 plan.sampling().layouts(plan, use));
     }
 
-    /** Returns the memory that a plan needs, for the use of its shader that needs more. */
     public static MemoryNeed of(SpectrumPlan plan, int rows) {
         return Arrays.stream(MethodUse.values())
                 .map(use -> of(plan, use, rows))
@@ -70,7 +64,7 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
         return textures.stream().mapToLong(size).max().orElse(0);
     }
 
-    /** Returns which limit is exceeded, as the end of a sentence that begins with "this plan"; empty if the plan fits. */
+    /** Returns which limit is exceeded, as the end of a sentence that begins with "this plan". */
     Optional<String> excess(long heapLimit) {
         long longestSide = largest(ArrayLayout::longestSide);
         if (longestSide > LONGEST_SIDE) {

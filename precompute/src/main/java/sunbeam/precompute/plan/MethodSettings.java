@@ -68,7 +68,6 @@ public final class MethodSettings {
             ValueKind.length(SMALLEST_STEP, LARGEST_STEP),
             "Equal steps of the wavelength, for example 5nm.");
 
-    /** Sample under the window's maximum; the corner for the thesis, the center otherwise. */
     public static final Setting<WindowOrigin> WINDOW_ORIGIN = new Setting<>(
             "windowOrigin",
             ValueKind.word("PLACE", WindowOrigin.class),
@@ -87,7 +86,6 @@ public final class MethodSettings {
                     "coherent: one coherence area, with speckle. ensemble: the mean over all positions of the window.")
             .withStandard(Average.COHERENT);
 
-    /** Interpolation between the bins of one period's DFT. */
     public static final Setting<PeriodInterpolation> INTERPOLATION = new Setting<>(
             "interpolation",
             ValueKind.word("KIND", PeriodInterpolation.class),
@@ -106,13 +104,11 @@ public final class MethodSettings {
             "For gem: distance of the grating's lines, which run along y. Default: the patch's width, for patches of one"
                     + " period.");
 
-    /** Orders of a grating beside the mirror's. */
     public static final Setting<Integer> ORDERS = new Setting<>(
             "orders",
             ValueKind.integer("N", 1, 100),
             "For gem: orders on each side of the mirror's: 8 (default, GPU Gems); in the thesis's form all visible ones.");
 
-    /** Form of the grating formula. */
     public static final Setting<GemForm> GEM_FORM = new Setting<>(
             "gemForm",
             ValueKind.word("FORM", GemForm.class),
@@ -123,9 +119,8 @@ public final class MethodSettings {
 
     /** Source of the default settings. */
     public enum Preset {
-        /** Defaults are planned for the tolerance. */
         NONE,
-        /** Defaults are the thesis's values (docs/theory.md), which settings override one by one. */
+        /** docs/theory.md. */
         THESIS;
 
         public static boolean isThesis(Choices choices) {
@@ -139,12 +134,10 @@ public final class MethodSettings {
         ONCE,
         SQUARED;
 
-        /** Returns the chosen factor, by default the preset's. */
         public static FresnelFactor of(Choices choices) {
             return choices.get(FRESNEL, Preset.isThesis(choices) ? SQUARED : ONCE);
         }
 
-        /** Returns the tables for a shader with this factor. */
         public ShaderTables applyTo(ShaderTables tables) {
             return this == ONCE ? tables : tables.with(all -> all.define("FRESNEL_SQUARED", 1));
         }

@@ -2,16 +2,10 @@ package sunbeam.precompute.plan;
 
 import sunbeam.precompute.text.Text;
 
-/**
- * Bins that are summed around a frequency, (2 radiusX + 1) (2 radiusY + 1) of them.
- *
- * @param radiusX bins on each side along x
- * @param radiusY bins on each side along y
- */
+/** Bins that are summed around a frequency: 2 radius + 1 along each axis. */
 public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
     public static final int MAXIMUM_RADIUS = 15;
 
-    /** Rule for the middle bin. */
     public enum Anchor {
         /** Bin at or below the frequency, as in the thesis. */
         FLOOR,
@@ -22,7 +16,6 @@ public record Neighborhood(int radiusX, int radiusY, Anchor anchor) {
         this(radius, radius, anchor);
     }
 
-    /** Returns the number of bins. */
     public long bins() {
         return (2L * radiusX + 1) * (2L * radiusY + 1);
     }

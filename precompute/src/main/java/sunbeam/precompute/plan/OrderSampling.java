@@ -13,22 +13,20 @@ import sunbeam.precompute.spectrum.FourierTable;
  * Sums the DFT bins around frequencies f = (u, v) / lambda on a direction's ray, each bin a diffraction order of the repeated patch: for
  * small and periodic patches, where few bins count (shaders/method/full_orders.glsl).
  *
- * @param resolved wavelengths around the middle of each order, which is integrated by itself; empty if orders overlap
+ * @param resolved wavelengths around each order's middle, to integrate it by itself; empty if orders overlap
  * @param band wavelengths of the whole band, for overlapping orders and for the specular one, which has no middle
  */
 public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> resolved, BandRule band)
         implements Sampling {
 
     /**
-     * Wavelengths around the middle of an order.
+     * Wavelengths around the middle of an order; lengths are standard deviations of the order's power unless stated.
      *
-     * @param reach distance of the farthest wavelength from the order's middle, in standard deviations of the order's power
-     * @param spacing distance of wavelengths, in deviations
-     * @param panel size of a panel of Gauss's rule on orders that the visible band cuts, in deviations
-     * @param largestStep largest step of the wavelength, meters; limits the steps in orders near the specular one, which are broader than
-     *     details of D65 and of the color matching functions
-     * @param cornerLength largest ratio of a squared step to the order's deviation, meters; resolves a corner of D65's table within the
-     *     order
+     * @param reach distance of the farthest wavelength from the middle
+     * @param panel size of a panel of Gauss's rule on orders that the visible band cuts
+     * @param largestStep largest step of the wavelength, meters: orders near the specular one are broader than details of D65 and of the
+     *     color matching functions
+     * @param cornerLength largest ratio of a squared step to the deviation, meters; resolves a corner of D65's table
      */
     public record OrderNodes(double reach, double spacing, double panel, double largestStep, double cornerLength) {
         private int fewest() {
@@ -37,11 +35,10 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
     }
 
     /**
-     * Quadrature rule over the wavelengths of a ray f = (u, v) / lambda, for orders that the ends of the visible band cut
-     * (shaders/include/integral.glsl). Short rays get equal steps of 1 / lambda with Gregory's end corrections, which suit the kinks of D65's
-     * table best. Longer rays, which cross orders narrower than these steps, get panels of Gauss's rule.
+     * Quadrature rule over the wavelengths of a ray f = (u, v) / lambda, for orders that the visible band cuts
+     * (shaders/include/integral.glsl). Short rays get equal steps of 1 / lambda with Gregory's end corrections, which suit the kinks of
+     * D65's table best; longer ones, which cross narrower orders, panels of Gauss's rule.
      *
-     * @param fewestNodes number of wavelengths with equal steps
      * @param reach |(u, v)| up to which equal steps resolve the orders
      * @param panel size of a panel along the ray, cycles per meter
      * @param largestPanel largest size of a panel in 1 / lambda, 1 / meters
@@ -50,17 +47,12 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         private static final int NODES_PER_PANEL = 4;
         // Panels of one step at both ends, subdivided.
         private static final int GRADED_PANELS = 4;
-        // Nodes of Gauss's rule per equal step: with one, the kinks of D65's table, which lie anywhere in a panel, cost
-        // more.
+        // Per equal step: with one, the kinks of D65's table, which lie anywhere in a panel, cost more.
         private static final double GAUSS_NODES_PER_STEP = 2;
         // Where the band cuts off an order's middle, only its flank is left, which falls this much faster.
         private static final double STEEPEST_FLANK = 2;
 
-        /**
-         * @param deviation standard deviation of an order's power along the ray, cycles per meter
-         * @param spacing equal step that resolves an order, in deviations
-         * @param panel size of a panel of Gauss's rule, in deviations
-         */
+        /** Deviation of an order's power along the ray, cycles per meter; spacing of equal steps and panel size, in deviations. */
         static BandRule of(int fewestNodes, double deviation, double spacing, double panel) {
             return new BandRule(
                     fewestNodes,
@@ -74,7 +66,6 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
             return new BandRule(fewestNodes, fewestNodes * step / CieTable.BAND_WIDTH, panel, largestPanel);
         }
 
-        /** Wavelengths of a ray of this |(u, v)|. */
         int nodes(double uv) {
             if (uv <= reach) {
                 return fewestNodes;
@@ -95,7 +86,7 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         }
     }
 
-    /** Returns the sampling for a patch so small that the window resolves each of its orders: the bin nearest to a frequency suffices. */
+    /** For a patch so small that the window resolves each order: the bin nearest to a frequency suffices. */
     static OrderSampling resolved(OrderNodes nodes, BandRule band) {
         return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
     }

@@ -19,27 +19,23 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Limits beyond which a plan is refused, and reasons why a plan cannot promise its tolerance. */
+/** Limits beyond which a plan is refused. */
 final class PlanChecks {
-    // Limit of a pixel's loop steps: Mesa's software renderer silently ends all loops after 65,535
-    // (shaders/include/loops.glsl).
+    // Per pixel: Mesa's software renderer silently ends all loops after 65,535 (shaders/include/loops.glsl).
     static final long MOST_LOOP_STEPS = 60_000;
 
-    // Fewest samples per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum
-    // at distance 1 / p; the first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to a coherent power's normalization.
+    // Per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at distance 1 /
+    // p; the first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to a coherent power's normalization.
     private static final double FEWEST_SAMPLES = 4;
 
-    // Coarsest pitch that can show diffraction, meters: the first order of a period of two samples is then 3 degrees
-    // from the mirror direction at 550 nm.
+    // Meters: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
 
-    // Largest phase of an expansion, radians; the time to find its basis, half a minute here, grows with its third
-    // power.
+    // Radians; the time to find an expansion's basis, half a minute here, grows with the third power.
     private static final double LARGEST_PHASE = 800;
 
     private PlanChecks() {}
 
-    /** Refuses reliefs for which an expansion would take minutes to find. */
     static void requireExpandable(HeightScale scale, double maximumPhase) {
         if (maximumPhase > LARGEST_PHASE) {
             throw SettingException.of(
@@ -70,7 +66,7 @@ final class PlanChecks {
         }
     }
 
-    /** Refuses Taylor expansions whose terms, up to e^phase before they cancel, exceed float32's digits. */
+    /** Refuses terms that, up to e^phase before they cancel, exceed float32's digits. */
     static TaylorExpansion accurate(TaylorExpansion expansion, double tolerance) {
         double reachable = Math.ulp(1f) * expansion.largestTerm(expansion.maximumPhase());
         if (reachable > tolerance) {
@@ -79,7 +75,7 @@ final class PlanChecks {
         return expansion;
     }
 
-    /** Refuses Taylor expansions whose squared terms overflow float32. A given number of terms may be inaccurate. */
+    /** Refuses squared terms that overflow float32. A given number of terms may be inaccurate. */
     static TaylorExpansion withinFloatRange(TaylorExpansion expansion) {
         if (Math.pow(expansion.largestTerm(expansion.maximumPhase()), 2) > Float.MAX_VALUE) {
             throw taylor(expansion, Text.format("with %d terms leaves the range of float32", expansion.terms()));
@@ -112,7 +108,7 @@ final class PlanChecks {
                 COHERENCE_LENGTH);
     }
 
-    /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um"; empty if the plan fits. */
+    /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um". */
     static Optional<String> excess(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
         Optional<String> memory = Arrays.stream(MethodUse.values())
                 .flatMap(use -> MemoryNeed.of(plan, use, rows).excess(heapLimit).stream())

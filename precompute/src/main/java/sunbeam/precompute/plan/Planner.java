@@ -37,20 +37,12 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         return average == Average.ENSEMBLE ? new Planner(heights, cie, heapLimit, Long.MAX_VALUE, statistics) : this;
     }
 
-    /**
-     * Returns the fastest plan that keeps the tolerance and fits into memory.
-     *
-     * @throws sunbeam.precompute.setting.SettingException if there is none, or if a choice does not suit the patch
-     */
+    /** Returns the fastest plan that keeps the tolerance and fits into memory; throws SettingException if there is none. */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range) {
         return plan(choices, area, range, roughness(choices, area, range));
     }
 
-    /**
-     * Plans for a patch of known roughness, which takes seconds to measure.
-     *
-     * @param roughness roughness of the patch, measured under this window or a longer one
-     */
+    /** Plans for a patch whose roughness, which takes seconds, was measured under this window or a longer one. */
     public SpectrumPlan plan(TableChoices choices, GaussianArea area, VisibleRange range, Roughness roughness) {
         HeightMap map = heights.map();
         PlanChecks.requireSamples(area.window(), map);
@@ -79,10 +71,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
     }
 
-    /**
-     * Returns the roughness of the patch if the plan may interpolate the spectrum on a grid of frequencies; otherwise {@link
-     * Roughness#NONE}.
-     */
+    /** Measures the roughness if the plan may interpolate the spectrum on a grid; else returns {@link Roughness#NONE}. */
     public Roughness roughness(TableChoices choices, GaussianArea area, VisibleRange range) {
         return !choices.fixesBins() && Samplings.interpolates(heights.map(), area.window())
                 ? Roughness.measure(heights.map(), area.window(), area.origin(), range, statistics)
@@ -121,26 +110,22 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         };
     }
 
-    /** Sampling of the windowed spectrum: single orders if the window resolves them, sums over bins or a grid otherwise. */
     private record Samplings(
             HeightLevels heights, CieTable cie, GaussianArea area, VisibleRange range, ErrorBudget budget) {
-        // Fewest wavelengths of a direction: 40 steps of 1 / lambda, 5 nm in the blue, 8 nm in the green, resolve the
-        // color matching functions and D65. At the standard tolerance as measured.
+        // 40 steps of 1 / lambda, 5 nm in the blue, 8 nm in the green, resolve the color matching functions and D65.
         private static final int FEWEST_NODES = 40;
         private static final int NODES_AT_STANDARD = 60;
         private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
-        // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. The slope of D65 changes by up to
-        // 1.1 % per nanometer at multiples of 5 nm. There the trapezoid rule errs by up to h^2 / 12 times this change:
-        // at most three tolerances.
+        // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. At multiples of 5 nm the slope of
+        // D65 changes by up to 1.1 % per nanometer; the trapezoid rule errs by up to h^2 / 12 times that, three
+        // tolerances.
         private static final double CORNER_LENGTH = 4e-6;
-        // Largest |u|, |v| at which both axes are interpolated, which reads as many times more texels as the kernel has
-        // taps. Rays that cross the columns more steeply than at 45 degrees skip some.
+        // Largest |u|, |v| at which both axes are interpolated, with as many times more texels as the kernel has taps.
         private static final double LARGEST_CENTER = 0.2;
         // Wavelengths per period of the interference between top and bottom of the relief.
         private static final double NODES_PER_FRINGE = 6;
-        // Standard deviation of the window's spectrum, in bins, below which the flanks of orders are bare:
-        // interpolation errs relative to the order's middle, which is exp(0.5^2 / sigma^2) times the power half a bin
-        // aside.
+        // In bins; below, the flanks of orders are bare: interpolation errs relative to the order's middle, which is
+        // exp(0.5^2 / sigma^2) times the power half a bin aside.
         private static final double RESOLVED_SIGMA_BINS = 0.4;
 
         private HeightMap map() {
@@ -154,13 +139,11 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         /** Returns the samplings that keep the tolerance, the fastest first; later ones need less memory. */
         List<Supplier<Sampling>> choices() {
             if (!cie.isSmooth()) {
-                // Half of the reference's step, whose error of a millionth of an order's maximum is too much on its
-                // flanks.
+                // Half of the reference's step, whose error of 1e-6 of an order's maximum is too much on its flanks.
                 double step = 0.5 * WindowLight.step(window(), heights, range.longestUv(), range.maximumW());
                 return List.of(() -> BinSampling.exact(bins(), cie, step));
             }
-            // The next order is at least half a bin away. It must vanish there, so that the valley between orders is
-            // dark.
+            // The next order, at least half a bin away, must vanish there, so that the valley between orders is dark.
             double sigmaBins = window().sigmaFrequency() * Math.max(map().width(), map().height());
             double neighbor = Math.exp(-0.5 * Math.pow(0.5 / sigmaBins, 2));
             if (neighbor < 1e-3 * budget.tolerance()) {
@@ -171,7 +154,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             Supplier<Sampling> apart =
                     () -> grid(budget.compactInterpolation(area.average())).inTwoTextures();
             Supplier<Sampling> bins = () -> new OrderSampling(bins(), Optional.empty(), band(fewestNodes()));
-            // If orders are resolved along an axis, a grid fine enough for them is larger than the bins.
+            // Where orders are resolved along an axis, a fine enough grid is larger than the bins.
             return interpolates(map(), window())
                     ? List.of(fast, compact, apart, bins)
                     : List.of(bins, fast, compact, apart);
@@ -181,7 +164,6 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             return new Neighborhood(radius(map().width()), radius(map().height()), Neighborhood.Anchor.NEAREST);
         }
 
-        /** Bins within the window's spectrum. */
         private Neighborhood reached() {
             double reach = InterpolationDesign.GAUSS_REACH * window().sigmaFrequency();
             return new Neighborhood(
@@ -204,8 +186,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         }
 
         private Sampling orders() {
-            // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2); 0.01 for the color matching
-            // functions' slope.
+            // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2).
             double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
             double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
             return OrderSampling.resolved(
@@ -233,7 +214,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
         }
 
-        /** All bins that count; empty if they exceed the limit of a shader's loops. */
+        /** Empty if the bins exceed the limit of a shader's loops. */
         private Optional<OrderSampling> single(BandRule band) {
             return Optional.of(bins())
                     .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)

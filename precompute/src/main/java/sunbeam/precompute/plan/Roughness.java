@@ -18,23 +18,18 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
  * Statistics of the power that a patch diffracts in random directions, measured with the exact reference. A rough patch, which scatters
  * light everywhere, has no bare skirts, and approximation errors are small beside its light.
  *
- * @param bright share of random directions with {@link ErrorBudget#DARKEST_POWER} or more, 0..1
- * @param mean power of these bright directions, relative to a mirror's
- * @param dark tenth percentile of the bright directions' power
+ * @param bright share of directions with {@link ErrorBudget#DARKEST_POWER} or more, 0..1
+ * @param mean power of these, relative to a mirror's
+ * @param dark tenth percentile of their power
  * @param deviations width of the range of visible frequencies, in standard deviations of the window's spectrum
  * @param diffracted share of the light that does not go in mirror direction, 0..1; little if grains lie on a mirror
  */
 public record Roughness(double bright, double mean, double dark, double deviations, double diffracted) {
-    /** Cache of statistics of height maps that take long to compute. */
     @FunctionalInterface
     public interface Cache {
         Cache NONE = (map, name, computation) -> computation.get();
 
-        /**
-         * Returns cached or newly computed statistics.
-         *
-         * @param name text that determines the statistics, together with the heights and the program's version
-         */
+        /** Returns cached or newly computed statistics; heights, name and the program's version determine them. */
         double[] get(HeightMap map, String name, Supplier<double[]> computation);
     }
 
@@ -46,18 +41,15 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     private static final double FEWEST_DEVIATIONS = 60;
     // With less diffracted light a bare mirror's spot outshines a few grains, and its skirt shows.
     private static final double LEAST_DIFFRACTED = 0.02;
-    // Until a direction is a sum of two unit vectors.
     private static final int MOST_TRIES = 1000;
     private static final int DIRECTIONS = 20;
     // Directions evaluated in parallel before the share of dark ones is checked.
     private static final int AT_ONCE = 4;
-    // Fixed, so that runs repeat.
     private static final long SEED = 1936;
 
     /** Roughness of a patch that is not rough, or was not measured: its skirts count as bare. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 
-    /** @param statistics cache of the statistics */
     static Roughness measure(
             HeightMap map, CoherenceWindow window, WindowOrigin origin, VisibleRange range, Cache statistics) {
         double deviations = deviations(window, range);
@@ -79,7 +71,6 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return new double[] {bright, mean, dark, deviations, diffracted};
     }
 
-    /** Samples random directions, until too many are dark. */
     private static List<ReferenceEvaluator.Sample> sample(ReferenceEvaluator source, VisibleRange range) {
         SplittableRandom random = new SplittableRandom(SEED);
         Query[] drawn = new Query[DIRECTIONS];
@@ -142,7 +133,6 @@ public record Roughness(double bright, double mean, double dark, double deviatio
                     -between(random, range.minimumU(), range.maximumU()),
                     -between(random, range.minimumV(), range.maximumV()),
                     between(random, range.minimumW(), range.maximumW()));
-            // Two unit vectors add up to at most 2.
             if (sum.dot(sum) <= 4) {
                 break;
             }
@@ -156,19 +146,17 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return low + random.nextDouble() * (high - low);
     }
 
-    /** True if orders stand alone in the dark, as those of a grating do. */
     public boolean areOrdersIsolated() {
         return bright < FEWEST_LIT;
     }
 
-    /** True if the patch scatters light in all directions. */
     public boolean isRough() {
         return bright >= FEWEST_BRIGHT && deviations >= FEWEST_DEVIATIONS && diffracted >= LEAST_DIFFRACTED;
     }
 
     /**
-     * Returns the amplitude of dark directions relative to the mean one, times the square root of the diffracted share of light, 0..1: an
-     * expansion's error at the phases of a few grains on a mirror is as rare as the grains.
+     * Returns the amplitude of dark directions relative to the mean one, times the square root of the diffracted share, 0..1: an
+     * expansion's error at the phases of a few grains is as rare as the grains.
      */
     public double contrast() {
         return Math.min(1, Math.sqrt(dark / mean * diffracted));

@@ -7,10 +7,9 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.FourierTable;
 
-/** Rule for evaluating the windowed spectrum from DFT bins: the bins or grids to read, and the wavelengths. */
+/** Rule for evaluating the windowed spectrum: the bins or grids to read, and the wavelengths. */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
 
-    /** Returns a few words on the bins or the grid, and on the number of wavelengths. */
     String summary(VisibleRange range);
 
     /** Formats a range of numbers: "60 to 166", or one number. */
@@ -18,7 +17,6 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
         return fewest == most ? Integer.toString(fewest) : fewest + " to " + most;
     }
 
-    /** Returns the bins around a frequency that count. */
     Neighborhood neighborhood();
 
     /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */
@@ -27,15 +25,11 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
     List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use);
 
-    /** Returns the bytes of heap that computing the arrays takes, in addition to the Fourier table. */
+    /** Returns the bytes of heap that computing the arrays takes beside the Fourier table. */
     default long workBytes(SpectrumPlan plan) {
         return 0;
     }
 
-    /**
-     * Returns the shader's tables; layers of arrays are computed on demand.
-     *
-     * @param table Fourier table of the plan; may have fewer terms
-     */
+    /** Returns the shader's tables, with layers computed on demand; the Fourier table may have fewer terms than the plan. */
     ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie);
 }

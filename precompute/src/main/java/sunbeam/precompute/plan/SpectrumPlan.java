@@ -26,8 +26,6 @@ import sunbeam.precompute.units.Lengths;
  * Plan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
  *
  * @param tolerance promised relative error; empty for the thesis's choices, which promise none
- * @param range directions that can occur
- * @param bandX bins along x to compute and store
  */
 public record SpectrumPlan(
         Optional<Double> tolerance,
@@ -37,20 +35,16 @@ public record SpectrumPlan(
         Band bandY,
         GaussianArea area,
         Sampling sampling) {
-    // Typical rounding of a frequency in float32, in units in the last place: a fifth of the largest, as measured.
+    // In units in the last place: a fifth of the largest, as measured.
     private static final double TYPICAL_ROUNDING = 0.1;
 
-    // Error at the 95th percentile of power per radian of the largest phase, which float32 rounds; measured.
+    // Error at the 95th percentile of power per radian of the largest phase; measured.
     private static final double PHASE_ROUNDING = 3e-7;
 
     /** Margin of bins for shorter windows, in their sigma_f. */
     private static final double SHORT_WINDOW_REACH = 4;
 
-    /**
-     * Transforms a surface's heights.
-     *
-     * @param progress receives the number of terms finished by each transform
-     */
+    /** Transforms heights; the consumer receives the number of terms finished by each transform. */
     public FourierTable fourierTable(HeightLevels heights, IntConsumer progress) {
         return FourierTable.of(heights, expansion, bandX, bandY, progress);
     }
@@ -72,7 +66,6 @@ public record SpectrumPlan(
         return area.window();
     }
 
-    /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light. */
     public double specularReach() {
         return window().specularReach(CieTable.MAXIMUM_WAVELENGTH);
     }
@@ -89,7 +82,6 @@ public record SpectrumPlan(
                 sampling.toString());
     }
 
-    /** Returns one line about accuracy, window and sampling, for users who do not know the method. */
     public String summary() {
         return Text.format(
                 "%s, coherence length %s, %s average, %s",
@@ -106,7 +98,6 @@ public record SpectrumPlan(
                 .orElse("as in the thesis");
     }
 
-    /** Formats a share as a percentage, without the percent sign. */
     public static String percent(double share) {
         return new BigDecimal(100 * share)
                 .round(new MathContext(3))
@@ -118,12 +109,11 @@ public record SpectrumPlan(
         return expansion.terms() + " " + ValueKind.name(expansion.kind()) + " terms";
     }
 
-    /** Such as "699 x 699 DFT bins". */
     String bins() {
         return bandX.count() + " x " + bandY.count() + " DFT bins";
     }
 
-    /** Returns a sentence per reason that breaks the tolerance: the user's choices, and {@link #shortfalls}; none for the thesis's choices. */
+    /** Returns the reasons that break the tolerance: the user's choices and {@link #shortfalls}; none for the thesis's. */
     public List<Sentence> warnings() {
         List<Sentence> lines = shortfalls();
         tolerance.ifPresent(promised -> {
@@ -169,15 +159,14 @@ public record SpectrumPlan(
     }
 
     /**
-     * Returns the error of colors on flanks of orders. Under a wide window orders are narrow, and float32 resolves a frequency to half a
-     * unit in the last place. Three deviations from an order's middle the power changes by six times the relative shift.
+     * Returns the error of colors on flanks of orders: float32 resolves a frequency to half a unit in the last place, and three deviations
+     * from an order's middle the power changes by six times the relative shift.
      */
     private double reachable() {
         double farthest = range.longestUv() / CieTable.MINIMUM_WAVELENGTH;
         return 6 * TYPICAL_ROUNDING * Math.ulp(1f) * farthest / window().sigmaFrequency();
     }
 
-    /** Returns one line about memory on the graphics card. */
     public String cost(int patchRows) {
         return "textures of at most "
                 + MemoryNeed.inWords(MemoryNeed.of(this, patchRows).textureBytes());

@@ -18,8 +18,8 @@ import sunbeam.precompute.setting.Setting;
 /**
  * User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others.
  *
- * @param promisedTolerance relative error that the plan promises, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the
- *     thesis's choices, which promise nothing
+ * @param promisedTolerance relative error, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the thesis's choices, which
+ *     promise nothing
  * @param neighborhood bins summed around each frequency, with the thesis's preset only
  * @param wavelengthStep equal step of the wavelength, meters
  */
@@ -34,7 +34,6 @@ public record TableChoices(
 
     private static final Neighborhood THESIS_BINS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
 
-    /** The thesis's choices. */
     public static final TableChoices THESIS = new TableChoices(
             Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(THESIS_BINS), Optional.empty());
 
@@ -49,11 +48,7 @@ public record TableChoices(
                 Optional.of(tolerance), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
     }
 
-    /**
-     * Reads the choices about tables.
-     *
-     * @throws sunbeam.precompute.setting.SettingException for choices that contradict each other
-     */
+    /** Reads the choices; throws SettingException if they contradict each other. */
     public static TableChoices of(Choices choices) {
         boolean thesis = Preset.isThesis(choices);
         if (thesis && choices.has(TOLERANCE)) {
@@ -92,12 +87,10 @@ public record TableChoices(
         return promisedTolerance.isEmpty();
     }
 
-    /** True if the user chose equal wavelength steps or a neighborhood, in place of a planned sampling. */
     public boolean fixesBins() {
         return neighborhood.isPresent() || wavelengthStep.isPresent();
     }
 
-    /** Returns the promised tolerance; the standard one for the thesis's choices. */
     double tolerance() {
         return promisedTolerance.orElse(ErrorBudget.STANDARD);
     }

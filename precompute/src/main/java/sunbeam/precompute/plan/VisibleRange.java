@@ -10,10 +10,8 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.text.Text;
 
 /**
- * Intervals of (u, v, w) that a scene can reach; nothing outside is computed or stored.
+ * Intervals of (u, v, w) that a scene can reach; nothing outside is computed or stored. Limits of w are those of |w|, 0..2.
  *
- * @param minimumW smallest |w|, 0..2
- * @param maximumW largest |w|, 0..2
  * @param light the only light, for every direction to the viewer: then w follows from u and v
  * @param pairs the only pairs of directions; empty if there are others
  */
@@ -36,7 +34,6 @@ public record VisibleRange(
         this(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW, Optional.empty(), List.of());
     }
 
-    /** Returns the range of all pairs of directions of the hemisphere. */
     public static VisibleRange all() {
         return new VisibleRange(-2, 2, -2, 2, 0, 2);
     }
@@ -54,11 +51,7 @@ public record VisibleRange(
                 List.of());
     }
 
-    /**
-     * Returns the smallest range that holds these pairs of directions.
-     *
-     * @param pairs at least one pair
-     */
+    /** Returns the smallest range that holds these pairs of directions, at least one. */
     public static VisibleRange of(List<DirectionPair> pairs) {
         DoubleSummaryStatistics u = pairs.stream().mapToDouble(DirectionPair::u).summaryStatistics();
         DoubleSummaryStatistics v = pairs.stream().mapToDouble(DirectionPair::v).summaryStatistics();
@@ -68,12 +61,12 @@ public record VisibleRange(
                 u.getMin(), u.getMax(), v.getMin(), v.getMax(), w.getMin(), w.getMax(), Optional.empty(), pairs);
     }
 
-    /** True if single points of the intervals can occur alone, as in maps and lists, so that a table may hold only those. */
+    /** True if single points can occur alone, as in maps and lists, so that a table may hold only those. */
     public boolean hasPoints() {
         return light.isPresent() || !pairs.isEmpty();
     }
 
-    /** Returns the intervals for cache keys; all uses of the same intervals share tables. */
+    /** For cache keys; all uses of the same intervals share tables. */
     @Override
     public String toString() {
         return Text.format(
@@ -86,7 +79,6 @@ public record VisibleRange(
         return band(minimumU, maximumU, period, margin);
     }
 
-    /** Returns the bins along y, like {@link #bandX}. */
     public Band bandY(double period, int margin) {
         return band(minimumV, maximumV, period, margin);
     }
@@ -99,7 +91,7 @@ public record VisibleRange(
         return Band.covering(low / wavelengthTowards(low, -1), high / wavelengthTowards(high, 1), period, margin);
     }
 
-    /** Returns the largest |(u, v)|: at most 2, the largest of any two directions. */
+    /** Returns the largest |(u, v)|; that of any two directions is 2. */
     public double longestUv() {
         double u = Math.max(Math.abs(minimumU), Math.abs(maximumU));
         double v = Math.max(Math.abs(minimumV), Math.abs(maximumV));

@@ -39,7 +39,6 @@ public record Crop(double left, double right, double bottom, double top) {
         return new Crop(edge(matcher.group(1)), edge(matcher.group(2)), edge(matcher.group(3)), edge(matcher.group(4)));
     }
 
-    /** Parses an edge's distance from the corner to meters; 0 needs no unit. */
     private static double edge(String text) {
         return text.strip().equals("0") ? 0 : Lengths.parse(text.strip());
     }
@@ -55,7 +54,6 @@ public record Crop(double left, double right, double bottom, double top) {
             return new Samples(0, field.columns(), 0, field.rows());
         }
 
-        /** Returns the area that these samples cover. */
         public Crop area(HeightMap field) {
             return new Crop(
                     firstColumn * field.pitchX(),
@@ -79,11 +77,7 @@ public record Crop(double left, double right, double bottom, double top) {
         return meters == 0 ? "0" : Lengths.format(meters).replace(" ", "");
     }
 
-    /**
-     * Returns the samples whose centers lie in the area.
-     *
-     * @throws IllegalArgumentException when the area leaves the scan or holds fewer than two samples
-     */
+    /** Returns the samples whose centers lie in the area; throws IllegalArgumentException if it leaves the scan or holds fewer than two. */
     public Samples samples(HeightMap field) {
         if (right > field.width() * (1 + SLACK) || top > field.height() * (1 + SLACK)) {
             throw new IllegalArgumentException("leaves the scan, which is " + Lengths.format(field.width()) + " x "
@@ -105,7 +99,6 @@ public record Crop(double left, double right, double bottom, double top) {
         return new Samples(firstColumn, endColumn, firstRow, endRow);
     }
 
-    /** Returns the cropped heights; throws as {@link #samples}. */
     public HeightMap apply(HeightMap field) {
         Samples samples = samples(field);
         return field.part(
@@ -115,7 +108,7 @@ public record Crop(double left, double right, double bottom, double top) {
                 samples.endRow - samples.firstRow);
     }
 
-    /** Index of the first sample whose center lies at or beyond a position from the lower left corner, meters. */
+    /** At or beyond the position, in meters, lies the sample's center. */
     private static int first(double position, double pitch) {
         return (int) Math.ceil(position / pitch - 0.5 - SLACK);
     }

@@ -12,7 +12,6 @@ public enum Edges {
     /** Share of each side over which heights are blended. */
     public static final double MARGIN = 0.1;
 
-    /** Returns heights with treated borders, on the same grid. */
     public HeightMap apply(HeightMap field) {
         if (this == REPEAT) {
             return field;
@@ -42,11 +41,8 @@ public enum Edges {
     }
 
     /**
-     * Step between opposite borders of a repeated scan, along the axis where it is larger, as root mean squares in meters.
-     *
-     * @param jump step from one border to the opposite one
-     * @param inside step between neighbors inside the scan
-     * @param steepest step between the two neighboring columns or rows that differ most
+     * Step between opposite borders of a repeated scan, along the axis where it is larger; inside, between neighbors; and between the two
+     * neighboring columns or rows that differ most: root mean squares in meters.
      */
     public record Seam(double jump, double inside, double steepest) {
         // Meters: a thousandth of the smallest relief that is read.
@@ -73,7 +69,6 @@ public enum Edges {
             return alongX.ratio() >= alongY.ratio() ? alongX : alongY;
         }
 
-        /** @param squares mean squared steps from each column or row to the next, cyclic */
         private static Seam of(double[] squares) {
             int inside = squares.length - 1;
             double sum = 0;

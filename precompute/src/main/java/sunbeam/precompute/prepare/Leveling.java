@@ -29,7 +29,6 @@ public enum Leveling {
         return this != NONE && this != MEAN;
     }
 
-    /** Returns the leveled heights, on the same grid. */
     public HeightMap apply(HeightMap field) {
         return switch (this) {
             case NONE -> field;
@@ -84,18 +83,14 @@ public enum Leveling {
     }
 
     /**
-     * Least-squares polynomial of heights, of degree 0 to 2 in x and y, which both run from -1 to 1 over the map. If all samples lie on one
-     * line, the pseudo-inverse yields the slope along it.
-     *
-     * @param offset height that is subtracted before the fit, so that it costs no digits
-     * @param coefficients factors of the first 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2, meters
+     * Least-squares polynomial of heights, minus an offset, which then costs no digits, with 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2;
+     * x and y run from -1 to 1 over the map. If all samples lie on one line, the pseudo-inverse yields the slope along it.
      */
     private record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};
         private static final int[] POWERS_OF_Y = {0, 0, 1, 0, 1, 2};
         private static final int HIGHEST = 2;
 
-        /** @param terms 1 for the mean, 3 for a plane, 6 for a quadratic surface */
         static Polynomial fit(HeightMap map, int terms) {
             double offset = Arrays.stream(map.heights())
                     .filter(Double::isFinite)

@@ -13,12 +13,8 @@ import sunbeam.precompute.units.Lengths;
 /** Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges. */
 public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despike, Edges edges) {
     /**
-     * Prepared scan.
-     *
-     * @param scan heights after cropping, leveling, despiking and filling
-     * @param surface the scan with treated edges, from which light is diffracted
-     * @param missing number of filled samples
-     * @param steps descriptions of the steps with their numbers
+     * Prepared scan: before and after its edges are treated (light is diffracted from the latter), the number of filled samples, and
+     * descriptions of the steps.
      */
     public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {
         public Prepared {
@@ -26,11 +22,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         }
     }
 
-    /**
-     * Prepares measured heights.
-     *
-     * @throws IllegalArgumentException when all samples are missing, or when {@link Crop#apply} throws it
-     */
+    /** Prepares heights; throws IllegalArgumentException if all samples are missing, or as {@link Crop#apply}. */
     public Prepared apply(HeightMap measured) {
         List<String> steps = new ArrayList<>();
         HeightMap field = crop.isPresent() ? crop.get().apply(measured) : measured;
@@ -75,7 +67,6 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         private final int rows;
         private final double[] heights;
 
-        /** Heights without missing samples, and the number of filled ones. */
         public record Filled(HeightMap field, int count) {}
 
         private MissingHeights(HeightMap map) {
@@ -84,11 +75,6 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
             heights = map.heights().clone();
         }
 
-        /**
-         * Fills the missing samples.
-         *
-         * @throws IllegalArgumentException when all samples are missing
-         */
         public static Filled fill(HeightMap map) {
             int known =
                     (int) Arrays.stream(map.heights()).filter(Double::isFinite).count();

@@ -6,12 +6,10 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Isolated samples far above or below their surroundings, from dust or a slipping tip. A spike differs from the median of its 5 x 5
- * neighborhood by more than eight robust deviations (1.4826 times the median of all such differences). Fewer than a quarter of that
- * neighborhood differ from the median, to the same side, by more than half as much; at the corner of a line, which must stay, a third do.
- *
- * @param cleaned heights with the medians in place of spikes
- * @param largest largest difference between a spike and its median, in meters
+ * Isolated samples far above or below their surroundings, from dust or a slipping tip, and the heights with medians in their place. A spike
+ * differs from the median of its 5 x 5 neighborhood by more than eight robust deviations (1.4826 times the median of all such differences).
+ * Fewer than a quarter of that neighborhood differ from the median, to the same side, by more than half as much; at the corner of a line,
+ * which must stay, a third do. The largest difference is in meters.
  */
 public record Spikes(HeightMap cleaned, int count, double largest) {
     // Ratio of the relief to the range of nearly all heights, and to the relief without spikes; for noise about 2.
@@ -34,7 +32,6 @@ public record Spikes(HeightMap cleaned, int count, double largest) {
                 .filter(spikes -> spikes.count() > 0 && relief > CONSPICUOUS * spikes.cleaned.relief());
     }
 
-    /** Estimated from an evenly spaced subset. */
     private static double usualRange(double[] heights) {
         int stride = Math.max(1, heights.length / MOST_EXAMINED);
         double[] some = IntStream.range(0, heights.length / stride)
@@ -70,14 +67,12 @@ public record Spikes(HeightMap cleaned, int count, double largest) {
         return new Spikes(field.with(heights), count, largest);
     }
 
-    /** NaN if all samples are missing. */
     private static double median(HeightMap field, int index, double[] around) {
         int count = gather(field, index % field.columns(), index / field.columns(), around);
         Arrays.sort(around, 0, count);
         return count == 0 ? Double.NaN : around[count / 2];
     }
 
-    /** Returns the number of heights that are not missing. */
     private static int gather(HeightMap field, int column, int row, double[] around) {
         int count = 0;
         for (int r = Math.max(0, row - REACH); r <= Math.min(field.rows() - 1, row + REACH); r++) {

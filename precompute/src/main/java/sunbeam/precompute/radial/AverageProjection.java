@@ -13,10 +13,9 @@ final class AverageProjection {
 
     private final int stride;
     private final int knots;
-    // [index in s modulo stride][average]: weight of this value in the c_k of the twelve averages around.
+    // [index in s modulo stride][average]: share of a value in the c_k of the twelve averages around.
     private final double[][] weights;
 
-    /** @param stride number of indices from one average to the next */
     AverageProjection(int stride, int length) {
         this.stride = stride;
         this.knots = knots(stride, length);
@@ -41,7 +40,7 @@ final class AverageProjection {
         return product;
     }
 
-    /** Returns the polynomial whose averages by the B-spline are the given polynomial. Each iteration corrects two more degrees. */
+    /** Returns the polynomial whose averages are given. Each iteration corrects two more degrees. */
     private static PolynomialFunction withAverage(PolynomialFunction averages) {
         PolynomialFunction polynomial = averages;
         for (int right = 2; right < POINTS; right += 2) {
@@ -50,7 +49,6 @@ final class AverageProjection {
         return polynomial;
     }
 
-    /** Averages by the cubic B-spline, which is the convolution of four boxes. */
     private static PolynomialFunction average(PolynomialFunction polynomial) {
         return overBox(overBox(overBox(overBox(polynomial))));
     }

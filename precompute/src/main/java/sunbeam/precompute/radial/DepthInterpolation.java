@@ -7,15 +7,13 @@ import java.util.stream.IntStream;
 
 /** Lagrange interpolation of colors along w, between slices in which |w| is constant. Immutable. */
 final class DepthInterpolation {
-    /** Slices per sample if slices are equally spaced. */
     private static final int TAPS = 6;
 
     private static final int COORDINATES = 3;
-    /** Largest |w| of all pairs of directions. */
     private static final double DEEPEST = 2;
     /** Periods of the fastest wave along w in one slice step of the color table (TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
-    /** Largest error of Chebyshev interpolation of a wave of amplitude 1. */
+
     private static final double ERROR = 5e-5;
 
     private final double[] depths;
@@ -23,7 +21,6 @@ final class DepthInterpolation {
     // Equally spaced slices have the same denominators for each first tap.
     private final double[] denominators;
 
-    /** @param taps slices per sample: 1, {@link #TAPS} of equally spaced slices, or all */
     private DepthInterpolation(double[] depths, int taps) {
         this.depths = depths;
         this.taps = taps;
@@ -36,10 +33,8 @@ final class DepthInterpolation {
     }
 
     /**
-     * Returns an interpolation of the given samples with few slices: their distinct |w| if these are few, else Chebyshev nodes, else (for
-     * many nodes) equally spaced slices.
-     *
-     * @param widestStep distance in |w| at which four taps of equally spaced slices suffice
+     * Returns few slices: the samples' distinct |w| if these are few, else Chebyshev nodes, else (for many nodes) equally spaced ones. At a
+     * distance of {@code widestStep} four taps of equally spaced slices suffice.
      */
     static DepthInterpolation fewest(float[] uvw, double widestStep) {
         DoubleSummaryStatistics all = depths(uvw).summaryStatistics();
@@ -65,9 +60,8 @@ final class DepthInterpolation {
     }
 
     /**
-     * Returns the number of Chebyshev nodes that interpolate a wave within {@link #ERROR}: n nodes err by 2 (phase / 2)^n / n!.
-     *
-     * @param phase change of the wave's phase from the middle of the range to its end, radians
+     * Returns the number of nodes within {@link #ERROR}: n err by 2 (phase / 2)^n / n!, with the phase from the middle of the range to its
+     * end.
      */
     private static int chebyshevNodes(double phase) {
         int nodes = 1;

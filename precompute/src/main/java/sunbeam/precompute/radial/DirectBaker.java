@@ -7,14 +7,14 @@ import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.colortable.ColorBaker;
 
 /**
- * Bakes each sample by its own sum over wavelengths: samples near the origin of (u, v), where rays meet, and the exact colors that validate
- * interpolated ones. Thread-safe.
+ * Bakes each sample by its own sum over wavelengths: near the origin of (u, v), where rays meet, and to validate interpolated colors.
+ * Thread-safe.
  */
 final class DirectBaker implements ColorBaker {
     private static final int COLORS = 3;
     /** Step of ln lambda near the origin, where orders are wide. */
     private static final double WIDEST_STEP = 0.01;
-    /** Step of ln lambda in units of sigma_f / |f|: 0.7 standard deviations of an order's power, as in the reference. */
+    /** In units of sigma_f / |f|: 0.7 standard deviations of an order's power, as in the reference. */
     private static final double ORDER_STEP = 0.5;
     /** {@link #ORDER_STEP} for light with steep edges, which cut flanks of orders. */
     private static final double FLANK_STEP = 0.25;
@@ -59,7 +59,6 @@ final class DirectBaker implements ColorBaker {
                 .toArray();
     }
 
-    /** Returns the number of halvings after which {@code widest} is at most {@code step}. */
     static int halvings(double widest, double step) {
         return step >= widest ? 0 : (int) Math.ceil(Math.log(widest / step) / Math.log(2));
     }

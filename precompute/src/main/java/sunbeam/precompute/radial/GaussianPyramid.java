@@ -11,19 +11,17 @@ import sunbeam.precompute.spectrum.PowerSpectrum.Axis;
 import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
- * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window, sampled on a grid of frequencies and
- * blurred from the plane of the next longer window. Sums over a Gaussian are divided by its area relative to the coherence window's: planes
- * hold means. Immutable.
+ * Gaussian pyramid of a power spectrum. Each plane holds the spectrum's terms under one window on a grid of frequencies, blurred from the
+ * plane of the next longer window. Sums over a Gaussian are divided by its area relative to the coherence window's: planes hold means.
+ * Immutable.
  */
 public final class GaussianPyramid {
-    // Ratio of sigma_f from plane to plane: cubic interpolation between planes errs by 1 % on the faint flanks of
-    // orders.
+    // From plane to plane: cubic interpolation between planes errs by 1 % on the faint flanks of orders.
     private static final double RATIO = 1.15;
-    // Grid spacing in standard deviations of the Gaussian: quadratic B-splines err by 1e-3.
+    // In standard deviations of the Gaussian: quadratic B-splines err by 1e-3.
     private static final double SPACING = 0.5;
-    // Nodes along one axis that quadratic B-splines read.
     private static final int NODES = 3;
-    // Reach of the blurring Gaussians in their sigma_f: exp(-reach^2) = 1e-6.
+    // In sigma_f: exp(-reach^2) = 1e-6.
     private static final double REACH = 3.7;
     /** Planes for cubic interpolation between them. */
     static final int TAPS = 4;
@@ -32,12 +30,8 @@ public final class GaussianPyramid {
     private final List<Plane> planes = new ArrayList<>();
 
     /**
-     * Plane: powers on a square grid around frequency 0, {@code [row][column][term]}.
-     *
-     * @param sigmaFrequency sigma_f of the window, cycles per meter
-     * @param spacing distance of the grid's nodes, cycles per meter
-     * @param half number of nodes on either side of frequency 0, along both axes
-     * @param powers powers; after {@link #prefilter} coefficients of B-splines
+     * Powers on a square grid around frequency 0, {@code [row][column][term]}; after {@link #prefilter} coefficients of B-splines. The grid
+     * has {@code half} nodes on either side; widths and spacing are in cycles per meter.
      */
     private record Plane(double sigmaFrequency, double spacing, int half, float[] powers) {
         static Plane empty(double sigmaFrequency, double farthest, int stride) {
@@ -51,7 +45,6 @@ public final class GaussianPyramid {
             return 2 * half + 1;
         }
 
-        /** Replaces the powers by the coefficients of the B-splines that interpolate them. */
         void prefilter(int stride) {
             int width = side() * stride;
             SplineFilter.alongColumns(powers, side(), width, SplineFilter.QUADRATIC);
@@ -64,10 +57,8 @@ public final class GaussianPyramid {
     }
 
     /**
-     * @param pointSigmaFrequency sigma_f of the coherence window at a point, without slopes; sums under this window are not divided
-     * @param narrowest sigma_f of the first plane
-     * @param widest sigma_f that the last plane reaches
-     * @param farthest largest frequency along either axis, cycles per meter
+     * Creates a pyramid of windows from sigma_f {@code narrowest} to {@code widest}; sums under the window at a point are not divided. The
+     * farthest frequency along either axis is in cycles per meter.
      */
     GaussianPyramid(PowerSpectrum bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
@@ -96,7 +87,6 @@ public final class GaussianPyramid {
         return next;
     }
 
-    /** Blurs along columns, then along rows, and multiplies by a factor. */
     private void sum(float[] from, Axis alongX, Axis alongY, double sigmaFrequency, Plane to, double share) {
         int side = to.side();
         IntStream.range(0, side).parallel().forEach(row -> {
@@ -112,7 +102,6 @@ public final class GaussianPyramid {
         });
     }
 
-    /** Sums consecutive runs of {@code length} values, times their weights. */
     private static void sum(
             float[] from, int first, int length, GaussianWeights runs, double share, float[] to, int at) {
         double[] weights = runs.weights();
@@ -132,7 +121,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Sums four consecutive runs, which share one pass over memory. */
+    /** The runs share one pass over memory. */
     private static void add(
             float[] from, int first, int length, float w0, float w1, float w2, float w3, float[] to, int at) {
         int second = first + length;
@@ -143,7 +132,6 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Values per node: the terms, padded with zeros. */
     int stride() {
         return stride;
     }
@@ -164,10 +152,7 @@ public final class GaussianPyramid {
     }
 
     /**
-     * Interpolates the terms at a frequency in the planes {@code first .. end - 1}.
-     *
-     * @param x frequency along x, cycles per meter
-     * @param terms output, {@link #stride} values per plane
+     * Interpolates the terms at a frequency, cycles per meter, in the planes {@code first .. end - 1}: {@link #stride} values per plane.
      */
     void at(double x, double y, int first, int end, float[] terms) {
         for (int i = first; i < end; i++) {
@@ -188,7 +173,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Returns the place of a frequency among the nodes along one axis; beyond the grid that of its edge. */
+    /** Beyond the grid the place is that of its edge. */
     private static double node(double frequency, Plane plane) {
         return Math.max(1, Math.min(plane.side() - NODES + 1, frequency / plane.spacing + plane.half));
     }

@@ -9,10 +9,8 @@ import sunbeam.precompute.color.WavelengthNodes;
 /**
  * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
  * sees f = (u, v) / lambda, and ln |f| = ln |(u, v)| - ln lambda. So for each term of the power the integral over wavelengths is a
- * convolution of the term along the ray with the color matching function times the term's coefficient. One FFT, in double precision, serves
- * all positions and wavelengths. The error is that of {@link AverageProjection}.
- *
- * <p>Instances are immutable; each thread uses a {@link Line} of its own.
+ * convolution of the term along the ray with the color matching function times the term's coefficient; one FFT, in double precision, serves
+ * all positions and wavelengths. The error is that of {@link AverageProjection}. Immutable; each thread uses a {@link Line} of its own.
  */
 final class LogPolarConvolution {
     private static final int COLORS = 3;
@@ -23,8 +21,8 @@ final class LogPolarConvolution {
     private final int padded;
     private final int terms;
     private final int slices;
-    // [pair][term]: transformed kernel, real and imaginary parts. A pair is two real results of one complex transform:
-    // X and Y of a slice, or Z of two slices.
+    // [pair][term]: transformed kernel. A pair is two real results of one complex transform: X and Y of a slice, or Z
+    // of two slices.
     private final double[][][][] kernels;
 
     @FunctionalInterface
@@ -33,13 +31,7 @@ final class LogPolarConvolution {
         double[] at(double wavelength, double depth);
     }
 
-    /**
-     * @param first ln |(u, v)| of the first position
-     * @param count number of positions
-     * @param stride number of wavelength steps per position step
-     * @param wavelengths wavelengths at equal steps of ln lambda, with their color matching functions
-     * @param depths |w| of the slices
-     */
+    /** Positions begin at ln |(u, v)| {@code first}, {@code stride} wavelength steps apart; wavelengths have equal steps of ln lambda. */
     LogPolarConvolution(
             double first,
             int count,
@@ -55,8 +47,7 @@ final class LogPolarConvolution {
         this.padded = padded(length);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
-        // A kernel's last B-spline coefficient belongs to the frequency of the first position at the longest
-        // wavelength.
+        // A kernel's last coefficient belongs to the frequency of the first position at the longest wavelength.
         double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
         this.knots = new RayBatch.Knots(lowest, stride * step, length);
         double[][][] atNodes = new double[slices][nodes][];
@@ -81,7 +72,6 @@ final class LogPolarConvolution {
         }
     }
 
-    /** Returns the shortest length of the transform in which the convolution does not wrap around. */
     static int length(int count, int stride, int nodes) {
         return count + AverageProjection.knots(stride, nodes) - 1;
     }
@@ -90,7 +80,6 @@ final class LogPolarConvolution {
         return Math.max(2, Integer.highestOneBit(length - 1) << 1);
     }
 
-    /** Returns the B-spline coefficients of the color matching function times the term's coefficient, padded with zeros. */
     private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
         int slice = result / COLORS;
         if (slice >= slices || term >= atNodes[slice][0].length) {
@@ -103,7 +92,7 @@ final class LogPolarConvolution {
         return Arrays.copyOf(interpolation.coefficients(values), padded);
     }
 
-    /** Returns the number of complex transforms: of X and Y of each slice, then of Z two by two. */
+    /** Complex transforms: of X and Y of each slice, then of Z two by two. */
     private int pairs() {
         return slices + (slices + 1) / 2;
     }
@@ -162,7 +151,6 @@ final class LogPolarConvolution {
             }
         }
 
-        /** Two real terms per complex transform. */
         private void transformTerms() {
             for (int m = 0; m < terms; m += 2) {
                 for (int i = 0; i < 2; i++) {

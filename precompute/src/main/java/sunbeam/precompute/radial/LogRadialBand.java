@@ -13,11 +13,9 @@ final class LogRadialBand {
     private static final int BATCH_RAYS = 64;
     // Pairs of sectors let two cores share the work; smaller sectors would waste time on margin rays.
     private static final int RAYS_PER_SECTOR_PAIR = 400;
-    // Step of ln lambda; resolves the terms' coefficients.
     private static final double WIDEST_STEP = 0.01;
-    // Step between positions, in ln |(u, v)|, at a tolerance of 1, for light with a smooth spectrum: colors vary along
-    // a ray only as fast as the color matching functions do, however sharp orders are. Splines err most beside an order
-    // that the end of the visible band cuts.
+    // In ln |(u, v)|, at a tolerance of 1, for smooth light: colors vary along a ray only as fast as the color matching
+    // functions do, however sharp orders are. Splines err most beside an order that the visible band cuts.
     private static final double WIDEST_SMOOTH = 0.01424;
     // Exponent p: this step is proportional to tolerance^p.
     private static final double STEP_EXPONENT = 0.1;
@@ -29,9 +27,8 @@ final class LogRadialBand {
     private static final double WIDEST_ON_FLANKS = 0.15;
     // Limit where orders are wide, in units of widestStep: coefficients of deep reliefs change fast with wavelength.
     private static final double MOST_WIDER = 2;
-    // Share of the positions in margins above which a larger step is not tried.
     private static final double LARGEST_MARGIN_SHARE = 0.5;
-    // Length, relative to a power of two, below which the step is enlarged until that power suffices.
+    // Relative to a power of two; below it the step is enlarged until that power suffices.
     private static final double MOST_ABOVE_POWER = 1.12;
     private static final double STEP_GROWTH = 1.005;
 
@@ -41,11 +38,7 @@ final class LogRadialBand {
     private final Positions positions;
     private final double positionStep;
 
-    /**
-     * @param tolerance error of the power spectrum
-     * @param high |(u, v)| of the outermost positions
-     * @param step distance in (u, v) between rays at {@code high}
-     */
+    /** The outermost positions are at |(u, v)| {@code high}, with {@code step} between rays there. */
     LogRadialBand(CieTable cie, double tolerance, double sigmaFrequency, double high, double step) {
         this.low = high / 2;
         this.rays = (int) Math.ceil(2 * Math.PI * high / step);
@@ -58,12 +51,7 @@ final class LogRadialBand {
         this.positionStep = positions.step();
     }
 
-    /**
-     * Steps along a ray.
-     *
-     * @param stride number of wavelength steps per position step
-     * @param covered range of ln |f| that a ray of the octave covers
-     */
+    /** Steps along a ray: {@code stride} wavelength steps each; a ray of the octave covers this range of ln |f|. */
     private record Positions(WavelengthNodes wavelengths, int stride, double covered) {
         /** Returns the largest step up to {@code widest}, or a slightly larger one that halves the length of the transforms. */
         static Positions widest(CieTable cie, double widest, double wavelengthStep) {
@@ -90,7 +78,6 @@ final class LogRadialBand {
             return new Positions(WavelengthNodes.logarithmic(cie, step / stride, 0), stride, covered);
         }
 
-        /** Returns a power of two, which may be slightly too short. */
         private int transform() {
             int power = Integer.highestOneBit(length() - 1);
             return length() < MOST_ABOVE_POWER * power ? power : 2 * power;
@@ -115,7 +102,6 @@ final class LogRadialBand {
                 start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
     }
 
-    /** ln |(u, v)| of the first position. */
     private double start() {
         return Math.log(low) - MARGIN * positionStep;
     }
@@ -158,7 +144,6 @@ final class LogRadialBand {
         return new Tile(sector, powers, slices);
     }
 
-    /** Rays of one sector, which evaluates colors on them and interpolates samples between them. */
     final class Tile {
         private final WindowedSpectrum powers;
         private final DepthInterpolation slices;
@@ -203,7 +188,6 @@ final class LogRadialBand {
             return xyz;
         }
 
-        /** Computes the spline weights and returns the index of the first coefficient. */
         private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
             double place = onRay(Math.sqrt(u * u + v * v));
             double ray = ray(u, v) - firstRay;
@@ -238,7 +222,7 @@ final class LogRadialBand {
             return sum;
         }
 
-        /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z) of each slice, {@code [slice * 3 + color][position * tileRays + ray]}. */
+        /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z), {@code [slice * 3 + color][position * tileRays + ray]}. */
         private float[][] planes(ColorBaker.Token token) {
             float[][] planes = new float[COLORS * slices.depths().length][tileRays * positions.count()];
             LogPolarConvolution.Line line = convolution.line(powers.stride());
@@ -269,7 +253,7 @@ final class LogRadialBand {
             return end;
         }
 
-        /** Counterclockwise from the x axis, in radians; negative for margin rays before ray 0 of the band. */
+        /** In radians; negative for margin rays before ray 0 of the band. */
         private double angle(int ray) {
             return 2 * Math.PI * (firstRay + ray) / rays;
         }

@@ -2,10 +2,7 @@ package sunbeam.precompute.radial;
 
 import sunbeam.precompute.numerics.SplineFilter;
 
-/**
- * Interpolation by B-splines of degree 5 on equally spaced samples (M. Unser, "Splines: a perfect fit for signal and image processing",
- * IEEE Signal Processing Magazine 16 (1999)). Where cubic B-splines err by 1 %, these err by 0.1 %.
- */
+/** Interpolation by B-splines of degree 5 (Unser, see {@link SplineFilter}). Where cubic B-splines err by 1 %, these err by 0.1 %. */
 final class QuinticSpline {
     static final int TAPS = 6;
 
@@ -31,9 +28,7 @@ final class QuinticSpline {
     }
 
     /**
-     * Computes the B-spline weights of six coefficients; the first belongs to the sample two before the one below the position.
-     *
-     * @param fraction distance of the position from the sample below, in steps, 0 to 1
+     * Computes the weights of six coefficients, from the sample two before the one below the position; the fraction is counted from that.
      */
     static void weights(double fraction, double[] weights) {
         // De Boor's recursion: B-splines of degree d from those of degree d - 1.

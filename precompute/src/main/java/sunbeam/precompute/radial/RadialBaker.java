@@ -17,8 +17,8 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Evaluates colors of the ensemble average along rays of (u, v) through the origin, for all wavelengths and positions of a ray at once
- * ({@link LogPolarConvolution}). Quintic B-splines of the colors' square roots interpolate the samples between rays; their error is a tenth
- * of that of the table's cubic B-splines (docs/color-tables.md).
+ * ({@link LogPolarConvolution}). Quintic B-splines of the colors' square roots interpolate between rays; their error is a tenth of that of
+ * the table's cubic ones (docs/color-tables.md).
  *
  * <p>The disc of (u, v) is divided into bands, one per octave of |(u, v)|, so that inner bands need fewer rays, and these into polar tiles;
  * only tiles that hold a sample are evaluated. Immutable.
@@ -40,21 +40,16 @@ public final class RadialBaker implements ColorBaker {
     private final WindowedSpectrum powers;
     private final double sliceStep;
     private final DirectBaker direct;
-    // Bands, the outermost first.
     private final List<LogRadialBand> bands;
     // First tile of each band; the last entry is the inner disc.
     private final int[] firstTiles;
 
-    /** Creates a baker for a level of a color table of all directions. */
     public RadialBaker(PowerSpectrum spectrum, CieTable cie, ColorTable.Level level) {
         this(spectrum, cie, level.area(), level.design(), TableSpace.AllLights.REACH, level.includeFaintTails());
     }
 
     /**
-     * Creates a baker for samples of a table's density.
-     *
-     * @param farthest largest |(u, v)| of a sample
-     * @param includeFaintTails whether tails of bright orders must be exact down to 1e-6 of the order
+     * Creates a baker for samples up to {@code farthest} |(u, v)|; tails of bright orders may have to be exact down to 1e-6 of the order.
      */
     public RadialBaker(
             PowerSpectrum spectrum,

@@ -6,15 +6,14 @@ import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
  * Batch of rays close to each other, which share one blurred spectrum. A line holds the frequencies that have the same component along the
- * axis nearest to the rays; at each line the terms are blurred along this axis once, so that where a ray crosses it only the bins along the
- * line are left to sum. Cubic B-splines of ln |f| average these points by the trapezoid rule, in a coordinate in which lines are equally
- * spaced. At a spacing of 0.75 sigma_f the rule errs by 2 exp(-(pi / 0.75)^2) = 5e-8 for Gaussians. Not thread-safe.
+ * axis nearest to the rays; there the terms are blurred along this axis once, so that where a ray crosses a line only the bins along it are
+ * left to sum. Cubic B-splines of ln |f| average these points by the trapezoid rule, in a coordinate in which lines are equally spaced; at
+ * a spacing of 0.75 sigma_f it errs by 2 exp(-(pi / 0.75)^2) = 5e-8 for Gaussians. Not thread-safe.
  */
 final class RayBatch {
     // Largest spacing of lines along a ray, in knot spacings and in sigma_f.
     private static final double MOST_KNOT_SPACINGS = 1.1;
     private static final double MOST_SIGMAS = 0.75;
-    // Largest relative error of a line's frequency.
     private static final double RELATIVE_TOLERANCE = 1e-12;
     private static final int SHARES = 4;
 
@@ -32,13 +31,8 @@ final class RayBatch {
     private final int[] offsets;
     private final double[] blurred;
 
-    /**
-     * Knots of cubic B-splines along a ray, equally spaced in ln |f|.
-     *
-     * @param first ln |f| of the first knot, f in cycles per meter
-     */
+    /** Knots of cubic B-splines along a ray, equally spaced in ln |f|, f in cycles per meter. */
     record Knots(double first, double spacing, int count) {
-        /** Half the support of a B-spline, in knots. */
         static final int REACH = 2;
 
         /** Returns the lowest |f| in the support of any spline, in cycles per meter. */
@@ -52,10 +46,8 @@ final class RayBatch {
     }
 
     /**
-     * @param bins powers of the bins, transposed if necessary so that the rays cross rows
-     * @param alongX whether all bins of a row have the same x
-     * @param reach distance in sigma_f beyond which a bin is left out
-     * @param firstAngle angle of the first ray from the x axis, radians
+     * Creates a batch between two angles to the x axis, radians. The bins are transposed if necessary so that the rays cross rows,
+     * {@code alongX} if all bins of a row have the same x; those beyond {@code reach} sigma_f are left out.
      */
     RayBatch(
             PowerSpectrum bins,
@@ -97,11 +89,9 @@ final class RayBatch {
     }
 
     /**
-     * Computes the quadrature weight of each line and its range of bins, and returns the number of blurred values.
-     *
-     * @param byFrequency largest spacing of lines, cycles per meter
-     * @param slopes slopes of the outermost rays to the axis, ascending
-     * @param margin width of the bins beyond the outermost rays, cycles per meter
+     * Computes the weight of each line and its range of bins, and returns the number of blurred values. Lines are at most
+     * {@code byFrequency} apart, the outermost rays have these ascending slopes to the axis, and bins reach a margin beyond; cycles per
+     * meter.
      */
     private int layOut(double byFrequency, double[] slopes, double margin) {
         int size = 0;
@@ -119,8 +109,7 @@ final class RayBatch {
     }
 
     /**
-     * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1 from line to line. So lines are never farther apart
-     * than byLogarithm in ln f or byFrequency in f.
+     * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1: at most byLogarithm apart in ln f, byFrequency in f.
      */
     private static double[] lines(double byLogarithm, double byFrequency, double lowest, double highest) {
         double first = Math.log(lowest) / byLogarithm + lowest / byFrequency;
@@ -192,12 +181,7 @@ final class RayBatch {
         }
     }
 
-    /**
-     * Computes the averages of the terms along a ray.
-     *
-     * @param angle angle of the ray from the x axis, radians
-     * @param averages output, {@code [knot][term]}, padded to the bins' stride
-     */
+    /** Computes {@code [knot][term]}, padded to the bins' stride, along a ray at this angle to the x axis, radians. */
     void averages(double angle, double[] averages) {
         Arrays.fill(averages, 0);
         double along = Math.abs(along(angle));
@@ -223,7 +207,6 @@ final class RayBatch {
         }
     }
 
-    /** Computes four cubic B-splines at a fraction of a knot spacing, each times a weight. */
     private static void shares(double fraction, double weight, double[] shares) {
         double rest = 1 - fraction;
         double sixth = weight / 6;

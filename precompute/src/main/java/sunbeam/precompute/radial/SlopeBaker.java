@@ -11,7 +11,7 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Bakes colors of a surface with relief finer than a pixel: means of the ensemble average over normally distributed slopes, each of which
- * shifts (u, v) by slope times w. At one wavelength and w this mean is the ensemble average under a shorter window (docs/color-tables.md).
+ * shifts (u, v) by slope times w. At one wavelength and w this is the ensemble average under a shorter window (docs/color-tables.md).
  * Thread-safe.
  */
 public final class SlopeBaker implements ColorBaker {
@@ -37,7 +37,6 @@ public final class SlopeBaker implements ColorBaker {
     /** Slice of one |w|: per wavelength the first of the planes around its sigma_f, and a factor for each term of these. */
     private record Slice(int[] planes, float[][] factors) {}
 
-    /** @param pyramid pyramid that {@link #pyramid(PowerSpectrum, ColorTable)} returns for the table */
     public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
         this.spectrum = spectrum;
         this.cie = cie;
@@ -88,7 +87,6 @@ public final class SlopeBaker implements ColorBaker {
         return xyz;
     }
 
-    /** Returns the number of times that {@link #WIDEST_STEP} is halved for a sample. */
     private int halvings(float[] uvw, int sample) {
         double radius = Math.hypot(uvw[COLORS * sample], uvw[COLORS * sample + 1]);
         double depth = Math.abs(uvw[COLORS * sample + 2]);

@@ -5,8 +5,8 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
 /**
- * {@link PowerSpectrum} under a window: at any frequency, the sum of the DFT bins' terms, each weighted by the Gaussian of its distance, in
- * double precision. Immutable.
+ * {@link PowerSpectrum} under a window: at any frequency, the sum of the terms, each weighted by the Gaussian of its bin's distance.
+ * Immutable.
  */
 final class WindowedSpectrum {
     /** Largest spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
@@ -17,9 +17,8 @@ final class WindowedSpectrum {
     private final double reach;
 
     /**
-     * @param window window, no longer than that for whose plan the spectrum was made
-     * @param reach distance in sigma_f beyond which a bin is left out; its weight would be below exp(-reach^2)
-     * @param decimated whether bins closer than 0.4 sigma_f may be merged, with an error of 1e-3
+     * The window is no longer than the plan's; bins beyond {@code reach} sigma_f, of weights below exp(-reach^2), are left out; decimation
+     * merges bins closer than 0.4 sigma_f, with an error of 1e-3.
      */
     WindowedSpectrum(PowerSpectrum spectrum, CoherenceWindow window, double reach, boolean decimated) {
         this.sigmaFrequency = window.sigmaFrequency();
@@ -92,7 +91,6 @@ final class WindowedSpectrum {
                 alongX ? bins.transposed() : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
     }
 
-    /** True if a ray is closer to the x axis than to the y axis. */
     static boolean isAlongX(double angle) {
         return Math.abs(Math.cos(angle)) >= Math.abs(Math.sin(angle));
     }

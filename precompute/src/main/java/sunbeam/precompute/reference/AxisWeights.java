@@ -6,10 +6,8 @@ import sunbeam.precompute.optics.HeightMap;
 /** Complex weights of the samples along one axis. N is the number of samples and f a frequency in cycles per meter. */
 record AxisWeights(double[] real, double[] imaginary) {
     /**
-     * Sample positions along one axis, relative to the sample under the window's maximum.
-     *
-     * @param step signed distance of neighboring samples in meters; negative along y, because rows run downwards
-     * @param origin index of the sample at position 0
+     * Sample positions along one axis, relative to sample {@code origin}, under the window's maximum; the step, meters, is negative along
+     * y, because rows run downwards.
      */
     record Axis(int count, double step, int origin) {
         static Axis x(HeightMap map, WindowOrigin origin) {
@@ -24,11 +22,7 @@ record AxisWeights(double[] real, double[] imaginary) {
             return count * Math.abs(step);
         }
 
-        /**
-         * Returns the amplitudes of the coherence window at each distance, in samples, from its maximum; those of all samples add up to 1.
-         *
-         * @param reach standard deviations up to which the window is sampled
-         */
+        /** Returns the window's amplitudes at each distance, in samples, from its maximum, up to {@code reach} sigma; their sum is 1. */
         double[] window(double sigma, double reach) {
             int extent = (int) Math.floor(reach * sigma / Math.abs(step));
             double[] amplitudes = new double[extent + 1];
@@ -61,10 +55,8 @@ record AxisWeights(double[] real, double[] imaginary) {
     }
 
     /**
-     * Returns g(x) exp(+2 pi i f x) / sum g, summed over all replicas of the patch under the window. The phase factor is that of the sample
-     * times that of the replica: one sine for each, instead of one for each pair.
-     *
-     * @param window amplitudes of {@link Axis#window}
+     * Returns g(x) exp(+2 pi i f x) / sum g, for the amplitudes g of {@link Axis#window}, summed over all replicas of the patch. A phase
+     * factor is that of the sample times that of the replica: one sine for each, not for each pair.
      */
     static AxisWeights ofWindow(double frequency, Axis axis, double[] window) {
         AxisWeights weights = new AxisWeights(axis);

@@ -6,7 +6,6 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /** Exact diffracted power of a surface for one kind of coherence area. Immutable and thread-safe. */
 public interface ExactLight {
-    /** Quadrature over wavelengths of power times the color matching functions. */
     enum Quadrature {
         /** Steps are halved until X, Y, Z have nine digits. */
         EXACT,

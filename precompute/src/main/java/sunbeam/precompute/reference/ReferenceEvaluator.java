@@ -21,8 +21,7 @@ import sunbeam.precompute.reference.AxisWeights.Axis;
  * sum over samples. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
  */
 public final class ReferenceEvaluator {
-    // Standard deviations sigma and sigma_f: beyond, the amplitude is below exp(-9^2 / 2) = 3e-18 and the power below
-    // exp(-6.8^2) = 8e-21.
+    // In sigma and sigma_f: the amplitude is below exp(-9^2 / 2) = 3e-18, the power below exp(-6.8^2) = 8e-21.
     private static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
@@ -33,7 +32,6 @@ public final class ReferenceEvaluator {
     private final double[] windowX;
     private final double[] windowY;
 
-    /** @throws IllegalArgumentException when samples are missing */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
         this.surface = new SurfaceSums(map);
         this.window = window;
@@ -46,12 +44,7 @@ public final class ReferenceEvaluator {
     /** Power of one coherence area, and its mean over all positions of the window. */
     public record Power(double coherent, double ensemble) {}
 
-    /**
-     * Coherent light in one direction.
-     *
-     * @param specular squared magnitude of the mean of exp(i k w h) over all samples: in the mirror direction, the share of light in the
-     *     specular order
-     */
+    /** Coherent light in one direction, and |mean of exp(i k w h)|^2: in mirror direction, the specular order's share of light. */
     public record Sample(double coherent, double specular) {}
 
     public CoherenceWindow window() {
@@ -85,7 +78,6 @@ public final class ReferenceEvaluator {
         return sums.sum(0, AxisWeights.ofWindow(fx, axisX, windowX));
     }
 
-    /** Returns the powers at a wavelength in meters. */
     public Power powers(DirectionPair pair, double wavelength) {
         double[][] phases = surface.phases(pair.w(), wavelength);
         return powers(phases[0], phases[1], pair.u() / wavelength, pair.v() / wavelength);
@@ -121,7 +113,6 @@ public final class ReferenceEvaluator {
         return Math.exp(-ratio * ratio);
     }
 
-    /** One for each sample and each weighting of its row. */
     double productCount(boolean ensemble) {
         int weightings = ensemble ? binsNear(0, axisY).length + 1 : 1;
         return (double) axisX.count() * axisY.count() * weightings;

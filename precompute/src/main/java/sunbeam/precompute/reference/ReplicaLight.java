@@ -27,7 +27,6 @@ public final class ReplicaLight implements ExactLight {
     private final Replicas replicas;
     private final CieTable cie;
 
-    /** @throws IllegalArgumentException when samples are missing */
     public ReplicaLight(HeightMap map, Replicas replicas, CieTable cie) {
         this.surface = new SurfaceSums(map);
         this.x = Axis.x(map, WindowOrigin.CORNER);

@@ -11,7 +11,6 @@ final class SurfaceSums {
     private final HeightLevels heights;
     private final boolean tabulates;
 
-    /** @throws IllegalArgumentException when samples are missing */
     SurfaceSums(HeightMap map) {
         this.map = map;
         this.heights = HeightLevels.of(map);
@@ -96,7 +95,6 @@ final class SurfaceSums {
         for (int i = 0; i < levels.length; i++) {
             sines[i] = waveNumber * w * (levels[i] - phaseZero());
         }
-        // Replaces the phases in sines by their sines.
         UnitCircle.points(sines, cosines);
         return new double[][] {cosines, sines};
     }

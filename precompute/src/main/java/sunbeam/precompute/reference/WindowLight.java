@@ -7,15 +7,12 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
-/**
- * Exact diffracted power under the Gaussian coherence window of its evaluator.
- *
- * @param ensemble whether powers are means over all positions of the window
- */
+/** Exact diffracted power under the Gaussian coherence window of its evaluator, or its mean over all positions of the window. */
 public record WindowLight(ReferenceEvaluator evaluator, CieTable cie, boolean ensemble) implements ExactLight {
-    // Steps of 1 / lambda for polynomials of degree 11: 0.7 standard deviations of an order's power. The color matching
-    // functions need 12e3 cycles per meter at most (2 nm in the blue, 7 nm in the red). Compared with steps of 0.5 pm,
-    // the median error is 5e-9 and the largest 5e-7.
+    // Steps for polynomials of degree 11: 0.7 standard deviations of an order's power. The color matching functions
+    // need 12e3
+    // cycles per meter at most (2 nm in the blue, 7 nm in the red). Compared with steps of 0.5 pm, the median error is
+    // 5e-9, the largest 5e-7.
     private static final double NODES_PER_DEVIATION = 1 / 0.7;
     static final double WIDEST_STEP = 12e3;
     // Per period of the interference between top and bottom of the relief.

@@ -38,11 +38,7 @@ public final class Choices {
         return NONE;
     }
 
-    /**
-     * Returns an empty set of choices.
-     *
-     * @param home source of values chosen by {@link #with(Setting, Object)}, and in complaints about settings that were not chosen
-     */
+    /** Returns an empty set; its home is the source of values without another, and of complaints about settings that were not chosen. */
     public static Choices at(Origin home) {
         return new Choices(new LinkedHashMap<>(), home);
     }
@@ -65,27 +61,20 @@ public final class Choices {
         return choices.containsKey(setting);
     }
 
-    /** Returns the chosen settings, in the order of choosing. */
     public List<Setting<?>> chosen() {
         return List.copyOf(choices.keySet());
     }
 
-    /** Returns the source of a setting's value; {@code home} if it was not chosen. */
     public Origin origin(Setting<?> setting) {
         Choice choice = choices.get(setting);
         return choice == null ? home : choice.origin();
     }
 
-    /**
-     * Returns these choices with a value chosen at their {@code home}.
-     *
-     * @throws SettingException when it is not within the setting's limits
-     */
+    /** Returns these choices with a value chosen at home; throws SettingException if it is not within the setting's limits. */
     public <T> Choices with(Setting<T> setting, T value) {
         return with(setting, value, home);
     }
 
-    /** Returns these choices with a value chosen at another source. */
     public <T> Choices with(Setting<T> setting, T value, Origin origin) {
         T checked;
         try {
@@ -98,11 +87,7 @@ public final class Choices {
         return new Choices(all, home);
     }
 
-    /**
-     * Returns these choices with a value given as text.
-     *
-     * @throws SettingException when the text is no value of the setting
-     */
+    /** Returns these choices with a value given as text; throws SettingException if it is none of the setting. */
     public <T> Choices parsed(Setting<T> setting, String text, Origin origin) {
         try {
             return with(setting, setting.kind().parse(text), origin);
@@ -128,7 +113,6 @@ public final class Choices {
         return without(List.of(setting));
     }
 
-    /** Returns the choices of the given settings only. */
     public Choices only(Collection<? extends Setting<?>> settings) {
         Map<Setting<?>, Choice> rest = new LinkedHashMap<>(choices);
         rest.keySet().removeIf(setting -> !settings.contains(setting));
@@ -163,7 +147,6 @@ public final class Choices {
         return new SettingException(setting, failure.problem(), place, value, failure);
     }
 
-    /** Returns the value of a setting as text, or an empty text if it was not chosen. */
     public String written(Setting<?> setting) {
         return find(setting).map(value -> format(setting, value)).orElse("");
     }
@@ -210,8 +193,7 @@ public final class Choices {
         String name(Setting<?> setting);
 
         /**
-         * Returns an error message in one line. The value is the text at the source, or empty; the problem completes a sentence whose subject
-         * is the value, such as "must be at least 1".
+         * Returns an error message in one line; the problem continues a sentence whose subject is the value, such as "must be at least 1".
          */
         default String complaint(Setting<?> setting, String value, String problem) {
             return (name(setting) + " " + value).strip() + " " + problem;

@@ -14,7 +14,6 @@ import sunbeam.precompute.setting.Choices.Origin;
  * Declaration of a user's setting.
  *
  * @param key name, such as {@code coherenceLength}, from which names of options and controls derive
- * @param fileKey name in files, usually the same
  * @param help description in the manual, without the standard value
  * @param standard default value, if it does not depend on other settings
  * @param <T> type of values
@@ -43,7 +42,6 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
         return new Setting<>(key, name, kind, help, standard);
     }
 
-    /** Returns the settings of several lists, without repetitions. */
     @SafeVarargs
     public static List<Setting<?>> union(List<Setting<?>>... lists) {
         Set<Setting<?>> all = new LinkedHashSet<>();
@@ -62,7 +60,6 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
         return CAPITAL.matcher(key).replaceAll(between + "$1").toLowerCase(Locale.ROOT);
     }
 
-    /** Compares keys, which are unique. */
     @Override
     public boolean equals(Object other) {
         return other instanceof Setting<?> setting && setting.key.equals(key);
@@ -93,7 +90,6 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
             return new Sentence(Arrays.asList(parts));
         }
 
-        /** Formats the message with a source's names. */
         public String in(Origin origin) {
             return parts.stream()
                     .map(part -> part instanceof Setting<?> setting ? origin.name(setting) : part.toString())

@@ -40,12 +40,10 @@ public final class SettingException extends RuntimeException {
         return problem;
     }
 
-    /** Empty if unknown. */
     String value() {
         return value;
     }
 
-    /** Returns the kind of source; {@code PROGRAM} if unknown. */
     public Origin.Place place() {
         return place;
     }

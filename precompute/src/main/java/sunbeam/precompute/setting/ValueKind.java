@@ -16,8 +16,6 @@ import sunbeam.precompute.units.Lengths;
  * Type of a setting's values, with their text form and their limits.
  *
  * @param placeholder word for a value in the manual, such as LENGTH
- * @param form form of a value in files
- * @param parser converts a text to a value; throws IllegalArgumentException as {@link #parse} does
  * @param checker returns a value within the limits unchanged, otherwise throws IllegalArgumentException
  * @param formatter converts a value to a text that the parser reads again
  * @param range allowed values, for manuals and messages: "100 nm to 10 mm", "taylor, lowrank"
@@ -30,7 +28,6 @@ public record ValueKind<T>(
         UnaryOperator<T> checker,
         Function<T, String> formatter,
         String range) {
-    /** Form of a value in files. */
     public enum Form {
         TEXT,
         /** A text with a number and its unit. */
@@ -51,7 +48,6 @@ public record ValueKind<T>(
         return bounded("ANGLE", Form.QUANTITY, least, largest, Angles::parse, Angles::format);
     }
 
-    /** Number without a unit, within a range. */
     public static ValueKind<Double> number(String placeholder, double least, double largest) {
         return bounded(placeholder, Form.NUMBER, least, largest, ValueKind::number, Decimals::format);
     }
@@ -67,12 +63,10 @@ public record ValueKind<T>(
         return new ValueKind<>(placeholder, plain.form(), plain.parser(), check, plain.formatter(), plain.range());
     }
 
-    /** Whole number within a range. */
     public static ValueKind<Integer> integer(String placeholder, int least, int largest) {
         return bounded(placeholder, Form.NUMBER, least, largest, ValueKind::whole, String::valueOf);
     }
 
-    /** Yes or no. */
     public static ValueKind<Boolean> flag() {
         Function<String, Boolean> parse = text -> switch (text) {
             case "true" -> true;
@@ -82,7 +76,6 @@ public record ValueKind<T>(
         return new ValueKind<>("", Form.FLAG, parse, value -> value, String::valueOf, "true or false");
     }
 
-    /** One of an enum's constants, written as {@link #name}. */
     public static <E extends Enum<E>> ValueKind<E> word(String placeholder, Class<E> type) {
         return oneOf(placeholder, List.of(type.getEnumConstants()), ValueKind::name);
     }
@@ -92,7 +85,6 @@ public record ValueKind<T>(
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** One of several values, by name. */
     public static <T> ValueKind<T> oneOf(String placeholder, List<T> values, Function<T, String> name) {
         String names = values.stream().map(name).collect(Collectors.joining(", "));
         Function<String, T> parse = text -> values.stream()
@@ -105,18 +97,12 @@ public record ValueKind<T>(
         return text(placeholder, parse, name, names);
     }
 
-    /**
-     * Values with a text form of their own.
-     *
-     * @param parse throws IllegalArgumentException as {@link #parse} does
-     * @param range description of valid texts
-     */
+    /** Values with a text form of their own; parse throws IllegalArgumentException, and the range describes valid texts. */
     public static <T> ValueKind<T> text(
             String placeholder, Function<String, T> parse, Function<T, String> format, String range) {
         return new ValueKind<>(placeholder, Form.TEXT, parse, value -> value, format, range);
     }
 
-    /** Any text, such as a file's name. */
     public static ValueKind<String> text(String placeholder) {
         return text(placeholder, text -> text, text -> text, "a text");
     }
@@ -153,16 +139,11 @@ public record ValueKind<T>(
         return (int) value;
     }
 
-    /**
-     * Parses a text to a value within the limits.
-     *
-     * @throws IllegalArgumentException if the text is no such value; the message quotes the text and gives a remedy
-     */
+    /** Parses a text; throws IllegalArgumentException, which quotes the text and gives a remedy, if it is no value within the limits. */
     public T parse(String text) {
         return checker.apply(parser.apply(text));
     }
 
-    /** Returns a value within the limits; throws as {@link #parse}. */
     public T check(T value) {
         return checker.apply(value);
     }

@@ -1,5 +1,5 @@
 /**
- * Settings of a user: each setting is declared once, with key, unit, limits and help. Command lines, scene files, metadata and controls
- * derive from that. Each names a setting in its own way (see {@link sunbeam.precompute.setting.Choices.Origin}).
+ * Settings of a user, each declared once, with key, unit, limits and help; command lines, scene files, metadata and controls derive from
+ * that.
  */
 package sunbeam.precompute.setting;

@@ -6,7 +6,6 @@ import sunbeam.precompute.text.Text;
  * Shape of a float32 array in a texture: rows of texels, channels interleaved, layer after layer.
  *
  * @param sampler name of the shader's sampler
- * @param layers 1 for a flat array
  * @param layered whether the shader reads an array of textures, else one texture
  * @param channels floats per texel: 1, 2 or 4
  * @param filtered whether the shader reads between texels, linearly; else it fetches single texels

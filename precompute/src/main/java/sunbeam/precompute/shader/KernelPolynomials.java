@@ -8,22 +8,20 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Interpolation kernel as polynomials (shaders/method/grid_tables.glsl): the weight of each tap as a function of x = 2 fraction - 1 in [-1,
- * 1], through the kernel at Chebyshev nodes. Unlike a table's, their float32 rounding is relative to each tap's own weight. This matters on
- * the skirt of a bright order, where the outermost tap reads a sample a thousand times brighter than the result.
+ * 1], through the kernel at Chebyshev nodes. Unlike a table's, their float32 rounding is relative to each tap's own weight: on a bright
+ * order's skirt the outermost tap reads a sample a thousand times brighter than the result.
  */
 public record KernelPolynomials(double[][] coefficients) {
-    // For a kernel of peak 1: a sample a thousand times brighter than the result adds an error of 2e-6, less than the
-    // finest tolerance.
+    // A sample a thousand times brighter than the result adds an error of 2e-6, less than the finest tolerance.
     private static final double LARGEST_ERROR = 2e-9;
     // Smooth kernels need fewer coefficients.
     private static final int MOST_POWERS = 16;
     private static final int CHECKED_INTERVALS = 64;
 
     /**
-     * Returns the polynomials of the lowest degree, the same for all taps, that are close enough to the kernel.
+     * Returns the polynomials of the lowest degree that are close enough to the kernel.
      *
      * @param kernel weight of a sample by its distance in samples; smooth up to a distance of {@code taps / 2}
-     * @throws IllegalArgumentException for a kernel that is not smooth
      */
     public static KernelPolynomials of(int taps, DoubleUnaryOperator kernel) {
         for (int powers = 4; powers <= MOST_POWERS; powers++) {
@@ -65,7 +63,6 @@ public record KernelPolynomials(double[][] coefficients) {
         return largest;
     }
 
-    /** Returns the weight of a tap at x in [-1, 1]. */
     double weight(int tap, double x) {
         double sum = 0;
         for (int power = powers() - 1; power >= 0; power--) {

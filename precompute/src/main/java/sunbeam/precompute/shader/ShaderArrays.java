@@ -5,8 +5,8 @@ import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.expansion.CoefficientTable;
 
 /**
- * Arrays that the shaders of several methods read: CIE weights (color matching functions times the light's spectrum) at any wavelength or at
- * fixed ones, and coefficients of an expansion.
+ * Arrays that the shaders of several methods read: CIE weights (color matching functions times the light's spectrum) and coefficients of an
+ * expansion.
  */
 public final class ShaderArrays {
     private static final int PER_TEXEL = 4;
@@ -38,16 +38,14 @@ public final class ShaderArrays {
         return TableArray.of(cieWeightsLayout(), texels);
     }
 
-    /** Returns the wavelength of a sample, meters. */
     private static double wavelength(int sample) {
         return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETER);
     }
 
     /**
-     * Returns S xbar, S ybar or S zbar (channel 0, 1, 2) at each sample, not normalized, without the kinks of the linear interpolation, which
-     * on the flanks of the color matching functions lies up to 1.5e-3 above the smooth function. An integral averages this excess; nodes a
-     * nanometer or more apart do not. The table is filtered with (w[i-1] + 10 w[i] + w[i+1]) / 12, which adds the chords' mean excess, and a
-     * cubic spline interpolates it (Catmull and Rom 1974).
+     * Returns S xbar, S ybar or S zbar (channel 0, 1, 2) at each sample, not normalized. On the flanks of the color matching functions
+     * linear interpolation lies up to 1.5e-3 above the smooth function; an integral averages this excess, nodes a nanometer or more apart
+     * do not. So (w[i-1] + 10 w[i] + w[i+1]) / 12 adds the chords' mean excess, and a cubic spline interpolates (Catmull and Rom 1974).
      */
     private static double[] smooth(CieTable cie, int channel) {
         double[] filtered = new double[TABLE_LAST + 1];

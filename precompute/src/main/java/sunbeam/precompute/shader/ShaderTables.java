@@ -13,8 +13,7 @@ import java.util.function.UnaryOperator;
  * Tables of a method's shader: constants, uniforms and arrays. Callers must not change the uniforms' components.
  *
  * @param shader file in shaders/method, without its ending
- * @param reals uniforms of type {@code float}, {@code vec2}, {@code vec3} or {@code vec4}, by the number of components
- * @param integers uniforms of type {@code int} or {@code ivec2} to {@code ivec4}
+ * @param reals uniforms of type {@code float} or {@code vec2} to {@code vec4}, by the number of components
  * @param windowSigma standard deviation of the coherence window, meters
  * @param specularReach |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light
  * @param trial result of the tables' validation; empty if they were not validated
@@ -57,7 +56,6 @@ public record ShaderTables(
         return new ShaderTables(shader, defines, reals, integers, others, windowSigma, specularReach, trial);
     }
 
-    /** Returns these tables with additions. */
     public ShaderTables with(UnaryOperator<Builder> additions) {
         Builder all = new Builder(shader).all(this).trial(trial);
         return additions.apply(all).build(windowSigma, specularReach);
@@ -71,7 +69,6 @@ public record ShaderTables(
         private final List<TableArray> arrays = new ArrayList<>();
         private String trial = "";
 
-        /** @param shader file in shaders/method, without its ending */
         public Builder(String shader) {
             this.shader = shader;
         }
@@ -105,7 +102,6 @@ public record ShaderTables(
             return this;
         }
 
-        /** Adds all defines, uniforms and arrays of other tables. */
         public Builder all(ShaderTables others) {
             defines.putAll(others.defines());
             reals.putAll(others.reals());
@@ -114,7 +110,6 @@ public record ShaderTables(
             return this;
         }
 
-        /** Builds the tables; parameters as in {@link ShaderTables}. */
         public ShaderTables build(double windowSigma, double specularReach) {
             // See shaders/include/loops.glsl.
             integers("loopProbe", 2);
@@ -122,7 +117,6 @@ public record ShaderTables(
         }
     }
 
-    /** Use of a method; its tables hold no more than the use needs. */
     public enum MethodUse {
         /** Colors of directions, over all wavelengths. */
         COLOR,

@@ -52,11 +52,7 @@ public final class ShaderTablesFile {
     private ShaderTablesFile() {}
 
     private record Header(String key, TableLabel label, ShaderTables tables, List<ArrayLayout> layouts) {
-        /**
-         * Returns the number of bytes of all arrays.
-         *
-         * @throws ArithmeticException if they overflow a long, or one layer an int, which limits a mapping to memory
-         */
+        /** Throws ArithmeticException if all arrays overflow a long, or one layer an int, which limits a mapping to memory. */
         long arrayBytes() {
             long bytes = 0;
             for (ArrayLayout layout : layouts) {
@@ -82,10 +78,8 @@ public final class ShaderTablesFile {
     }
 
     /**
-     * Writes tables to a new file, layer by layer. The caller passes a temporary name, and renames the file when it is complete.
-     *
-     * @param key text that determines the tables
-     * @param label description for lists of the cache
+     * Writes tables to a new file, layer by layer, under a label for lists of the cache. The caller passes a temporary name, and renames
+     * the file when it is complete.
      */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
         byte[] header = header(key, label, tables);
@@ -118,19 +112,13 @@ public final class ShaderTablesFile {
 
     /**
      * Reads tables and checks the whole file. Layers stay in the file, mapped to memory: it may be replaced or deleted meanwhile, but not
-     * overwritten.
-     *
-     * @throws InputException if the file is truncated, altered, of another version or of another key
+     * overwritten. Throws InputException for a truncated or altered file, another version or key.
      */
     public static ShaderTables read(Path file, String key) {
         return opened(file, channel -> read(channel, key));
     }
 
-    /**
-     * Reads the description of a file's tables, without checking the tables themselves.
-     *
-     * @throws InputException if the file has no readable header
-     */
+    /** Reads the description of a file's tables alone; throws InputException if the file has no readable header. */
     public static TableLabel label(Path file) {
         return opened(file, channel -> header(channel, headerBytes(channel)).label());
     }

@@ -3,12 +3,7 @@ package sunbeam.precompute.shader;
 import java.nio.FloatBuffer;
 import java.util.function.IntFunction;
 
-/**
- * Array that a shader reads, with its values.
- *
- * @param layers function from a layer's index to its {@link ArrayLayout#floatsPerLayer()} floats; may compute them when called, so that
- *     only one layer needs memory
- */
+/** Array that a shader reads. Layers, of {@link ArrayLayout#floatsPerLayer()} floats, may be computed when read, to save memory. */
 public record TableArray(ArrayLayout layout, IntFunction<FloatBuffer> layers) {
 
     public static TableArray of(ArrayLayout layout, float[] values) {

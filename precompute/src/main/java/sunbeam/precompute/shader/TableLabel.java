@@ -1,12 +1,7 @@
 package sunbeam.precompute.shader;
 
-/**
- * Description of a cached table, shown when the cache is listed; it is not part of the cache key.
- *
- * @param patch name of the surface for which the table was built, with digits of its digest; surfaces with the same heights share the table
- */
+/** Description of a cached table for lists of the cache; no part of its key. Surfaces with the same heights share the table. */
 public record TableLabel(String patch, String what) {
-    /** Number of hexadecimal digits of the digest; they distinguish surfaces of the same name. */
     private static final int DIGITS = 6;
 
     /** Describes a surface's table; the first digits of the digest make the name unique. */

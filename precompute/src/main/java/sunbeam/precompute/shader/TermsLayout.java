@@ -4,7 +4,6 @@ package sunbeam.precompute.shader;
  * Layout of a spectrum's terms in a texture. The texels of one sample are side by side in a row, so that a pixel's reads are adjacent;
  * texels beyond the limits of a row and of Java's heap are in further layers.
  *
- * @param texels number of texels per sample
  * @param together number of texels of a sample in one layer
  */
 public record TermsLayout(int texels, int together, ArrayLayout array) {
@@ -14,7 +13,7 @@ public record TermsLayout(int texels, int together, ArrayLayout array) {
     private static final int LONGEST_ROW = 16384;
     private static final long LARGEST_LAYER_BYTES = 1L << 28;
 
-    /** Returns the layout of a number of grids of one size, with {@code samples} samples per row and {@code texels} texels per sample. */
+    /** Returns the layout of some grids of one size. */
     public static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
         long bytes = (long) Float.BYTES * CHANNELS * samples * rows;
         long most = Math.min(LONGEST_ROW / samples, LARGEST_LAYER_BYTES / bytes);

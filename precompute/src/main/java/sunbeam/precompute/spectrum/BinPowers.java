@@ -20,7 +20,6 @@ final class BinPowers {
         Arrays.setAll(coefficients, q -> table.expansion().coefficients(nodes.node(q)));
     }
 
-    /** Collects a bin's terms, real and imaginary part of each in turn. */
     private double[] collect(int bin, double[] terms) {
         for (int n = 0; n < turns.length; n++) {
             double real = table.real()[n][bin];
@@ -52,12 +51,7 @@ final class BinPowers {
                 / 3;
     }
 
-    /**
-     * Returns the inner products, as sums over the nodes, of all bins' powers with functions.
-     *
-     * @param functions {@code [function][node]}
-     * @return {@code [function][bin]}
-     */
+    /** Returns the inner products {@code [function][bin]} of all bins' powers with functions {@code [function][node]}. */
     double[][] sums(double[][] functions) {
         double[][] sums = new double[functions.length][table.bins()];
         int pairs = turns.length * (turns.length + 1) / 2;
@@ -82,9 +76,7 @@ final class BinPowers {
         return sums;
     }
 
-    /**
-     * |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' inner products with c_a c_b, twice those for a != b.
-     */
+    /** |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' products with c_a c_b, twice those for a != b. */
     private double[][] pairWeights(double[][] functions, int pairs) {
         double[][] weights = new double[functions.length][pairs];
         for (int n = 0; n < functions.length; n++) {

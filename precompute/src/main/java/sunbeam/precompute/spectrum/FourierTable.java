@@ -14,22 +14,17 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies.
+ * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies, bin / width and bin / height.
  *
- * @param bandX bins along x; frequency = bin / width
  * @param bandY bins along y, ascending with y
- * @param real real parts {@code [term][row * bandX.count() + column]}, rows and columns in ascending order of bins; phases refer to sample
- *     (0, 0), at the top left
+ * @param real real parts {@code [term][row * bandX.count() + column]}, in ascending order of bins; phases refer to sample (0, 0), at the
+ *     top left
  * @param imaginary imaginary parts, in the order of {@code real}
  */
 public record FourierTable(
         HeightMap map, Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
 
-    /**
-     * Transforms the terms within bands of bins.
-     *
-     * @param progress receives the number of terms finished by each transform
-     */
+    /** Transforms the terms within bands; the consumer receives the number of terms finished by each transform. */
     public static FourierTable of(
             HeightLevels heights, Expansion expansion, Band bandX, Band bandY, IntConsumer progress) {
         float[][] empty = new float[expansion.terms()][];
@@ -97,7 +92,7 @@ public record FourierTable(
         imaginary[term] = im;
     }
 
-    /** Returns the rows of a complex image: real and imaginary parts of a term, or of two real terms, at the height of each sample. */
+    /** Returns the rows of an image: real and imaginary parts of a term, or two real terms, at the height of each sample. */
     static BandTransform2d.RowSource rows(
             HeightLevels heights, HeightScale scale, DoubleUnaryOperator realPart, DoubleUnaryOperator imaginaryPart) {
         HeightMap map = heights.map();
@@ -145,7 +140,6 @@ public record FourierTable(
         return new PowerSpectrum.Axis(map.height(), bandY.first(), bandY.count());
     }
 
-    /** Returns the number of bins of a term. */
     public int bins() {
         return Math.multiplyExact(bandX.count(), bandY.count());
     }
@@ -155,9 +149,8 @@ public record FourierTable(
     }
 
     /**
-     * Returns some terms, each times its factor {@link Expansion.Kind#turn}, with phases that refer to the sample under the window's maximum.
-     *
-     * @return real and imaginary part of each term, {@code [2 * (term - first) + part][bin]}
+     * Returns the real and imaginary part {@code [2 * (term - first) + part][bin]} of some terms, each times its factor
+     * {@link Expansion.Kind#turn}, with phases that refer to the sample under the window's maximum.
      */
     public double[][] amplitudes(int first, int end, WindowOrigin origin) {
         double[][] alongX = bandX.phases(map.columns(), -origin.sample(map.columns()));

@@ -8,19 +8,14 @@ import sunbeam.precompute.fourier.Band;
 /** Resamples DFT bins onto a grid, separably. */
 public record GridResampler(Axis alongX, Axis alongY) {
     /**
-     * Weights from the DFT bins of one axis to the samples of a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within reach.
-     *
-     * @param bins number of bins along the axis
-     * @param firstBin index of the first bin within reach of each sample
-     * @param weights {@code [sample][bin]}, beginning with {@code firstBin}
+     * Weights {@code [sample][bin]} from the bins of one axis to a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within
+     * reach, from {@code firstBin} on.
      */
     public record Axis(int bins, int[] firstBin, double[][] weights) {
 
         /**
-         * Returns weights for samples that are interpolated later: the Gaussian with the interpolation kernel divided out of its transform.
-         *
-         * @param grid numbers of the samples; sample i has the frequency i * step
-         * @param step cycles per meter
+         * Returns weights for later interpolation: the Gaussian with the kernel divided out of its transform. The step is in cycles per
+         * meter.
          */
         public static Axis forInterpolation(
                 Band grid, double step, PowerSpectrum.Axis bins, InterpolationDesign design) {
@@ -62,7 +57,6 @@ public record GridResampler(Axis alongX, Axis alongY) {
         }
     }
 
-    /** Order of the samples in memory. */
     public enum Order {
         ROWS,
         COLUMNS
@@ -73,11 +67,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
     }
 
     /**
-     * Resamples real fields given at the bins, row by row in ascending y. The target interleaves the fields: all values of a sample are
-     * adjacent.
-     *
-     * @param fields {@code [field][bin]}, at most {@code stride} fields
-     * @param target output: {@code stride} values per sample
+     * Resamples real fields {@code [field][bin]}, row by row in ascending y. The target interleaves them, {@code stride} values per sample.
      */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];

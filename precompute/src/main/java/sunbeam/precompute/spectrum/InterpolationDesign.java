@@ -15,8 +15,8 @@ import sunbeam.precompute.numerics.KaiserBessel;
  * The error is aliasing, small because the Gaussian's transform, the coherence window, fades before the kernel's.
  *
  * @param deviation standard deviation of the Gaussian in grid steps
- * @param beta shape parameter of phi, without unit
- * @param error largest difference between both sides, relative to the Gaussian, over the skirt of the design; measured
+ * @param beta shape parameter of phi
+ * @param error largest difference between both sides, relative to the Gaussian, over the skirt; measured
  */
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
     private static final int FEWEST_TAPS = 3;
@@ -31,11 +31,8 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     public static final double GAUSS_REACH = 7.5;
 
     /**
-     * Returns the design within an error that has the fewest taps, and of those the coarsest grid.
-     *
-     * @param tolerance relative error at any distance within the skirt
-     * @param skirt standard deviations of the Gaussian over which the error is bounded
-     * @throws IllegalArgumentException if there is none
+     * Returns the design with the fewest taps, and of those the coarsest grid, that keeps a relative error over a skirt in standard
+     * deviations; throws IllegalArgumentException if there is none.
      */
     public static InterpolationDesign within(double tolerance, double skirt) {
         double finest = DEVIATIONS[DEVIATIONS.length - 1];
@@ -48,7 +45,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
                         .flatMap(taps -> Arrays.stream(DEVIATIONS).mapToObj(grid -> best(grid, taps, skirt))));
     }
 
-    /** Returns the design within an error that has the coarsest grid, to save memory, and of those the fewest taps. */
+    /** Returns the design that has the coarsest grid, to save memory, and of those the fewest taps. */
     public static InterpolationDesign compact(double tolerance, double skirt) {
         return first(
                 tolerance,
@@ -64,7 +61,6 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
                 .orElseThrow(() -> new IllegalArgumentException("no interpolation keeps " + tolerance));
     }
 
-    /** Returns the best kernel for a number of taps, a Gaussian's deviation in grid steps, and a skirt in deviations. */
     public static InterpolationDesign best(double deviation, int taps, double skirt) {
         InterpolationDesign best = null;
         for (double perTap : BETA_PER_TAP) {
@@ -86,10 +82,9 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
         return new Spread(deviation, taps, beta);
     }
 
-    /** Function K of a design. */
     static final class Spread {
         private static final int SPECTRUM_SAMPLES = 256;
-        // Distances at which the error of a design is measured, in standard deviations.
+        // In standard deviations.
         private static final double DISTANCE_STEP = 0.6;
         // Between two grid points.
         private static final int POSITIONS = 4;
@@ -133,7 +128,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
             return sum / SPECTRUM_SAMPLES * deviation * Math.sqrt(2 * Math.PI);
         }
 
-        /** Returns the largest error of sum_m phi(f - m) K(m - f_j), relative to the Gaussian, over a skirt in its standard deviations. */
+        /** Returns the largest error, relative to the Gaussian, over a skirt in its standard deviations. */
         private double largestError(double skirt) {
             double largest = 0;
             int distances = (int) Math.ceil(skirt / DISTANCE_STEP);

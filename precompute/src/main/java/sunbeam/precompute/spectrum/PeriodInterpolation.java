@@ -10,16 +10,16 @@ import sunbeam.precompute.numerics.KaiserBessel;
 public enum PeriodInterpolation {
     /**
      * The DFT's own interpolation, sum_j P_1(f_j) sin(pi (f - f_j) L) / (N sin(pi (f - f_j) pitch)) for a period of length L. A truncated
-     * kernel would lose the specular order's tails, which outshine the rest of a rough patch. So the period is padded with zeros to twice
-     * its length, which yields exact samples between the bins, and seven taps of a Kaiser-Bessel kernel interpolate these; its transform is
-     * divided out beforehand (Jackson et al. 1991). Error below 1e-7 of the largest amplitude, as measured.
+     * kernel would lose the specular order's tails, which outshine the rest of a rough patch; so the period is padded with zeros to twice
+     * its length, and seven taps of a Kaiser-Bessel kernel, whose transform is divided out (Jackson et al. 1991), interpolate. Error below
+     * 1e-7 of the largest amplitude, as measured.
      */
     SINC(2, 7),
     /** Linear interpolation between neighboring bins; exact only on the bins. */
     LINEAR(1, 2),
     /**
-     * The thesis's interpolation over the bin below and the ring of its eight neighbors, weighted by sin(pi r) / (pi r) of their distance r
-     * in bins. Phases refer to the period's corner and turn by pi from bin to bin.
+     * The thesis's interpolation over the bin below and its eight neighbors, weighted by sin(pi r) / (pi r) of their distance r in bins.
+     * Phases refer to the period's corner and turn by pi from bin to bin.
      */
     RING(1, 3);
 
@@ -44,7 +44,6 @@ public enum PeriodInterpolation {
         return taps / 2 + 1;
     }
 
-    /** Returns the weight of a sample at a distance in samples. */
     public double kernel(double distance) {
         return switch (this) {
             case SINC -> kaiserBessel().value(distance);
@@ -58,8 +57,7 @@ public enum PeriodInterpolation {
         return this == SINC ? 1 / kaiserBessel().transform(place / oversampling) : 1;
     }
 
-    // The first zero of the kernel's transform lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling)
-    // of the padded length.
+    // The first zero of the transform lies at the nearest alias of the period's edge, 1 - 1 / (2 oversampling).
     private KaiserBessel kaiserBessel() {
         double alias = Math.PI * taps * (1 - 0.5 / oversampling);
         return new KaiserBessel(taps, Math.sqrt(alias * alias - Math.PI * Math.PI));

@@ -24,7 +24,6 @@ public final class PeriodSpectrum {
     private final double[] correctionX;
     private final double[] correctionY;
 
-    /** @param bandX samples along x: those of visible directions and {@link PeriodInterpolation#margin()} more on each side */
     public PeriodSpectrum(
             HeightLevels heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
         this.heights = heights;
@@ -67,7 +66,7 @@ public final class PeriodSpectrum {
         return term;
     }
 
-    /** Turns to the middle, and multiplies by the oversampling squared, because the DFT divides by the number of padded samples. */
+    /** Turns phases to the middle; oversampling squared, because the DFT divides by the number of padded samples. */
     private void turn(ComplexVector samples, Complex turn) {
         double padding = interpolation.oversampling() * interpolation.oversampling();
         double turns = interpolation == PeriodInterpolation.RING ? 0 : 1.0 / interpolation.oversampling();

@@ -13,8 +13,8 @@ import sunbeam.precompute.fourier.Band;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest
- * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones. Each phase is scaled by
- * the mean power in the octave around it, over which one color integrates, so that grazing light counts, too.
+ * bins and of a random sample. Each bin is scaled by its own mean, so that weak bins count as much as strong ones, and each phase by the
+ * mean power in the octave around it, over which one color integrates, so that grazing light counts, too.
  */
 final class PowerBasis {
     private static final int STRONGEST_BINS = 300;
@@ -23,14 +23,12 @@ final class PowerBasis {
     private static final double BRILLIANT = 0.01;
     // The promised accuracy begins at 1e-9.
     private static final double DARKEST = 1e-10;
-    // Each run yields the same basis.
     private static final long SEED = 20140507;
 
     private final PhaseNodes nodes;
     private final double[][] functions;
     private final double[][] projections;
 
-    /** @param tolerance relative root-mean-square error of the powers over an octave of phases */
     PowerBasis(FourierTable table, double tolerance) {
         Expansion expansion = table.expansion();
         nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
@@ -182,7 +180,6 @@ final class PowerBasis {
                 zeta -> nodes.interpolate(functions, functions.length, zeta));
     }
 
-    /** {@code [function][bin]}. */
     double[][] projections() {
         return projections;
     }
@@ -190,7 +187,6 @@ final class PowerBasis {
     /** Octaves of phases around the nodes. */
     private static final class PhaseOctaves {
         private final PhaseNodes nodes;
-        // First node of each node's octave, and the node after the last.
         private final int[] first;
         private final int[] end;
 

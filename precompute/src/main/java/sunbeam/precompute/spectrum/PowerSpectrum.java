@@ -7,13 +7,12 @@ import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.
- * It is built once per surface; each user applies its own window. The terms of a bin lie side by side in memory. Immutable.
+ * Built once per surface; each user applies its own window. A bin's terms lie side by side. Immutable.
  */
 public final class PowerSpectrum {
     /** Largest angular frequency of a power over the phase: two scaled heights, both in -1..1, differ by at most 2. */
     public static final double BANDWIDTH = 2;
 
-    /** Number of terms that loops sum at once, in registers. */
     public static final int TOGETHER = 4;
 
     private static final int POINTS = 8;
@@ -28,18 +27,12 @@ public final class PowerSpectrum {
     // Computed on first use; two threads may compute it, neither waits.
     private volatile PowerSpectrum transposed;
 
-    /**
-     * Bins along one axis.
-     *
-     * @param period reciprocal of the distance between bins, meters, which is the surface's extent unless bins were decimated: bin i has the
-     *     frequency (first + i) / period
-     */
+    /** Bins along one axis: bin i has the frequency (first + i) / period; the period, meters, is the surface's extent unless decimated. */
     public record Axis(double period, int first, int count) {
         public int last() {
             return first + count - 1;
         }
 
-        /** Returns the place of a frequency in cycles per meter among the bins. */
         public double place(double frequency) {
             return frequency * period - first;
         }
@@ -55,22 +48,14 @@ public final class PowerSpectrum {
         this.tolerance = tolerance;
     }
 
-    /**
-     * Returns the power spectrum of a surface.
-     *
-     * @param tolerance relative root-mean-square error of the powers over an octave of phases
-     */
+    /** Returns a surface's spectrum with a relative root-mean-square error of the powers over an octave of phases. */
     public static PowerSpectrum of(FourierTable table, double tolerance) {
         PowerBasis basis = new PowerBasis(table, tolerance);
         return of(
                 table.expansion().scale(), basis.coefficients(), table.x(), table.y(), basis.projections(), tolerance);
     }
 
-    /**
-     * Returns a spectrum of given terms.
-     *
-     * @param terms {@code [term][bin]}
-     */
+    /** Returns a spectrum of terms {@code [term][bin]}. */
     public static PowerSpectrum of(
             HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[][] terms, double tolerance) {
         int stride = (terms.length + TOGETHER - 1) / TOGETHER * TOGETHER;
@@ -83,7 +68,6 @@ public final class PowerSpectrum {
         return new PowerSpectrum(scale, coefficients, x, y, powers, tolerance);
     }
 
-    /** Returns the error allowed to the powers. */
     public double tolerance() {
         return tolerance;
     }
@@ -106,7 +90,6 @@ public final class PowerSpectrum {
         return powers.length / (x.count * y.count);
     }
 
-    /** Returns the functions of the phase that are the terms' coefficients. */
     public CoefficientTable coefficients() {
         return coefficients;
     }
@@ -127,7 +110,6 @@ public final class PowerSpectrum {
         return coefficients.at(scale.phase(wavelength, absoluteW));
     }
 
-    /** Returns the spectrum with x and y exchanged. */
     public PowerSpectrum transposed() {
         PowerSpectrum known = transposed;
         if (known == null) {
@@ -147,8 +129,8 @@ public final class PowerSpectrum {
     }
 
     /**
-     * Returns bins that are farther apart by whole factors. Each power is distributed over eight bins by Lagrange weights of degree 7, so
-     * that sums over Gaussians wider than the new spacing do not change.
+     * Returns bins that are farther apart by whole factors. Lagrange weights of degree 7 distribute each power over eight bins, so that
+     * sums over Gaussians wider than the new spacing do not change.
      */
     public PowerSpectrum decimated(int factorX, int factorY) {
         PowerSpectrum alongX = factorX == 1 ? this : decimatedX(factorX);
@@ -191,7 +173,6 @@ public final class PowerSpectrum {
         private int first;
         private int count;
 
-        /** @param reach distance in sigma_f beyond which a bin is left out */
         public GaussianWeights(Axis bins, double sigmaFrequency, double reach) {
             // Distance between neighboring bins, divided by sigma_f.
             this.ratio = 1 / (sigmaFrequency * bins.period());

@@ -11,9 +11,9 @@ import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.setting.ValueKind;
 
 /**
- * Writer of Fourier tables as HDF5, for other programs: dataset {@code terms} of float32, shape (terms, 2, rows, columns) with real and
- * imaginary parts; dataset {@code coefficients} (terms, samples) if the expansion has no closed form; attributes in SI units that describe
- * both (docs/conventions.md).
+ * Writer of Fourier tables as HDF5, for other programs (docs/conventions.md): dataset {@code terms} of float32, shape (terms, 2, rows,
+ * columns) with real and imaginary parts; dataset {@code coefficients} (terms, samples) if the expansion has no closed form; attributes in
+ * SI units.
  */
 public final class TableFile {
     private static final String FORMAT = "sunbeam fourier table";
@@ -21,13 +21,7 @@ public final class TableFile {
 
     private TableFile() {}
 
-    /**
-     * Writes a table to a new file. The caller writes to a temporary name, and renames the file when it is complete.
-     *
-     * @param name name of the patch
-     * @param digest SHA-256 of the patch's grid and heights, in hexadecimal
-     * @throws UncheckedIOException if the file cannot be written
-     */
+    /** Writes to a temporary name, which the caller renames; throws UncheckedIOException if the file cannot be written. */
     public static void write(Path file, FourierTable table, String name, String digest) {
         try (WritableHdfFile hdf = HdfFile.write(file)) {
             hdf.putDataset("terms", nested(table));
