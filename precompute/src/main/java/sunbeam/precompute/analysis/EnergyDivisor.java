@@ -13,20 +13,14 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
-/**
- * Divisor of radiance that conserves energy: the light of all orders relative to that of a mirror of the same material where it exceeds 1,
- * by direction of light and wavelength. It does not depend on the direction of view, so reciprocity is lost. Maps with more than 256
- * samples along a side are represented by their middle 256. Thread-safe.
- */
 public final class EnergyDivisor {
-    // Directions of light along each axis of a table.
     private static final int LIGHTS = 24;
-    // Nanometers of a cell of wavelengths: few orders have sharp peaks at the horizon, many a smooth sum.
+    // Nanometers of a cell: few orders have sharp peaks at the horizon, many a smooth sum.
     private static final int CELL_OF_FEW = 4;
     private static final int CELL_OF_MANY = 20;
     private static final long FEW_ORDERS = 5000;
     private static final double NANOMETER = 1e-9;
-    // Largest sine of a light's angle to the normal, where the irradiance is 0 at 1.
+    // Sine of the light's angle; at 1 the irradiance is 0.
     private static final double LOWEST_LIGHT = 0.999;
 
     private final OrderSpectrum spectrum;
@@ -42,7 +36,7 @@ public final class EnergyDivisor {
         sigmaFrequency = window.sigmaFrequency();
     }
 
-    /** Returns the divisor, at least 1, for a light in the patch's frame and a wavelength in meters. */
+    /** Returns the divisor, at least 1; light in the patch's frame, wavelength in meters. */
     public double at(Direction wi, double wavelength) {
         return Math.max(1, spectrum.sum(index, wi, wavelength, sigmaFrequency));
     }
@@ -57,7 +51,7 @@ public final class EnergyDivisor {
                 1 / divisors[(int) Math.rint((wavelength - CieTable.MINIMUM_WAVELENGTH) / NANOMETER)]);
     }
 
-    /** Returns one divisor for all wavelengths, which gives the luminance of all directions together that exact divisors give. */
+    /** Returns one divisor for all wavelengths, which gives the luminance of all directions that exact ones give. */
     public double ofColors(Direction wi, CieTable cie) {
         double sent = 0;
         double conserved = 0;
@@ -79,7 +73,6 @@ public final class EnergyDivisor {
         return conserved > 0 ? sent / conserved : 1;
     }
 
-    /** Returns the direction of light at (x, y), the nearest one above the horizon. */
     public static Direction light(double x, double y) {
         double outside = Math.max(1, Math.hypot(x, y) / LOWEST_LIGHT);
         return Direction.ofDisc(x / outside, y / outside);
@@ -99,27 +92,20 @@ public final class EnergyDivisor {
     }
 
     /**
-     * Total diffracted light of a surface in the scalar model ({@link OrderSpectrum}), relative to a mirror of the same material.
+     * Diffracted light of a surface over that of a mirror of the material; 1 conserves energy. Wavelength in meters.
      *
      * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
      * @param wavelength meters
      */
     public record EnergyBalance(double ratio, double wavelength) {
-        /** Ratio above which {@link #warning} reports a surface. */
         public static final double LARGEST = 1.05;
-
-        // Samples along a side, beyond which only the middle is evaluated.
         private static final int MOST_SAMPLES = 256;
-        // Meters; deeper reliefs take more than a second.
         private static final double DEEPEST = 6e-6;
-        // Meters.
         private static final double WAVELENGTH_STEP = 20e-9;
 
         /**
-         * Returns the balance at the visible wavelength, in steps of 20 nm, where the ratio is largest; empty for a relief of more than 6 um,
-         * which takes too long.
-         *
-         * @param wi direction to the light, in the patch's frame
+         * Returns the balance at the visible wavelength, in steps of 20 nm, of the largest ratio; empty for a relief beyond 6 um, which
+         * takes too long.
          */
         public static Optional<EnergyBalance> largest(HeightMap map, RefractiveIndex index, Direction wi) {
             HeightMap middle = middle(map);
@@ -135,14 +121,12 @@ public final class EnergyDivisor {
                     .max(Comparator.comparingDouble(EnergyBalance::ratio));
         }
 
-        /** Returns the middle {@value #MOST_SAMPLES} samples along each side of a larger scan. */
         static HeightMap middle(HeightMap map) {
             int columns = Math.min(MOST_SAMPLES, map.columns());
             int rows = Math.min(MOST_SAMPLES, map.rows());
             return map.part((map.columns() - columns) / 2, (map.rows() - rows) / 2, columns, rows);
         }
 
-        /** Returns a warning if the ratio exceeds {@link #LARGEST}, else empty. */
         public Optional<String> warning() {
             return ratio <= LARGEST
                     ? Optional.empty()

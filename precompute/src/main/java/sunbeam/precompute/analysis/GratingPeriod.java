@@ -14,16 +14,16 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Period of a surface's strongest regular wave, with its interval and certainty.
+ * Period of a surface's strongest regular wave.
  *
  * @param wave frequency of the wave, directed across its lines; of length 0 if there is no wave
- * @param low lower end of the interval that holds the period with a probability of 95 %, meters; the period itself if it is exact
- * @param high upper end of the interval, meters
- * @param azimuthHalfWidth half width of the 95 % interval of the direction, radians; 0 for an exact period
- * @param periods number of periods in the scan along the wave; infinite for a surface that repeats without end
- * @param share share of the heights' variance in the wave and its overtones, 0..1; waves longer than two periods do not count
+ * @param low lower end of the 95 % interval of the period, meters; the period itself if exact
+ *
+ * @param azimuthHalfWidth half width of the direction's 95 % interval, radians; 0 if exact
+ * @param periods number in the scan along the wave; infinite for a surface that repeats
+ * @param share share of the heights' variance (without waviness) in the wave and its overtones, 0..1
  * @param others up to two waves in other directions, each at least half as strong
- * @param reason why the period is not sure, without a full stop; empty if it is sure
+ * @param reason why the period is not sure; empty if it is
  */
 public record GratingPeriod(
         SpatialFrequency wave,
@@ -35,37 +35,32 @@ public record GratingPeriod(
         List<SpatialFrequency> others,
         Certainty certainty,
         String reason) {
-    /** How well a period is known. */
     public enum Certainty {
-        /** The period is known within its interval. */
         SURE,
-        /** There is a period, but its interval is unknown. */
+        /** Period without a known interval. */
         PROBABLE,
         /** Waves of about the same period run in all directions. */
         ALL_DIRECTIONS,
-        /** No wave stands out. */
         NONE,
-        /** The scan is too small to show a period. */
         TOO_LITTLE
     }
 
     public static final double PROBABILITY = 0.95;
 
     private static final double NANOMETERS_PER_METER = 1e9;
-    // Share of unmeasured rows that is not cropped, since a crop may lose half of the scan.
+    // Share of unmeasured rows; a crop may lose half of the scan.
     private static final double FEW_UNMEASURED = 0.02;
-    // Longest side, in meters, of a patch whose repetition counts as its period: half of sunlight's coherence length. A
-    // larger patch holds enough lines.
+    // Meters: half of sunlight's coherence length. The repetition of a larger patch, which holds enough lines, is no
+    // period.
     private static final double LARGEST_REPEATED = 32.5e-6;
-    // Sine of 2 degrees, the largest angle to the direction that the user gives.
+    // Sine of 2 degrees.
     private static final double CONE = 0.035;
-    // Three periods of four samples, along the longer side.
+    // Three periods of four samples.
     private static final int FEWEST_SAMPLES = 12;
-    // Meters; three of the shortest periods that show colors under light from above.
+    // Meters; three of the shortest periods with colors under light from above.
     private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
-    // Largest relative difference of equal periods.
     private static final double ALIKE = 0.05;
-    // Ratio of two periods above which the longer one holds several lines.
+    // Ratio of periods above which the longer one holds several lines.
     private static final double MANY_LINES = 2.5;
 
     public static GratingPeriod of(Patch patch) {
@@ -73,11 +68,9 @@ public record GratingPeriod(
     }
 
     /**
-     * Returns the period of a patch's strongest wave within limits.
+     * Returns the period of the strongest wave within limits, meters.
      *
-     * @param azimuth direction across the lines, radians counter-clockwise from +x; empty for any
-     * @param shortest shortest allowed period, meters
-     * @param longest longest allowed period, meters
+     * @param azimuth across the lines, radians counter-clockwise from +x; empty for any
      */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
         Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
@@ -103,7 +96,7 @@ public record GratingPeriod(
         Optional<GratingPeriod> exact = patch.repetition() == Patch.Repetition.NONE
                 ? Optional.empty()
                 : RepeatedPeriod.of(scan, which, periodic);
-        // A long period may hold many slightly different lines: a grating whose orders are split.
+        // A long period may hold slightly different lines: a grating of split orders.
         boolean lines = exact.filter(found -> found.period() > MANY_LINES * Verdict.VIOLET)
                 .isPresent();
         if (periodic && !lines && (small || exact.isPresent())) {
@@ -131,7 +124,6 @@ public record GratingPeriod(
         return small && !isPiece ? exact.orElse(piece) : piece;
     }
 
-    /** Returns Student's factor of an interval's half width. */
     static double student(int degreesOfFreedom) {
         return new TDistribution(degreesOfFreedom).inverseCumulativeProbability(0.5 + 0.5 * PROBABILITY);
     }
@@ -150,7 +142,6 @@ public record GratingPeriod(
                 .orElse(scan);
     }
 
-    /** Creates a period whose interval and certainty are set later, by {@link #within} or {@link #withCertainty}. */
     static GratingPeriod vague(SpatialFrequency wave, double periods, double share) {
         return new GratingPeriod(
                 wave, 0, Double.POSITIVE_INFINITY, Math.PI, periods, share, List.of(), Certainty.SURE, "");
@@ -162,7 +153,7 @@ public record GratingPeriod(
                 wave, period, period, 0, Double.POSITIVE_INFINITY, share, List.of(), Certainty.SURE, "");
     }
 
-    /** Sets the interval of the frequency, cycles per meter, and the half width of the direction's interval, radians. */
+    /** Sets the interval of the frequency, cycles per meter, and its direction's half width. */
     GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
         return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
@@ -190,7 +181,7 @@ public record GratingPeriod(
                 "too little to judge: " + why + "; use a larger scan, or state that it is periodic");
     }
 
-    /** Returns the period of the surface rotated about its normal, counter-clockwise by an angle in radians. */
+    /** For the surface rotated counter-clockwise. */
     public GratingPeriod turned(double angle) {
         List<SpatialFrequency> turned =
                 others.stream().map(other -> other.turned(angle)).toList();
@@ -206,12 +197,10 @@ public record GratingPeriod(
         return isSure() || certainty == Certainty.PROBABLE;
     }
 
-    /** True if the surface repeats one patch without end, so that its period has no interval. */
     public boolean isExact() {
         return low == high;
     }
 
-    /** True if there is any wave, even one that does not stand out. */
     public boolean hasWave() {
         return wave.length() > 0;
     }
@@ -220,17 +209,16 @@ public record GratingPeriod(
         return wave.period();
     }
 
-    /** Returns the direction across the lines, radians counter-clockwise from +x, above -pi/2 and at most pi/2. */
+    /** Returns radians counter-clockwise from +x, above -pi/2 and at most pi/2. */
     public double azimuth() {
         return wave.azimuth();
     }
 
-    /** Returns a wave's azimuth in whole degrees, 0 to below 180. */
     static long degrees(SpatialFrequency wave) {
         return Math.floorMod(Math.round(Math.toDegrees(wave.azimuth())), 180L);
     }
 
-    /** Returns the period with its reliable digits: "1000.0 nm, 95 % interval 998.9 to 1001.1 nm", without interval if it is exact. */
+    /** Returns "1000.0 nm, 95 % interval 998.9 to 1001.1 nm" with reliable digits. */
     public String interval() {
         double uncertainty = NANOMETERS_PER_METER * (Double.isFinite(high) ? 0.5 * (high - low) : 0.5 * low);
         String middle = Decimals.within(NANOMETERS_PER_METER * period(), uncertainty) + " nm";
@@ -242,12 +230,11 @@ public record GratingPeriod(
                                 : "any length");
     }
 
-    /** Returns {@link #interval}, or "probably about 2.9 um (3.4 periods seen, too few for an interval)". */
     public String estimate() {
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
 
-    /** Returns the azimuths of the wave and of the others in whole degrees, 0 to below 180, ascending. */
+    /** Returns the azimuths of all waves in whole degrees, 0 to below 180, ascending. */
     public List<Long> directions() {
         return Stream.concat(Stream.of(wave), others.stream())
                 .map(GratingPeriod::degrees)
@@ -255,12 +242,11 @@ public record GratingPeriod(
                 .toList();
     }
 
-    /** Returns one line with the interval, the direction and the share of the variance, or with the reason. */
     public String describe() {
         if (!isSure()) {
             return isSeen() ? estimate() + ", in direction " + degrees(wave) + " degrees" : "unknown: " + reason;
         }
-        // The directions of a scanner's axes are known to tenths of a degree, so no direction is known better.
+        // A scanner's axes are known to tenths of a degree.
         double tenths = Math.floorMod(Math.round(10 * Math.toDegrees(azimuth())), 1800L) / 10.0;
         String line = interval() + Text.format(", in direction %.1f", tenths);
         return isExact()

@@ -9,30 +9,26 @@ import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.prepare.Leveling;
 
 /**
- * Power spectrum of a patch's heights, up to the highest frequency that diffracts light (2 / 380 nm) or the Nyquist frequency, whichever is
- * lower.
+ * Power spectrum of a patch's heights, up to the Nyquist frequency or the highest that diffracts light (2 / 380 nm).
  *
- * @param bandX bins along x, symmetric about 0
- * @param bandY bins along y (upwards), symmetric about 0
- * @param width extent along x in meters, padding included: a bin's frequency along x is bin / width
+ * @param bandX bins along x, and bandY along y (upwards), symmetric about 0
+ *
+ * @param width meters, padding included: a bin's frequency along x is bin / width
  * @param power square meters, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}
- * @param total sum of the power, square meters, including frequencies beyond the bands
+ * @param total sum of the power, square meters, also beyond the bands
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
-    /** Half the shortest wavelength, meters, for light and viewer at grazing angles. */
     static final double SHORTEST_PERIOD = Plausibility.SHORTEST_WAVELENGTH / 2;
-    // Most samples of a scan that is padded; larger ones would take gigabytes.
+    // Samples; larger padded ones would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
 
-    /** How the patch's edges are treated. */
     public enum Edges {
-        /** One period of a surface that repeats: heights minus their mean; each bin is an exact frequency of the surface. */
+        /** One period: heights minus their mean; each bin is an exact frequency. */
         PERIODIC,
-        /** A piece of a surface: heights minus their plane, times a Hann window of mean square 1, padded with zeros to twice the size. */
+        /** A piece: heights minus their plane, times a Hann window of mean square 1, padded with zeros to twice the size. */
         TAPERED
     }
 
-    /** Transforms the heights of a map without missing samples. */
     public static HeightSpectrum of(HeightMap map, Edges edges) {
         boolean tapered = edges == Edges.TAPERED;
         int padding = tapered && (long) map.columns() * map.rows() <= MOST_PADDED ? 2 : 1;
@@ -66,7 +62,6 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return Band.of(-reach, reach);
     }
 
-    /** Hann window of root mean square 1, or ones. */
     private static double[] taper(int samples, boolean tapered) {
         double[] taper = new double[samples];
         for (int i = 0; i < samples; i++) {
@@ -76,14 +71,12 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return taper;
     }
 
-    /** Returns the power of a bin in square meters; 0 outside the bands. */
     public double at(int jx, int jy) {
         return bandX.holds(jx) && bandY.holds(jy)
                 ? power[(jy - bandY.first()) * bandX.count() + jx - bandX.first()]
                 : 0;
     }
 
-    /** Returns the bin along x of a place in {@link #power}. */
     int binX(int place) {
         return bandX.first() + place % bandX.count();
     }

@@ -6,20 +6,17 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /**
- * Reciprocal lattice of a surface's diffraction orders. In the plane of the surface, order (m, n) leaves along wr = -wi + lambda (m first +
- * n second), so that orders of positive m lie towards the first frequency.
+ * Reciprocal lattice of a surface's diffraction orders: (m, n) leaves along wr = -wi + lambda (m first + n second), projected to the
+ * surface.
  *
- * @param first frequency of order (1, 0)
- * @param second frequency of order (0, 1); empty for a grating, whose orders have n = 0
+ * @param second frequency of order (0, 1); empty for a grating
  */
 public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> second) {
-    // Least share of the heights' variance in a frequency of a repeated patch that its lattice must contain: float
-    // files round heights to 1e-7 of the relief.
+    // Share of the variance in a frequency that the lattice of a repeated patch contains: float files round to 1e-7 of
+    // the relief.
     private static final double WEAKEST = 1e-9;
-    // Least sine of the angle between the waves of a lattice.
     private static final double CROSSING = 0.3;
 
-    /** Numbers of an order. */
     public record Order(int m, int n) {
         /** Returns "-1", or "(1, -2)" in a lattice of two frequencies. */
         public String in(OrderLattice lattice) {
@@ -27,7 +24,6 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         }
     }
 
-    /** Returns the lattice of all frequencies of a patch that repeats, or that of a scan's strongest waves. */
     public static OrderLattice of(Patch patch, GratingPeriod period) {
         SpatialFrequency wave = period.wave();
         if (patch.repetition() == Patch.Repetition.PERIODIC) {
@@ -45,7 +41,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
                         .map(OrderLattice::positive));
     }
 
-    /** Returns the coarsest lattice that contains all frequencies of a surface, the shortest vector first. */
+    /** Returns the coarsest lattice of all frequencies. */
     private static OrderLattice generated(HeightSpectrum spectrum) {
         // The vectors (a, b) and (0, d), in bins, generate the lattice (Hermite normal form).
         int a = 0;
@@ -93,7 +89,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         return wave.x() > 0 || (wave.x() == 0 && wave.y() > 0) ? wave : wave.times(-1);
     }
 
-    /** Returns the order whose frequency is the nearest; empty for light between the orders of a grating. */
+    /** Returns the nearest order; empty between the orders of a grating. */
     Optional<Order> nearest(SpatialFrequency frequency) {
         SpatialFrequency crossing = second.orElseGet(() -> new SpatialFrequency(-first.y(), first.x()));
         double area = first.x() * crossing.y() - first.y() * crossing.x();
@@ -103,7 +99,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
         return n != 0 && second.isEmpty() ? Optional.empty() : Optional.of(new Order(m, n));
     }
 
-    /** Returns the frequency of an order, cycles per meter, at which light leaves along wr = -wi + lambda times this. */
+    /** Cycles per meter; the order leaves along wr = -wi + lambda times this. */
     SpatialFrequency frequency(Order order) {
         double x =
                 order.m * first.x() + second.map(other -> order.n * other.x()).orElse(0.0);
@@ -119,7 +115,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
                 .orElse(2 / length);
     }
 
-    /** Returns the direction of an order, in the patch's frame; empty if it lies beyond the horizon. */
+    /** Returns the direction in the patch's frame; empty beyond the horizon. */
     public Optional<Direction> direction(Order order, Direction wi, double wavelength) {
         SpatialFrequency frequency = frequency(order);
         double x = -wi.x() + wavelength * frequency.x();

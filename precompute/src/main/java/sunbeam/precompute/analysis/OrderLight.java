@@ -16,14 +16,13 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 
 /**
- * Efficiencies, shares of the incident light, of a surface's orders under one light: of a piece of a surface the integral around each
- * order, over half the distance to the next.
+ * Efficiencies, shares of the incident light, of a surface's orders: of a piece the integral over half the distance to the next order.
  *
  * @param wi direction to the light, in the patch's frame
- * @param wavelength meters
- * @param efficiencies efficiencies of the orders above the horizon
- * @param between share of the light that leaves between the orders of a grating
- * @param sum share of the light that leaves the surface
+ *
+ * @param efficiencies of the orders above the horizon
+ * @param between share that leaves between the orders of a grating
+ * @param sum share that leaves the surface
  * @param mirror share that a flat mirror of the material reflects
  */
 public record OrderLight(
@@ -34,12 +33,11 @@ public record OrderLight(
         double between,
         double sum,
         double mirror) {
-    // Largest number of parts of a scan along each axis, whose differences give the interval.
+    // Parts of a scan along each axis, whose differences give the interval.
     private static final int PARTS = 4;
 
     /**
-     * Efficiency of an order, with the 95 % interval of its mean over the surface that a scan is a sample of, or itself twice for a surface
-     * that repeats; NaN for an interval of less than two parts.
+     * Efficiency of an order with its 95 % interval for a scan, NaN of less than two parts; for a surface that repeats the value itself.
      */
     public record Efficiency(double value, double low, double high) {
         static final Efficiency NONE = new Efficiency(0, 0, 0);
@@ -56,7 +54,7 @@ public record OrderLight(
             }
         }
 
-        /** Returns the mean powers of up to 4 x 4 equal parts of the scan; their mean is the power (Parseval). */
+        /** Returns the mean powers of up to 4 x 4 parts of the scan; their mean is the power (Parseval). */
         double[] parts() {
             int left = bins.stream().mapToInt(Wave::x).min().orElse(0);
             int bottom = bins.stream().mapToInt(Wave::y).min().orElse(0);
@@ -100,10 +98,8 @@ public record OrderLight(
     }
 
     /**
-     * Computes the efficiencies.
-     *
      * @param wi direction to the light, in the patch's frame
-     * @param wavelength wavelength in meters, within 380..780 nm
+     *
      * @param sampled true for a scan, whose efficiencies have an interval
      */
     public static OrderLight of(
@@ -138,12 +134,11 @@ public record OrderLight(
         return new OrderLight(lattice, wi, wavelength, efficiencies, rest.power, sum, mirror);
     }
 
-    /** Returns the direction of an order; empty beyond the horizon. */
     public Optional<Direction> direction(Order order) {
         return lattice.direction(order, wi, wavelength);
     }
 
-    /** Returns the efficiency of an order above the horizon, 0 if all its light is beyond. */
+    /** Returns 0 if all the order's light is beyond the horizon. */
     public Efficiency at(Order order) {
         return efficiencies.getOrDefault(order, Efficiency.NONE);
     }

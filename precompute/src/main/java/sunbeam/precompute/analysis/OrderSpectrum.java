@@ -16,22 +16,21 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.spectrum.FourierTable;
 
 /**
- * Light that the scalar model sends into the diffraction orders of a surface that repeats one patch without end, one order for each DFT bin
- * F_j. Order j has the share (1 + wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(k w)|^2 of a mirror's light: the integral of brdf cos
- * theta_r over the order's solid angle, lambda^2 df / cos theta_r, where the Gaussian of the window, of area 1 / (4 pi sigma_s^2), drops
- * out (docs/theory.md). Times R(theta_d) it is the order's efficiency; a flat mirror's zero order has R. Immutable.
+ * Light that the scalar model sends into the orders of a surface that repeats without end, one for each DFT bin F_j: the share (1 +
+ * wi.wr)^2 / (w^2 cos theta_i cos theta_r) |F_j(k w)|^2 of a mirror's light, where the window's Gaussian drops out (docs/theory.md). Times
+ * R(theta_d) it is the efficiency; a flat mirror's zero order has R. Immutable.
  */
 public final class OrderSpectrum {
-    // Root mean square error of the expansion of exp(i k w h); float32 rounds amplitudes to a tenth of it.
+    // Root mean square error of exp(i k w h); float32 rounds to a tenth of it.
     private static final double TOLERANCE = 1e-6;
     private static final double LARGEST_W = 2;
-    // Least cosine of an order above the horizon; that of an order exactly on it is a rounding error of about 1e-8.
+    // Least cosine of an order; one exactly on the horizon has a rounding error of about 1e-8.
     static final double GRAZING = 1e-6;
-    // Square of an order's cosine in widths of its Gaussian, below which 1 / cosine varies over it by more than 1e-3.
+    // Square of the cosine in widths of the order's Gaussian, below which 1 / cosine varies over it by more than 1e-3.
     private static final double NEAR_HORIZON = 27;
-    // Largest such square. Windows of 5 um or more have an error of at most 2 % from it.
+    // Largest such square; windows of 5 um or more then err by at most 2 %.
     private static final double FARTHEST = 0.5;
-    // Half width of the integral over a Gaussian exp(-x^2), in x: 5e-7 of it lie beyond.
+    // Half width of the integral over exp(-x^2): 5e-7 of it lie beyond.
     private static final double REACH = 3.5;
     private static final GaussLegendre NODES = GaussLegendre.of(16);
 
@@ -44,15 +43,7 @@ public final class OrderSpectrum {
     // [(bin * terms + term) * 2]: real and imaginary parts
     private final float[] values;
 
-    /**
-     * Order above the horizon.
-     *
-     * @param x bin along x; its frequency is x / width
-     * @param y bin along y; its frequency is y / height
-     * @param pair light and direction of the order
-     * @param real real part of an amplitude whose square is the order's share of a mirror's light
-     * @param imaginary imaginary part of this amplitude
-     */
+    /** Order above the horizon: bins x and y, and an amplitude whose square is the share of a mirror's light. */
     record Wave(int x, int y, DirectionPair pair, double real, double imaginary) {
         double power() {
             return real * real + imaginary * imaginary;
@@ -63,10 +54,9 @@ public final class OrderSpectrum {
         }
     }
 
-    /** Bin with the x, y and z^2 of its direction; z^2 is negative beyond the horizon. */
+    /** Bin with its direction's x, y and z^2, which is negative beyond the horizon. */
     private record Bin(int x, int y, double outX, double outY, double square) {}
 
-    /** Transforms one period of a surface. */
     public OrderSpectrum(HeightMap map) {
         width = map.width();
         height = map.height();
@@ -80,14 +70,14 @@ public final class OrderSpectrum {
         values = values(FourierTable.of(levels, expansion, bandX, bandY, terms -> {}));
     }
 
-    /** Returns the bins that are visible at the shortest wavelength under some light and are no aliases of others. */
+    /** Returns the bins visible at the shortest wavelength that are no aliases of others. */
     private static Band visibleBins(int samples, double length) {
         int visible = (int) Math.ceil(LARGEST_W * length / CieTable.MINIMUM_WAVELENGTH);
         int most = Math.min((samples - 1) / 2, visible);
         return Band.of(-most, most);
     }
 
-    /** Returns the number of orders of a map that are visible under some light. */
+    /** Returns the number of orders visible under some light. */
     public static long orders(HeightMap map) {
         return (long) visibleBins(map.columns(), map.width()).count()
                 * visibleBins(map.rows(), map.height()).count();
@@ -106,11 +96,9 @@ public final class OrderSpectrum {
     }
 
     /**
-     * Visits the orders above the horizon, row by row.
+     * @param wi towards the light, in the patch's frame
      *
-     * @param wi direction to the light, in the patch's frame
-     * @param wavelength wavelength in meters, within 380..780 nm
-     * @param sampled true for a scan, whose light fills each bin; false for a surface that repeats
+     * @param sampled true for a scan, whose light fills each bin
      */
     void forEach(Direction wi, double wavelength, boolean sampled, Consumer<Wave> visitor) {
         forEachBin(wi, wavelength, bin -> {
@@ -164,10 +152,10 @@ public final class OrderSpectrum {
     }
 
     /**
-     * Returns the light of all orders under a coherence window, relative to the light of a mirror of the same material: 1 if the model
-     * conserves energy. Close to the horizon it is the integral over the order's Gaussian, with a part of it beyond.
+     * Returns the light of all orders over that of a mirror of the material. Close to the horizon it is the integral over the order's
+     * Gaussian, partly beyond.
      *
-     * @param sigmaFrequency standard deviation of the window's amplitude spectrum, cycles per meter; 0 for an infinite window
+     * @param sigmaFrequency of the window's amplitude spectrum, cycles per meter; 0 for an infinite window
      */
     public double sum(RefractiveIndex index, Direction wi, double wavelength, double sigmaFrequency) {
         double normal = index.reflectance(wavelength);
@@ -184,7 +172,7 @@ public final class OrderSpectrum {
         return sum[0];
     }
 
-    /** Integrates an order over its Gaussian along the radius r = sin alpha; dr / cos alpha = d alpha takes the pole at the horizon. */
+    /** Integrates over the radius r = sin alpha; dr / cos alpha = d alpha takes the pole at the horizon. */
     private double atHorizon(double normal, Bin bin, double wavelength, Direction wi, double blur) {
         double radius = Math.hypot(bin.outX, bin.outY);
         double low = Math.asin(Math.max(0, Math.min(1, radius - REACH * blur)));

@@ -12,44 +12,40 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Estimates the period of a piece of a surface. A sharp line of the padded power spectrum is corrected by the slope of the wave's phase,
- * along the wave and along its lines; its interval is the slope's, widened to include the estimates from the scan's halves and from its
- * rows. A broad line has the centroid of its power as its period, and an interval from tiles of the scan.
+ * Estimates the period of a piece of a surface. A sharp line of the spectrum is corrected by the slope of the wave's phase, whose interval
+ * includes the estimates from halves of the scan and from its rows. A broad line has the centroid of its power, and an interval from tiles.
  */
 final class PeriodModel {
-    // For a sure period; fewer may be chance, or waviness.
+    // For a sure period; fewer may be chance or waviness.
     static final double FEWEST_PERIODS = 4;
-    // For a probable period: the Hann window spreads heights that do not repeat over frequencies of up to two periods.
+    // For a probable period: the Hann window spreads what does not repeat over up to two periods.
     private static final double FEWEST_SEEN = 3;
-    // Per period; fewer may be the alias of a shorter wave.
+    // Per period; fewer may be an alias.
     private static final double FEWEST_SAMPLES = 4;
-    // Largest half width of the frequency's interval, as a share of the frequency.
+    // Half width, as a share of the frequency.
     private static final double WIDEST = 0.1;
-    // White noise stays below this share of the variance.
     static final double LEAST_SHARE = 0.08;
-    // Half width in cycles per length of the scan: the slope's bias from the scan's finite size and sampling.
+    // Half width in cycles per length: the slope's bias from finite size and sampling.
     private static final double FINITE = 0.01;
-    // Largest distance of a wave in a part of the scan, as a share of the frequency.
+    // Distance of a wave in a part of the scan, as a share of the frequency.
     private static final double NEAR = 0.3;
     // A cause that makes a part deviate also biases the whole.
     private static final double BEYOND = 1.3;
-    // Minimum WaveSearch.sharpness of a sharp line, and of a line that is one of a few equally strong speckles.
+    // WaveSearch.sharpness of a sharp line, and of one of a few equally strong speckles.
     private static final double SHARP = 0.5;
     private static final double AS_STRONG = 0.25;
     private static final int MOST_TILES = 4;
-    // Prominence. Isotropic noise stays below; rows of fingers of a snake's skin have 16 to 30, gratings 50 and more.
+    // Prominence: isotropic noise stays below; rows of a snake's fingers have 16 to 30, gratings 50 and more.
     private static final double LEAST_PROMINENCE = 12;
-    // Straight lines have fewer independent samples: noise along one axis reaches 16, once in 600 surfaces 23.
+    // Straight lines have fewer independent samples: noise reaches 16, once in 600 surfaces 23.
     private static final double LEAST_OF_STRAIGHT = 20;
-    // A line with few periods overlaps its neighborhood: the prominence of noise reaches 5, that of three trenches is 6
-    // or more.
+    // Few periods overlap their neighborhood: noise reaches 5, three trenches 6 or more.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
     // Share of the variance: stretched noise reaches 0.45, gratings of 3.2 periods or more have 0.7.
     private static final double STRAIGHT = 0.55;
-    // Prominence of lines with too few samples per period, and of uneven lines that are not straight.
+    // Prominence of undersampled lines, and of uneven lines that are not straight.
     private static final double WITHOUT_LINES = 60;
-    // Bins of distance across the lines, per period.
     private static final int BINS_PER_PERIOD = 12;
 
     private final HeightMap scan;
@@ -64,12 +60,12 @@ final class PeriodModel {
         this.search = new WaveSearch(scan, this.which);
     }
 
-    /** Returns the period of the strongest accepted wave; empty if none fits three times into the scan. */
+    /** Empty if no accepted wave fits three times into the scan. */
     static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which) {
         return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
-    /** A strongest wave that is no grating may be waviness on top of one: then a grating more than four times as fine takes its place. */
+    /** Waviness may hide a grating more than four times as fine, which then takes its place. */
     private Optional<GratingPeriod> strongest(Predicate<SpatialFrequency> left) {
         Optional<SpatialFrequency> line = search.strongest(left);
         Optional<GratingPeriod> first = line.map(found -> judged(search.fundamental(found, left)));
@@ -105,8 +101,7 @@ final class PeriodModel {
                     "no grating found: waves of about " + about + " run in nearly all directions alike");
         }
         boolean straight = straightShare(wave) >= STRAIGHT;
-        // The centroid of a broad line of speckles may lie between two of them; that of straight lines lies on the
-        // line.
+        // The centroid of speckles may lie between two of them; that of straight lines does not.
         double prominence = search.prominence(straight ? wave : line);
         double least = few ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
         GratingPeriod shapeless = vague.none(gloss + ", is no stronger than one of noise");
@@ -136,7 +131,7 @@ final class PeriodModel {
                 : shapeless;
     }
 
-    /** Returns the share, 0..1, of the variance that remains when heights are averaged along a wave's straight lines. */
+    /** Returns the share, 0..1, of the variance in means along the wave's straight lines. */
     private double straightShare(SpatialFrequency wave) {
         double bin = wave.period() / BINS_PER_PERIOD;
         int count = 2 + (int) (Math.hypot(scan.width(), scan.height()) / bin);
@@ -160,7 +155,6 @@ final class PeriodModel {
         return left / all;
     }
 
-    /** Takes the interval from deviations of the phase and from parts of the scan. */
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
         double half = Math.max(PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
@@ -186,10 +180,10 @@ final class PeriodModel {
     }
 
     /**
-     * Takes the interval from the centroids of the line's power in tiles. Tiles side by side along straight lines are not independent, so
-     * the error falls only with the number of tiles along the wave.
+     * Takes the interval from the line's centroids in tiles. Tiles along straight lines are not independent, so the error falls only with
+     * their number along the wave.
      *
-     * @param line line that the interval must include: the centroid of two equally strong periods is neither
+     * @param line is included in the interval: the centroid of two equally strong periods is neither
      */
     private GratingPeriod byTiles(GratingPeriod vague, SpatialFrequency line) {
         SpatialFrequency wave = vague.wave();
@@ -214,12 +208,10 @@ final class PeriodModel {
         return vague.within(interval.low(), interval.high(), turn);
     }
 
-    /** Each tile holds four periods or more. */
     private int tiles(SpatialFrequency wave) {
         return (int) Math.min(MOST_TILES, wave.periodsIn(scan) / FEWEST_PERIODS);
     }
 
-    /** Frequencies, cycles per meter. */
     private record Interval(double low, double high) {
         Interval reaching(double part, double whole) {
             double end = whole + BEYOND * (part - whole);
@@ -227,7 +219,6 @@ final class PeriodModel {
         }
     }
 
-    /** Returns the wave unchanged if the correction leads to another wave. */
     private static SpatialFrequency corrected(HeightMap level, SpatialFrequency wave) {
         SpatialFrequency result = wave;
         for (int i = 0; i < 2; i++) {
@@ -241,7 +232,6 @@ final class PeriodModel {
         return result;
     }
 
-    /** Returns the wave itself if the part shows none. */
     private static SpatialFrequency near(HeightMap part, SpatialFrequency wave) {
         return new WaveSearch(part, frequency -> frequency.distance(wave) < NEAR * wave.length())
                 .strongest(frequency -> true)

@@ -4,29 +4,25 @@ import java.util.Arrays;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Slope of a wave's phase along one direction, relative to an ideal wave of the assumed frequency: the correction of the frequency in this
- * direction.
- *
- * @param value correction, cycles per meter
- * @param halfWidth half width of the correction's 95 % interval, from the phase's deviations from a straight line
+ * Correction of a wave's frequency along one direction by the slope of its phase, and its 95 % interval's half width from deviations off a
+ * straight line; cycles per meter.
  */
 record PhaseSlope(double value, double halfWidth) {
-    // With two periods in a Hann window, constants, slopes, overtones and the wave's negative frequency vanish.
+    // With two periods, constants, slopes, overtones and the negative frequency vanish.
     private static final int WINDOW_PERIODS = 2;
-    // The phase changes by less than half a turn from one overlapping window to the next.
+    // The phase changes by less than half a turn between overlapping windows.
     private static final int PER_LENGTH = 3;
-    // Windows side by side; in a short scan, they overlap more.
+    // Side by side; in a short scan, they overlap more.
     private static final int FEWEST_WINDOWS = 3;
-    // Share of the fullest window's weight; windows in corners of a scan have less.
+    // Of the fullest window's weight; those in corners have less.
     private static final double LEAST_FILLED = 0.3;
-    // Steps between a random walk's means under Hann windows have half the mean square of the walk's own.
+    // Steps of a random walk's means under Hann windows have half the mean square of its own.
     private static final double SMOOTHED = 1.4;
-    // Bands of rows, each of which has one phase; a scanner slips within few of them.
+    // Bands of rows of one phase each; a scanner slips within few.
     private static final int BANDS = 48;
-    // Minimum number of periods along a row, which has a Hann window of its own.
     private static final double FEWEST_IN_A_ROW = 3;
 
-    /** Hann windows along a direction: sums of heights times exp(-2 pi i f x), and of weights. */
+    /** Hann windows: sums of heights times exp(-2 pi i f x), and of weights. */
     private record Windows(double[] re, double[] im, double[] filled) {
         Windows(int count) {
             this(new double[count], new double[count], new double[count]);
@@ -46,7 +42,7 @@ record PhaseSlope(double value, double halfWidth) {
         }
     }
 
-    /** @param across true for the direction along the wave's lines, false for the direction of the wave */
+    /** @param across along the wave's lines instead of along the wave */
     static PhaseSlope of(HeightMap level, SpatialFrequency wave, boolean across) {
         double azimuth = wave.azimuth() + (across ? 0.5 * Math.PI : 0);
         double length = extent(level, azimuth);
@@ -72,7 +68,6 @@ record PhaseSlope(double value, double halfWidth) {
         return fitted(windows, first, last, step);
     }
 
-    /** Returns the extent of a scan along a direction, meters. */
     private static double extent(HeightMap level, double azimuth) {
         return level.width() * Math.abs(Math.cos(azimuth)) + level.height() * Math.abs(Math.sin(azimuth));
     }
@@ -96,8 +91,7 @@ record PhaseSlope(double value, double halfWidth) {
             for (int column = 0; column < level.columns(); column++) {
                 double x = (column + 0.5 - 0.5 * level.columns()) * level.pitchX();
                 double place = x * alongX + y * alongY - start;
-                // Along the lines, heights fade out towards both borders, so that cut-off periods add no constants and
-                // overtones.
+                // Heights fade out towards the borders along the lines, so that cut-off periods add no overtones.
                 double fade = across ? Math.cos(Math.PI * (y * alongX - x * alongY) / breadth) : 1;
                 double height = fade * fade * level.at(column, row);
                 double angle = -2 * Math.PI * (wave.x() * x + wave.y() * y);
@@ -117,8 +111,8 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Weighted least squares. The half width is Student's factor times the larger of two standard errors: that of independent phases (stray
-     * lines, noise) and that of a random walk (varying gaps).
+     * Weighted least squares with Student's factor times the larger standard error: of independent phases (stray lines, noise) or of a
+     * random walk (varying gaps).
      */
     private static PhaseSlope fitted(Windows windows, int first, int last, double step) {
         int degrees = (last - first) / PER_LENGTH - 1;
@@ -149,8 +143,8 @@ record PhaseSlope(double value, double halfWidth) {
     }
 
     /**
-     * Returns a correction of a wave's frequency along y, cycles per meter: the median of the phase's steps between bands of rows, of which
-     * a scanner that slips changes few. It is 0 for fewer than three bands or periods along a row.
+     * Returns the median of the phase's steps between bands of rows along y, cycles per meter: a scanner that slips changes few. 0 for
+     * fewer than three bands or periods along a row.
      */
     static double byRows(HeightMap level, SpatialFrequency wave) {
         int lag = Math.max(1, level.rows() / BANDS);

@@ -9,22 +9,20 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ArithmeticUtils;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Finds the exact periods of a surface that repeats one patch without end, from its strongest frequencies. */
+/** Finds the exact periods of a repeated patch from its strongest frequencies. */
 final class RepeatedPeriod {
-    // Share of the variance; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
-    // Maximum number of waves that cross each other.
     private static final int MOST_DIRECTIONS = 3;
-    // Shares of the variance in the waves and their overtones, for a known period and for any piece. In a piece, the
-    // strongest frequencies alone need the third share: noise along one axis also consists of overtones of the patch's
-    // length, but of many weak ones.
+    // Shares of the variance in the waves and their overtones, for a period and for any piece. There the strongest
+    // frequencies need the
+    // third share: noise along one axis, too, consists of overtones of the patch's length, but of weak ones.
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;
 
     private final HeightSpectrum spectrum;
     private final Predicate<SpatialFrequency> which;
-    // Half of the variance, since one bin of each opposite pair is counted.
+    // Half of the variance: one bin of each opposite pair.
     private final double all;
 
     private RepeatedPeriod(HeightMap map, Predicate<SpatialFrequency> which) {
@@ -33,7 +31,7 @@ final class RepeatedPeriod {
         this.all = 0.5 * DoubleStream.of(spectrum.power()).sum();
     }
 
-    /** Wave with its overtones: its periods in the patch along x and y, the power of all, and of the strongest frequency. */
+    /** Wave with its overtones: bins, power of all, and of the strongest frequency. */
     private record Family(SpatialFrequency wave, int jx, int jy, double power, double peak) {
         boolean holds(int x, int y) {
             return (long) x * jy == (long) y * jx;
@@ -41,10 +39,10 @@ final class RepeatedPeriod {
     }
 
     /**
-     * Returns the period of the strongest accepted frequency, with up to two others at least half as strong; empty if these hold too little
-     * of the variance.
+     * Returns the strongest accepted frequency's period, with up to two others at least half as strong; empty if they hold too little of
+     * the variance.
      *
-     * @param known whether the map is a period; else it may be any piece
+     * @param known whether the map is a period, not any piece
      */
     static Optional<GratingPeriod> of(HeightMap map, Predicate<SpatialFrequency> which, boolean known) {
         RepeatedPeriod search = new RepeatedPeriod(map, which);
@@ -71,7 +69,7 @@ final class RepeatedPeriod {
                 .map(place -> family(spectrum.binX(place), spectrum.binY(place), spectrum.frequency(place)));
     }
 
-    /** The bin may be an overtone: its family is that of the highest frequency whose overtones include all strong multiples. */
+    /** The bin may be an overtone; all strong multiples belong to the family. */
     private Family family(int jx, int jy, SpatialFrequency strongest) {
         int number = ArithmeticUtils.gcd(jx, jy);
         double[] powers = overtones(jx / number, jy / number).toArray();

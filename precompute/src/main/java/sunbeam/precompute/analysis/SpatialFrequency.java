@@ -18,7 +18,7 @@ public record SpatialFrequency(double x, double y) {
         return 1 / length();
     }
 
-    /** Returns the direction across the lines, radians counter-clockwise from +x, above -pi/2 and at most pi/2. */
+    /** Returns radians counter-clockwise from +x, above -pi/2 and at most pi/2. */
     public double azimuth() {
         double angle = Math.atan2(y, x);
         return angle > Math.PI / 2 ? angle - Math.PI : angle <= -Math.PI / 2 ? angle + Math.PI : angle;
@@ -30,12 +30,11 @@ public record SpatialFrequency(double x, double y) {
         return new SpatialFrequency(cosine * x - sine * y, sine * x + cosine * y);
     }
 
-    /** Returns the sine of the angle to another wave, 0..1. */
     double sineTo(SpatialFrequency other) {
         return Math.abs(x * other.y - y * other.x) / (length() * other.length());
     }
 
-    /** Returns the distance to another wave or its opposite, whichever is nearer, cycles per meter. */
+    /** Distance to the wave or its opposite, whichever is nearer. */
     double distance(SpatialFrequency other) {
         return Math.min(Math.hypot(x - other.x, y - other.y), Math.hypot(x + other.x, y + other.y));
     }
@@ -44,19 +43,19 @@ public record SpatialFrequency(double x, double y) {
         return new SpatialFrequency(factor * x, factor * y);
     }
 
-    /** Adds corrections along the wave and, counter-clockwise from it, along its lines, in cycles per meter. */
+    /** Adds corrections along the wave and, counter-clockwise from it, along its lines. */
     SpatialFrequency corrected(double along, double across) {
         double cosine = x / length();
         double sine = y / length();
         return new SpatialFrequency(x + along * cosine - across * sine, y + along * sine + across * cosine);
     }
 
-    /** Returns the number of periods along the wave in the ellipse inscribed in a scan. */
+    /** Periods along the wave in the ellipse inscribed in a scan. */
     double periodsIn(HeightMap scan) {
         return length() * length() / Math.hypot(x / scan.width(), y / scan.height());
     }
 
-    /** Returns the samples per period along the axis that has fewer; an axis with a single sample does not count. */
+    /** Samples per period along the axis that has fewer; one of a single sample does not count. */
     double samplesIn(HeightMap scan) {
         double alongX = scan.columns() > 1 ? Math.abs(x) * scan.pitchX() : 0;
         double alongY = scan.rows() > 1 ? Math.abs(y) * scan.pitchY() : 0;

@@ -10,23 +10,19 @@ import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Effect of a surface's period on its color under one light; the first line of `inspect`, `color` and `evaluate`.
+ * Effect of a surface's period on its color under one light.
  *
- * @param code kind of surface, for programs
- * @param sentence description for people, without a full stop
- * @param firstOrders angles of the first orders, one band for each order above the horizon; empty without a period
+ * @param sentence for people, without a full stop
+ * @param firstOrders one band for each first order above the horizon
  */
 public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     /**
-     * Angles at which an order is seen from 400 to 700 nm, for all periods in the interval; degrees to the normal, positive on the light's
-     * side.
-     *
-     * @param blue angle of 400 nm
-     * @param red angle of 700 nm, 90 or -90 where it is beyond the horizon
+     * Angles of an order's 400 (blue) to 700 nm (red), for all periods in the interval; degrees to the normal, positive on the light's
+     * side, 90 or -90 beyond the horizon.
      */
     public record Band(double blue, double red) {}
 
-    /** ValueKind of surfaces by their colors, explained in docs/evaluation.md. The kinds up to ALL_DIRECTIONS have colors. */
+    /** Kinds of surfaces (docs/evaluation.md); those up to ALL_DIRECTIONS have colors. */
     public enum Code {
         SURE_GRATING,
         PROBABLE_GRATING,
@@ -38,39 +34,34 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         TOO_LITTLE,
         MIRROR;
 
-        /** Returns the code in reports, such as {@code sure_grating}. */
         public String label() {
             return name().toLowerCase(Locale.ROOT);
         }
     }
 
-    /** Meters; shortest and longest wavelength at which the eye sees enough to name a color. */
+    /** Meters; wavelengths at which the eye sees enough to name a color. */
     static final double VIOLET = 400e-9;
 
     private static final double RED = 700e-9;
-    // Sine of the smallest angle to the mirror direction at which an order can be resolved.
+    // Sine of the smallest resolved angle to the mirror direction.
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETERS_PER_METER = 1e6;
     private static final int DIGITS = 3;
     private static final double HORIZON = 90;
-    // Bands of color narrower than this, in degrees, have angles with a decimal.
+    // Degrees; narrower bands of color have angles with a decimal.
     private static final double NARROW = 2;
-    // A scanner's axes differ in scale and are not quite at right angles: relative difference of two frequencies, and
-    // sine of 4 degrees.
+    // A scanner's axes differ in scale and angle: relative difference of frequencies, sine of 4 degrees.
     private static final double ALIKE = 0.05;
     private static final double SLANT = 0.07;
 
-    /** Returns the verdict under light from above: "A grating of 1.08 um (1.03 to 1.13) across 87 degrees: first-order colors ...". */
     public static Verdict of(Patch patch, GratingPeriod period) {
         return of(patch, period, 0);
     }
 
     /**
-     * Returns the verdict under any light, such as "A grating ...: first-order colors at -9 to 11 degrees and from -58 degrees on under
-     * light at 30 degrees".
+     * Returns such as "A grating ...: first-order colors at -9 to 11 degrees and from -58 degrees on under light at 30 degrees".
      *
-     * @param theta angle of the light to the normal, degrees, in the plane across the lines; angles of colors are positive on the light's
-     *     side
+     * @param theta angle of the light to the normal, degrees, in the plane across the lines
      */
     public static Verdict of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {
@@ -96,7 +87,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
                 firstOrders);
     }
 
-    /** True if the surface sends different colors into different directions. */
     public boolean hasColor() {
         return code.compareTo(Code.ALL_DIRECTIONS) <= 0;
     }
@@ -116,7 +106,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         return kind + length(period, 1) + " across " + GratingPeriod.degrees(period.wave()) + " degrees" + crossing;
     }
 
-    /** Returns "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across 34 and 94 degrees". */
+    /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across 34 and 94 degrees". */
     private static String lattice(GratingPeriod period) {
         double sine = period.wave().sineTo(period.others().get(0));
         boolean hexagonal = Math.abs(sine - Math.sqrt(0.75)) < SLANT;
@@ -131,7 +121,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
                 + directions.get(last) + " degrees";
     }
 
-    /** Formats a period times a factor: "1.08 um (1.03 to 1.13)", "1.08 um" if exact, "2.9 um (3.4 periods seen, ...)" if probable. */
+    /** "1.08 um (1.03 to 1.13)", "1.08 um" if exact, "2.9 um (3.4 periods seen, ...)" if probable. */
     private static String length(GratingPeriod period, double factor) {
         if (!period.isSure()) {
             return Lengths.rounded(factor * period.period(), 2) + " (" + period.reason() + ")";
@@ -154,7 +144,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         if (RED / (period.isSure() ? period.low() : period.period()) < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
-        // Under light from above, the orders +1 and -1 lie at equal angles.
         String angles = firstOrders.stream()
                 .limit(theta == 0 ? 1 : 2)
                 .map(Verdict::words)
@@ -162,7 +151,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         return "first-order colors " + angles + " under " + light;
     }
 
-    /** Uses sin theta = +-lambda / d - sin theta_i for all periods in the interval. */
+    /** sin theta = +-lambda / d - sin theta_i for all periods in the interval. */
     private static List<Band> firstOrders(GratingPeriod period, double theta) {
         double mirror = -Math.sin(Math.toRadians(theta));
         double blue = VIOLET / (period.isSure() ? period.high() : period.period());
@@ -188,7 +177,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         return Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, sine))));
     }
 
-    /** Rounds to 1 / parts of a degree; never -0. */
     private static double rounded(double degrees, int parts) {
         return Math.rint(parts * degrees) / parts + 0.0;
     }

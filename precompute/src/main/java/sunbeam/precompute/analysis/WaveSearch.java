@@ -14,26 +14,23 @@ import sunbeam.precompute.numerics.Lagrange;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Searches the power spectrum of a piece of a surface for lines (peaks of waves). */
+/** Search for lines (peaks of waves) in the power spectrum of a piece of a surface. */
 final class WaveSearch {
-    // In bins of 1 / the scan's side; a Hann window's line reaches 2 to either side.
+    // In bins of 1 / the scan's side; a Hann window's line reaches 2.
     private static final double LINE = 3;
-    // Radius of a broad line as a share of its frequency.
     private static final double BREADTH = 0.15;
     private static final int OVERTONES = 5;
-    // Minimum power of a line in another direction, as a share of the strongest line's.
     static final double AS_STRONG = 0.5;
-    // Minimum height of a fundamental, as a share of its overtone's.
     private static final double LEAST_FUNDAMENTAL = 0.25;
-    // Random surfaces whose spectrum is a ring reach a contrast of 7, gratings and lattices have 11 and more.
+    // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
     static final double LEAST_CONTRAST = 10;
-    // Random surfaces whose spectrum is a ring have thousands, noise with steadily falling power 2 at most.
+    // Random surfaces with a ring as spectrum have thousands, noise of falling power 2 at most.
     static final double LEAST_RING = 4;
-    // Sectors in half a turn, 15 degrees wide, since the rows of a snake's scale stray by 8 degrees.
+    // Of half a turn, 15 degrees wide: rows of a snake's scale stray by 8.
     private static final int SECTORS = 12;
     // Frequencies below this share of a wave's are waviness.
     private static final double COARSEST = 0.5;
-    // Coarser and finer frequencies beside a line, as shares of its frequency.
+    // Frequencies beside a line, as shares of its own.
     private static final double COARSER_FROM = 0.4;
     private static final double COARSER_TO = 0.7;
     private static final double FINER_FROM = 1.3;
@@ -51,7 +48,7 @@ final class WaveSearch {
         this.binY = 1 / scan.height();
     }
 
-    /** Returns the highest line that both predicates accept, refined by parabolas through neighboring bins. */
+    /** Returns the highest accepted line, refined by parabolas. */
     Optional<SpatialFrequency> strongest(Predicate<SpatialFrequency> also) {
         Predicate<SpatialFrequency> both = which.and(also);
         return spectrum.highest(place -> both.test(spectrum.frequency(place))).map(this::refined);
@@ -72,7 +69,7 @@ final class WaveSearch {
         }
     }
 
-    /** Returns 1 at the line's radius: a number of the scan's bins, or a share of the line's frequency if that is larger. */
+    /** 1 at the line's radius: bins of the scan, or a share of the line's frequency if that is larger. */
     private double distance(SpatialFrequency frequency, SpatialFrequency center, double bins, double share) {
         double reach = share * center.length();
         return Math.hypot(
@@ -100,7 +97,7 @@ final class WaveSearch {
         return sum;
     }
 
-    /** Returns the share, 0..1, of the power within a broad line's radius that lies within a sharp line's radius. */
+    /** Share, 0..1, of a broad line's power within a sharp line's radius. */
     double sharpness(SpatialFrequency wave) {
         Predicate<SpatialFrequency> all = frequency -> true;
         double power = around(wave, LINE, BREADTH, all).power();
@@ -116,15 +113,15 @@ final class WaveSearch {
         return result;
     }
 
-    /** Returns the share, 0..1, of the variance in waves too fine to diffract light. */
+    /** Share, 0..1, of the variance too fine to diffract light. */
     double unseen() {
         double total = spectrum.total();
         return total > 0 ? Math.max(0, 1 - Arrays.stream(spectrum.power()).sum() / total) : 0;
     }
 
     /**
-     * Returns the share, 0..1, of the variance in a wave and its overtones, without waviness and waves that are not searched. Variance too
-     * fine to diffract light counts; without it, a faint wave would be nearly all of a finer surface.
+     * Share, 0..1, of the variance in a wave and its overtones, without waviness and unaccepted waves, but with what is too fine to
+     * diffract light: else a faint wave would be nearly all of a finer surface.
      */
     double share(SpatialFrequency wave) {
         double all = 0.5 * spectrum.total();
@@ -141,7 +138,7 @@ final class WaveSearch {
         return all > 0 ? Math.min(1, explained / all) : 0;
     }
 
-    /** Returns the mean power in a line's sector over the median of all sectors of the ring at its frequency. */
+    /** Mean power in a line's sector over the median sector of the ring at its frequency. */
     double contrast(SpatialFrequency wave) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
@@ -163,7 +160,7 @@ final class WaveSearch {
         return line / sums[SECTORS / 2];
     }
 
-    /** Returns the wave of half or a third of a line's frequency if the line is its overtone; else the line. */
+    /** Returns half or a third of a line's frequency if the line is an overtone. */
     SpatialFrequency fundamental(SpatialFrequency line, Predicate<SpatialFrequency> also) {
         return Stream.of(line.times(1.0 / 2), line.times(1.0 / 3))
                 .filter(which.and(also))
@@ -184,15 +181,12 @@ final class WaveSearch {
         return highest;
     }
 
-    /** Returns the height of a wave's peak over the median beside it, on the coarser or the finer side, whichever is higher. */
+    /** Height of a wave's peak over the larger median beside it. */
     double prominence(SpatialFrequency wave) {
         return top(wave) / Math.max(beside(wave, COARSER_FROM, COARSER_TO), beside(wave, FINER_FROM, FINER_TO));
     }
 
-    /**
-     * Returns the median, over frequencies between two shares of a wave's, of the highest bin in the wave's sector: all but one are empty
-     * if the surface varies along one axis only.
-     */
+    /** Median over frequencies of the highest bin in the wave's sector: all but one are empty if the surface varies along one axis only. */
     private double beside(SpatialFrequency wave, double from, double to) {
         double within = Math.sin(0.5 * Math.PI / SECTORS);
         double step = Math.hypot(wave.x() / spectrum.width(), wave.y() / spectrum.height()) / wave.length();
@@ -212,7 +206,7 @@ final class WaveSearch {
                         0.5);
     }
 
-    /** Returns the mean power of the bins at a wave's frequency, in all directions, over that of coarser bins. */
+    /** Mean power at a wave's frequency, in all directions, over that of coarser bins. */
     double ring(SpatialFrequency wave) {
         return density(wave, 1 - BREADTH, 1 + BREADTH) / density(wave, COARSER_FROM, COARSER_TO);
     }
@@ -229,12 +223,11 @@ final class WaveSearch {
         return frequency.length() >= from && frequency.length() <= to;
     }
 
-    /** Returns up to two waves in other directions, each at least half as strong. */
     List<SpatialFrequency> others(SpatialFrequency wave) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
         double least = AS_STRONG * around(wave, LINE, BREADTH, which).power();
         List<SpatialFrequency> found = new ArrayList<>(List.of(wave));
-        // Bins of waviness, of a wide line with few periods, or of a line's opposite are no other line.
+        // Not waviness, a wide line's own bins, or its opposite's.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
                 && other.length() > COARSEST * wave.length()
                 && found.stream()

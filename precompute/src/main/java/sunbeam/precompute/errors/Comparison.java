@@ -10,7 +10,7 @@ import sunbeam.precompute.plan.ErrorBudget;
  * @param gain factor from power to radiance that both include
  */
 public record Comparison(double[] computed, double[] exact, double gain) {
-    /** Limit of a power, or of the largest of X, Y, Z of power, below which relative errors are meaningless. */
+    /** Power, or largest X, Y, Z of power, below which relative errors are meaningless. */
     public static final double FLOOR = ErrorBudget.DARKEST_POWER;
 
     public static Comparison ofPower(double computed, double exact) {
@@ -36,7 +36,6 @@ public record Comparison(double[] computed, double[] exact, double gain) {
 
     /** True if either value without the gain, which is infinite at the horizon, exceeds {@link #FLOOR}, or is NaN. */
     public boolean bright() {
-        // The negation makes a NaN bright.
         return !(Math.max(largest(computed), largest(exact)) <= FLOOR * gain);
     }
 
@@ -49,7 +48,6 @@ public record Comparison(double[] computed, double[] exact, double gain) {
         return difference / Math.max(FLOOR * gain, largest(exact));
     }
 
-    /** Returns the CIEDE2000 difference of computed and exact X, Y, Z times an exposure. */
     public double colorDifference(double exposure) {
         return lab(computed, exposure).difference(lab(exact, exposure));
     }

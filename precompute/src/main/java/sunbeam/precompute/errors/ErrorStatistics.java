@@ -7,7 +7,7 @@ import sunbeam.precompute.text.Text;
 /** Statistics of a set of errors; all but the count are NaN for an empty set. */
 public record ErrorStatistics(
         int count, double median, double percentile95, double percentile98, double maximum, double mean) {
-    /** Limit of the 95th percentile, as a multiple of the tolerance. */
+    /** Multiple of the tolerance. */
     public static final double PERCENTILE_95_LIMIT = 3;
 
     /** A NaN counts as an infinite error. */
@@ -29,7 +29,7 @@ public record ErrorStatistics(
         return count == 0 || (median <= tolerance && percentile95 <= PERCENTILE_95_LIMIT * tolerance);
     }
 
-    /** Returns a remark on too few errors for a 95th percentile: all of n random errors lie below it with probability 0.95^n. */
+    /** Returns a remark on too few errors: all of n lie below the 95th percentile with probability 0.95^n. */
     public String doubt() {
         double chance = Math.pow(0.95, count);
         return count == 0 || chance < 0.05
@@ -39,7 +39,6 @@ public record ErrorStatistics(
                         100 * chance);
     }
 
-    /** Returns {@code median 1.2e-04, 95th percentile 3.4e-04, maximum 5.6e-03}. */
     @Override
     public String toString() {
         return Text.format("median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);

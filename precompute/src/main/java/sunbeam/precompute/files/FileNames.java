@@ -2,11 +2,10 @@ package sunbeam.precompute.files;
 
 import java.nio.file.Path;
 
-/** Names of files. */
 public final class FileNames {
     private FileNames() {}
 
-    /** Returns a file's name without its folder and its last extension. */
+    /** Returns the name without folder and last extension. */
     public static String stem(Path file) {
         String name = String.valueOf(file.getFileName());
         int dot = name.lastIndexOf('.');

@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import sunbeam.precompute.text.Quoted;
 
-/** Reports an input that is missing or cannot be used; the message, always one line, names file, place, value and remedy. */
+/** Refusal of an input; the message, always one line, names file, place, value and remedy. */
 public final class InputException extends RuntimeException {
     public InputException(String message) {
         super(Quoted.oneLine(message));
@@ -22,17 +22,13 @@ public final class InputException extends RuntimeException {
         return new InputException("cannot read " + file + ": " + reason(cause), cause);
     }
 
-    /** Reading of a file; its own complaints do not name the file. */
+    /** Its own complaints do not name the file. */
     @FunctionalInterface
     public interface Reading<T> {
         T read() throws IOException;
     }
 
-    /**
-     * Reads a file; adds its name to complaints.
-     *
-     * @throws InputException if the file cannot be read or used
-     */
+    /** Reads a file and adds its name to complaints. */
     public static <T> T naming(Path file, Reading<T> reading) {
         try {
             return reading.read();
@@ -43,11 +39,7 @@ public final class InputException extends RuntimeException {
         }
     }
 
-    /**
-     * Throws an exception for folders, pipes and devices: reading a device might never end.
-     *
-     * @throws InputException if the file exists and is no regular file
-     */
+    /** Refuses folders, pipes and devices, whose reading might never end. */
     public static void requireRegular(Path file) {
         if (Files.isDirectory(file)) {
             throw new InputException("cannot read " + file + ": it is a folder; name a file in it");

@@ -4,18 +4,10 @@ import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 
-/**
- * Restricts the files that an untrusted file may name to its own folder and below.
- *
- * @param kind kind of the file in messages, such as {@code scene}
- */
+/** Folder of an untrusted file, which may name no files elsewhere. */
 public record OwnFolder(Path owner, String kind) {
 
-    /**
-     * Resolves a name; the file need not exist.
-     *
-     * @throws IllegalArgumentException if the name is invalid or leads out of the folder
-     */
+    /** Resolves a name; the file need not exist. Throws IllegalArgumentException if it is invalid or leads out. */
     public Path file(String name) {
         Path relative = parsed(name);
         boolean leaves = relative.isAbsolute() || relative.getRoot() != null;
@@ -29,11 +21,7 @@ public record OwnFolder(Path owner, String kind) {
         return owner.resolveSibling(relative);
     }
 
-    /**
-     * Requires that an existing file lies in the folder or below after all links are followed.
-     *
-     * @throws IllegalArgumentException if the links lead out of the folder or cannot be followed
-     */
+    /** Throws IllegalArgumentException if an existing file lies outside after all links are followed. */
     public void requireNoWayOut(Path file) {
         try {
             Path folder = owner.toAbsolutePath().getParent().toRealPath();

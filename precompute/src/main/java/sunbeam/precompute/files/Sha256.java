@@ -18,7 +18,7 @@ public final class Sha256 {
         }
     }
 
-    /** Returns the hash of a text in UTF-8 as 64 lower-case hexadecimal digits. */
+    /** Returns the hash of a text in UTF-8, 64 hexadecimal digits. */
     public static String of(String text) {
         return new Sha256().add(text).hex();
     }
@@ -32,20 +32,17 @@ public final class Sha256 {
         return this;
     }
 
-    /** Adds the remaining bytes of a buffer. */
     public Sha256 add(ByteBuffer bytes) {
         digest.update(bytes);
         return this;
     }
 
-    /** Adds IEEE floats, 4 bytes each, big-endian. */
     public Sha256 add(float[] values) {
         ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * values.length);
         bytes.asFloatBuffer().put(values);
         return add(bytes);
     }
 
-    /** Returns the hash as 64 hexadecimal digits and starts a new one. */
     public String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }

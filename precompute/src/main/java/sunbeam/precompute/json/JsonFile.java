@@ -17,7 +17,7 @@ import java.util.Map;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
-/** Reads JSON files of at most 1 MiB that hold one object, and records the line of every value. A key may occur only once in an object. */
+/** Reader of JSON files of at most 1 MiB that hold one object; a key may occur only once in an object. */
 public final class JsonFile {
     private static final int MOST_BYTES = 1 << 20;
     private static final int DEEPEST = 20;
@@ -28,11 +28,7 @@ public final class JsonFile {
 
     private JsonFile() {}
 
-    /**
-     * Reads a file.
-     *
-     * @throws InputException when it cannot be read, is too large or no JSON object
-     */
+    /** @throws InputException when it cannot be read, is too large or no JSON object */
     public static JsonObject read(Path file) {
         InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {
@@ -74,7 +70,7 @@ public final class JsonFile {
         }
     }
 
-    /** Parser that records the line on which each value begins and refuses a repeated key. */
+    /** Parser that records the line of each value and refuses a repeated key. */
     private static final class LineParser extends JsonParserDelegate {
         private final String name;
         private final Map<JsonPointer, Integer> lines = new HashMap<>();

@@ -25,9 +25,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Object of a JSON file. The caller reads it key by key, then {@link #requireNoOthers} refuses the keys that were not read. Messages are
- * one line with the file, the line in it, the key, the value and a remedy, in an {@link InputException}, or for settings in a {@link
- * sunbeam.precompute.setting.SettingException}.
+ * Object of a JSON file: callers read it key by key, then {@link #requireNoOthers} refuses other keys. Messages name file, line, key, value
+ * and remedy, in an {@link InputException}, or for settings in a {@link sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
     private final String file;
@@ -59,7 +58,6 @@ public final class JsonObject {
         return find(key).isPresent();
     }
 
-    /** Returns the keys that were not read, in the file's order. */
     public List<String> others() {
         List<String> keys = new ArrayList<>();
         node.fieldNames().forEachRemaining(keys::add);
@@ -67,7 +65,6 @@ public final class JsonObject {
         return keys;
     }
 
-    /** Returns the value of a required key; messages suggest the example. */
     public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new InputException(Text.format(
@@ -83,7 +80,6 @@ public final class JsonObject {
         return find(key).map(value -> inner(key, value, place.appendProperty(key)));
     }
 
-    /** Returns the objects in the list under a key, at most {@code most}. */
     public List<JsonObject> objects(String key, int most) {
         JsonNode list = find(key).orElse(MissingNode.getInstance());
         if (!list.isMissingNode() && (!list.isArray() || list.size() > most)) {
@@ -108,7 +104,7 @@ public final class JsonObject {
         return value.textValue();
     }
 
-    /** Parses a text that holds a number and a unit; {@code parse} may throw IllegalArgumentException. */
+    /** Parses a text with a unit; {@code parse} may throw IllegalArgumentException. */
     public <T> T quantity(String key, JsonNode value, Function<String, T> parse) {
         if (!value.isTextual()) {
             throw complaint(key, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
@@ -116,7 +112,6 @@ public final class JsonObject {
         return checked(key, () -> parse.apply(value.textValue()));
     }
 
-    /** Returns a value as a number in [least, most]. */
     public double number(String key, JsonNode value, double least, double most) {
         if (!value.isNumber()) {
             throw complaint(key, "must be a number without quotes and unit");
@@ -153,7 +148,7 @@ public final class JsonObject {
         return choices;
     }
 
-    /** Writes settings as keys of the current object, in the form that {@link #choices} reads. */
+    /** Writes settings as {@link #choices} reads them. */
     public static void write(JsonGenerator json, Choices choices) throws IOException {
         for (Setting<?> setting : choices.chosen()) {
             String value = choices.written(setting);
@@ -169,7 +164,6 @@ public final class JsonObject {
         }
     }
 
-    /** Converts a JSON value to the text that the setting's kind parses. */
     private String written(Setting<?> setting, JsonNode value) {
         String key = setting.fileKey();
         return switch (setting.kind().form()) {
@@ -197,12 +191,10 @@ public final class JsonObject {
         };
     }
 
-    /** Returns this object as the origin of settings. */
     public Origin origin() {
         return new KeyOrigin(this, Optional.empty());
     }
 
-    /** Returns one key of this object as the origin of settings. */
     public Origin originAt(String key) {
         return new KeyOrigin(this, Optional.of(key));
     }
@@ -228,7 +220,7 @@ public final class JsonObject {
         return new InputException(name(key) + ": " + problem);
     }
 
-    /** Returns the result of an action, whose IllegalArgumentException becomes an {@link InputException}. */
+    /** An IllegalArgumentException of the action becomes an {@link InputException}. */
     public <T> T checked(String key, Supplier<T> action) {
         try {
             return action.get();
@@ -243,7 +235,7 @@ public final class JsonObject {
         }
     }
 
-    /** Returns file, line and key for messages; if the key is absent, the line is that of this object. */
+    /** Returns file, line and key for messages; the line is that of this object if the key is absent. */
     public String name(String key) {
         int line = lines.getOrDefault(place.appendProperty(key), lines.get(place));
         return Text.format("%s, line %d: %s", file, line, Quoted.of(path + key));

@@ -5,9 +5,8 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.optics.HeightMap;
 
 /**
- * Distinct heights of a patch and the index of each sample among them. A scan of 8 bits has 256 levels, so that functions of the height are
- * evaluated 256 times instead of once per sample. Levels are found on first use, because sorting 16 million heights takes seconds and some
- * callers need only the extremes. Immutable, thread-safe.
+ * Distinct heights of a patch, found on first use because sorting 16 million takes seconds, and the index of each sample among them:
+ * functions of the height need one value per level, 256 for a scan of 8 bits. Immutable, thread-safe.
  */
 public final class HeightLevels {
     private static final int EXAMINED_SAMPLES = 8192;
@@ -20,9 +19,7 @@ public final class HeightLevels {
     private Distinct distinct;
     private int[] index;
 
-    /** Distinct heights, ascending, and the number of samples of each. */
     private record Distinct(double[] levels, int[] counts) {
-        /** @param sorted heights in any order; overwritten */
         static Distinct of(double[] sorted) {
             Arrays.parallelSort(sorted);
             int[] counts = new int[sorted.length];
@@ -45,11 +42,7 @@ public final class HeightLevels {
         this.maximum = map.maximum() + 0.0;
     }
 
-    /**
-     * Returns the levels of a complete map.
-     *
-     * @throws IllegalArgumentException if a sample is missing
-     */
+    /** @throws IllegalArgumentException if a sample is missing */
     public static HeightLevels of(HeightMap map) {
         if (!map.isComplete()) {
             throw new IllegalArgumentException("missing samples must be filled first");
@@ -57,7 +50,7 @@ public final class HeightLevels {
         return new HeightLevels(map);
     }
 
-    /** Replaces -0 by 0: they are equal, but sorting and searching distinguish them. */
+    /** Replaces -0 by 0; sorting and searching distinguish them. */
     private double[] heights() {
         return map.map(height -> height + 0.0).heights();
     }
@@ -86,7 +79,7 @@ public final class HeightLevels {
         return index;
     }
 
-    /** Searches heights in {@code count()} equal intervals; a search among all levels of a 4096 x 4096 scan would take a minute. */
+    /** Searches in {@code count()} equal intervals; a search among all levels of 4096 x 4096 samples would take a minute. */
     private int[] indexed() {
         double[] levels = levels();
         double lowest = levels[0];
@@ -127,7 +120,7 @@ public final class HeightLevels {
         return maximum;
     }
 
-    /** Estimates from a subset of the samples whether evaluating a function for every sample is faster than finding the levels. */
+    /** Estimates from some samples whether evaluating a function for all is faster than finding the levels. */
     public boolean areTooManyToTabulate() {
         int samples = map.heights().length;
         int examined = Math.min(EXAMINED_SAMPLES, samples);
@@ -140,7 +133,6 @@ public final class HeightLevels {
         return levels > samples / FEW_SAMPLES_PER_LEVEL;
     }
 
-    /** Returns the number of samples per level; read-only. */
     public int[] histogram() {
         return distinct().counts();
     }

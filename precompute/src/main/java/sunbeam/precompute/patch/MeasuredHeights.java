@@ -27,19 +27,13 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Heights of a file before any preparation.
- *
- * @param map heights in meters; missing samples are NaN
- * @param channels one line per channel of the file: number, name, samples and unit
- * @param notes choices that the program made, one line each
- */
+/** Heights of a file, in meters with NaN for missing samples, before any preparation. */
 record MeasuredHeights(HeightMap map, String source, List<String> channels, List<String> notes) {
-    /** Users copy lengths from messages, which have six digits. */
+    /** Relative; users copy lengths of six digits from messages. */
     private static final double SAME = 1e-5;
 
     /**
-     * Reads the heights of a file with its scale, completed by the user's choices. A scale is never guessed.
+     * Reads the heights of a file with its scale, completed by the user's choices, never guessed.
      *
      * @throws InputException if the file cannot be used
      * @throws SettingException if a choice contradicts the file, is absurd or is missing
@@ -117,7 +111,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                                 + channels.names() + " (no channel of a picture in false colors is one)");
     }
 
-    /** Splits a file's single row or column of numbers into rows of the chosen length. */
+    /** Splits a single row or column of numbers. */
     private static ScanChannel inColumns(Path file, ScanChannel channel, boolean picture, Choices choices) {
         Optional<Integer> columns = choices.find(COLUMNS);
         Samples samples = channel.samples();
@@ -146,7 +140,7 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         return channel.reshape(columns.get(), (int) (samples.count() / columns.get()));
     }
 
-    /** Scales a channel by the file's values, completed by the user's choices, which may repeat them but not contradict them. */
+    /** Scales by the file's values, completed by choices, which may repeat but not contradict them. */
     private static HeightMap scaled(Path file, ScanChannel channel, Choices choices) throws IOException {
         Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
         Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);

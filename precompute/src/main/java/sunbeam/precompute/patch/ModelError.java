@@ -7,20 +7,20 @@ import sunbeam.precompute.units.Decimals;
 
 /**
  * Slopes of a surface and the expected error of scalar theory, which ignores shadows and second reflections: the sum over all directions of
- * the absolute difference from Maxwell's equations, relative to the reflected light. It is estimated by a power law of the mean slope,
- * fitted to 1500 gratings by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
+ * the absolute difference from Maxwell's equations, relative to the reflected light. A power law of the mean slope, fitted to 1500 gratings
+ * by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
  *
  * @param meanSlope mean of |grad h|; for a grating twice its depth over its period
  * @param rmsSlope root mean square of |grad h| (Sdq of ISO 25178)
  * @param steepShare share of the surface, 0..1, that is steeper than {@link #STEEPEST}
  */
 public record ModelError(double meanSlope, double rmsSlope, double largestSlope, double steepShare) {
-    /** Largest mean slope at which the power law holds; beyond it, half of the light or more is drawn in wrong directions. */
+    /** Largest mean slope of the power law; beyond it, half of the light or more is drawn in wrong directions. */
     public static final double LARGEST_SLOPE = 1.2;
 
     /**
-     * Degrees. A facet of 30 degrees reflects light from the normal to 60 degrees off it, where the next rise of the same slope just lets
-     * it pass; steeper facets shadow each other and reflect twice.
+     * Degrees. A facet of 30 reflects light from the normal to 60, where the next rise of the same slope just lets it pass; steeper ones
+     * shadow each other and reflect twice.
      */
     public static final double STEEPEST = 30;
 
@@ -28,8 +28,8 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
     private static final double LARGEST_SHARE = 0.02;
 
     /**
-     * Ranges of the light's angle to the normal (0 to 30, 30 to 60, 60 to 75 degrees), each with its fitted power law, factor *
-     * meanSlope^exponent. Eight of ten gratings lie between {@code low} and {@code high} times this.
+     * Angles of the light to the normal (0 to 30, 30 to 60, 60 to 75 degrees) with the law factor * meanSlope^exponent; {@code low} and
+     * {@code high} times it enclose eight of ten gratings.
      */
     public enum Incidence {
         NEAR_NORMAL(0.742, 1.271, 0.36, 2.46),
@@ -51,7 +51,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
 
     /** Ignores the seam between repetitions. */
     public static ModelError of(HeightMap map) {
-        // 1e-9: rounding must not make a slope of exactly 30 degrees count as steeper.
+        // Rounding must not make exactly 30 degrees steeper.
         double limit = Math.tan(Math.toRadians(STEEPEST)) * (1 + 1e-9);
         double sum = 0;
         double squares = 0;
@@ -103,7 +103,6 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
                 100 * steepShare, STEEPEST, share));
     }
 
-    /** Returns a description of the expected error in one line. */
     public String describe() {
         String slope = Decimals.rounded(meanSlope, 2);
         return meanSlope > LARGEST_SLOPE

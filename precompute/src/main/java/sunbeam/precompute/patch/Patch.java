@@ -9,13 +9,11 @@ import sunbeam.precompute.optics.HeightMap;
 /**
  * Surface that is ready for analysis and rendering.
  *
- * @param name short name for titles and files
  * @param heights prepared heights in meters, without missing samples
  * @param scan the prepared heights before their edges were blended
  * @param channels one line per channel of the file: number, name, samples and unit; empty for built-in patches
- * @param notes choices that the program made, one line each
- * @param warnings one line each, the gravest first
- * @param faults faults of the measurement, which are among the warnings, too
+ *
+ * @param faults faults of the measurement, also among the warnings (the gravest first)
  */
 public record Patch(
         String name,
@@ -28,16 +26,14 @@ public record Patch(
         List<ScanFault> faults,
         Repetition repetition) {
 
-    // Difference between neighbors that counts as none, relative to the relief.
     private static final double SAME = 1e-4;
 
-    /** Assumption about the surface outside of the heights. */
+    /** Surface outside of the heights. */
     public enum Repetition {
-        /** The heights are one period of the surface. */
         PERIODIC,
-        /** It is unknown whether the heights are a period; they are repeated as they are. */
+        /** Repeated without knowledge whether the heights are a period. */
         ASSUMED,
-        /** The heights are a piece of a surface without period, which limits the coherence length. */
+        /** A piece without period, which limits the coherence length. */
         NONE
     }
 
@@ -48,7 +44,6 @@ public record Patch(
         faults = List.copyOf(faults);
     }
 
-    /** Creates a patch that is one period of a synthetic surface. */
     public Patch(String name, HeightMap heights, String source, List<String> warnings) {
         this(name, heights, heights, source, List.of(), List.of(), warnings, List.of(), Repetition.PERIODIC);
     }
@@ -59,14 +54,14 @@ public record Patch(
         return warnings.stream().findFirst().map(first -> first + others);
     }
 
-    /** Returns the patch under another name, with the reason among its notes. */
+    /** Returns the patch under another name, for a reason among its notes. */
     public Patch named(String other, String why) {
         List<String> allNotes = new ArrayList<>(notes);
         allNotes.add(why);
         return new Patch(other, heights, scan, source, channels, allNotes, warnings, faults, repetition);
     }
 
-    /** Returns the shorter side, meters, among axes along which heights change; infinite for a flat patch. */
+    /** Returns the shorter side along which heights change, meters; infinite for a flat patch. */
     public double shorterSide() {
         double alongX = changes(1, 0) ? scan.width() : Double.POSITIVE_INFINITY;
         double alongY = changes(0, 1) ? scan.height() : Double.POSITIVE_INFINITY;
@@ -90,7 +85,6 @@ public record Patch(
         return Plausibility.mirror(scan).isPresent();
     }
 
-    /** Returns the SHA-256 of the height map; see {@link HeightMap#digest}. */
     public String digest() {
         return heights.digest();
     }

@@ -26,25 +26,23 @@ import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Makes a patch from heights: applies defaults, prepares the heights and collects warnings.
+ * Makes a patch from heights: defaults, preparation, warnings.
  *
  * @param file file of the heights, or a built-in name, for messages
  * @param choices values of {@link PatchSettings#PREPARING}
  */
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
-    // Step between opposite borders, relative to the steps between neighbors, that causes no visible streaks.
+    // Relative to the steps between neighbors; causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;
 
-    // Meters: half of sunlight's coherence length. Larger patches are taken for scans.
+    // Meters: half of sunlight's coherence length. Larger patches are scans.
     private static final double LARGEST_SYNTHETIC = 32.5e-6;
-    // Relative to the relief; measured lines differ by more.
     private static final double SAME = 1e-6;
 
     enum Kind {
         BUILT_IN,
-        /** File that a descriptor (.json) names: repeated unless it is cropped or has edges; a true period if it looks synthetic. */
+        /** File of a descriptor: repeated unless cropped or with edges; a true period if it looks synthetic. */
         DESCRIBED,
-        /** File that counts as a piece of a surface. */
         GIVEN_DIRECTLY
     }
 
@@ -75,7 +73,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         repetitionWarning(measured, prepared.scan(), preparation, repetition).ifPresent(warnings::add);
         Plausibility.mirror(prepared.scan()).ifPresent(warnings::add);
         Plausibility.pitch(prepared.surface()).ifPresent(warnings::add);
-        // The slopes are measured before blending, which bends the border.
+        // Before blending, which bends the border.
         ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
         return new Patch(
                 name,
@@ -118,7 +116,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         }
     }
 
-    /** Returns the faults that the leveling does not remove. A part without faults is relative to the present crop's corner. */
+    /** Returns the faults that the leveling leaves; parts without faults are relative to the present crop. */
     private List<ScanFault> faults(HeightMap measured, Leveling leveling, Crop area) {
         boolean leveled = leveling == Leveling.ROWS || leveling == Leveling.MEDIAN_ROWS;
         return ScanFaults.in(measured, choices.find(CROP)).stream()
@@ -181,7 +179,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
                 + " rms (neighbors by " + Lengths.rounded(seam.inside(), 2) + "); " + remedy);
     }
 
-    /** Returns the name of a setting where the patch was named: an option, or a key of a file. */
+    /** The option or key by which the patch was named. */
     private String named(Setting<?> setting) {
         return choices.origin(PatchSettings.PATCH).name(setting);
     }
@@ -190,13 +188,12 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         return named(setting) + " " + value;
     }
 
-    /** True if the heights are constant along one axis, as a drawn period is; false if samples are missing or all are equal. */
+    /** True if the heights are constant along one axis, as a drawn period is. */
     static boolean looksSynthetic(HeightMap field) {
         return Math.max(field.width(), field.height()) <= LARGEST_SYNTHETIC
                 && ((field.columns() > 1 && isSame(field, 1, 0)) || (field.rows() > 1 && isSame(field, 0, 1)));
     }
 
-    /** Compares rows with the first one (factors 1, 0), or columns with the first one (factors 0, 1). */
     private static boolean isSame(HeightMap field, int columnFactor, int rowFactor) {
         double largest = 0;
         for (int row = 0; row < field.rows(); row++) {

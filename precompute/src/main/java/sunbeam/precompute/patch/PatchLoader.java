@@ -30,15 +30,13 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Loads the patch that a name refers to: a built-in patch, else a descriptor (*.json), else a scan or an image, which needs a scale. A file
- * called like a built-in patch is named with its folder: {@code ./blaze}.
+ * Loads a built-in patch, else a descriptor (*.json), else a scan or an image, which needs a scale. A file called like a built-in patch is
+ * named with its folder: {@code ./blaze}.
  */
 public final class PatchLoader {
     private PatchLoader() {}
 
     /**
-     * Loads and prepares a patch.
-     *
      * @param cache cache of the heights of built-in patches
      * @throws InputException if there is no such patch, or its file or descriptor cannot be used
      * @throws SettingException if a choice contradicts the patch or is absurd
@@ -78,7 +76,6 @@ public final class PatchLoader {
                         request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY);
     }
 
-    /** Returns the file, whose name may begin or end with blanks. */
     private static Path existing(String given) {
         try {
             for (String name : List.of(given, given.strip())) {
@@ -102,7 +99,7 @@ public final class PatchLoader {
                 MAX_HEIGHT);
     }
 
-    /** Only heights with the default leveling are cached; for another one they are not yet leveled. */
+    /** Only heights with the default leveling are cached. */
     private static HeightMap builtIn(String name, PatchRequest request, HeightCache cache) {
         return request.find(PatchSettings.LEVEL).isPresent()
                 ? BuiltInPatches.generate(name)
@@ -149,37 +146,26 @@ public final class PatchLoader {
         }
     }
 
-    /** @param file file that names the patch */
     private static Patch fromFile(Path file, Path heightsFile, Choices choices, PatchAssembler.Kind kind) {
         MeasuredHeights measured = MeasuredHeights.read(heightsFile, choices);
         return new PatchAssembler(FileNames.stem(file), heightsFile.toString(), choices, kind).patch(measured);
     }
 
-    /** Cache of the heights of built-in patches, whose generation takes half a second. */
+    /** Cache of built-in patches, whose generation takes half a second. */
     public interface HeightCache {
-        /** Generates the heights in every call. */
         HeightCache NONE = (name, generated) -> generated.get();
 
-        /** Returns the heights from the cache, or generates them. */
         HeightMap get(String name, Supplier<HeightMap> generated);
     }
 
     /**
      * JSON file that describes a patch beside the file of its heights:
      *
-     * <pre>{@code
-     * {
-     *   "heights":   "elaphe.png",   file in the descriptor's folder or below it; required
-     *   "width":     "65 um",        extent along x; required if the file does not state it
-     *   "maxHeight": "375 nm",       height of full scale: 255 of 8 bits, 65535 of 16 bits, 1.0 of floats
-     *   "note":      "shed skin"     remark, which the program ignores
-     * }
-     * }</pre>
+     * <pre>{@code { "heights":   "elaphe.png",   file in the descriptor's folder or below it; required "width":     "65 um",        extent
+     * along x; required if the file does not state it "maxHeight": "375 nm",       height of full scale: 255 of 8 bits, 65535 of 16 bits,
+     * 1.0 of floats "note":      "shed skin"     remark, which the program ignores } }</pre>
      *
      * <p>and other settings of {@link PatchSettings#OF_FILES}. Descriptors are untrusted, so they may name no file outside their folder.
-     *
-     * @param file the descriptor itself
-     * @param heights file of the heights, inside the descriptor's folder
      */
     record PatchDescriptor(Path file, Path heights, Choices choices) {
         /**
@@ -197,7 +183,7 @@ public final class PatchLoader {
             return new PatchDescriptor(file, inside, choices);
         }
 
-        /** The file must lie in the descriptor's folder or below after all links are followed. */
+        /** In the descriptor's folder or below after all links are followed. */
         private static Path inside(Path descriptor, String name, String heights) {
             if (heights.isBlank()) {
                 throw new InputException(name + " is empty; name a file in the descriptor's own folder");

@@ -8,8 +8,6 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /**
- * Request for a patch.
- *
  * @param choices values of {@link PatchSettings}
  * @param raw whether files without a descriptor are prepared as in the thesis: mean subtracted, repeated
  */
@@ -26,12 +24,10 @@ public record PatchRequest(Choices choices, boolean raw) {
         return new PatchRequest(choices, thesis);
     }
 
-    /** Creates a request for a patch with default settings. */
     public static PatchRequest of(String patch) {
         return new PatchRequest(Choices.none().with(PatchSettings.PATCH, patch));
     }
 
-    /** Returns a built-in name, or the name of a descriptor (*.json), scan or image. */
     public String patch() {
         return choices.get(PatchSettings.PATCH);
     }
@@ -40,12 +36,11 @@ public record PatchRequest(Choices choices, boolean raw) {
         return choices.find(setting);
     }
 
-    /** True if no setting but the patch is chosen. */
     public boolean isNameOnly() {
         return choices.without(PatchSettings.PATCH).chosen().isEmpty();
     }
 
-    /** Runs an action whose exceptions then name the option or file of a setting, or are an {@link InputException} about the patch. */
+    /** Runs an action whose exceptions name the origin of a setting or are an {@link InputException} about the patch. */
     <T> T located(Supplier<T> action) {
         try {
             return choices.located(action);

@@ -98,18 +98,15 @@ public final class PatchSettings {
     /** Settings that turn a file's samples into meters. */
     public static final List<Setting<?>> SCALE = List.of(WIDTH, HEIGHT, MAX_HEIGHT, HEIGHT_UNIT, COLUMNS, DECIMAL_MARK);
 
-    /** Settings of the preparation of heights. */
     public static final List<Setting<?>> PREPARING = List.of(CROP, LEVEL, DESPIKE, EDGES, PERIODIC);
 
     /** Settings of a file, given in its descriptor or together with the file's name. */
     public static final List<Setting<?>> OF_FILES = Setting.union(SCALE, List.of(CHANNEL), PREPARING);
 
-    /** All settings, the patch first. */
     public static final List<Setting<?>> ALL = Setting.union(List.of(PATCH), OF_FILES);
 
     private PatchSettings() {}
 
-    /** A single column or row may be as narrow as a nanometer. */
     private static Setting<Double> side(String key, String help) {
         return new Setting<>(key, ValueKind.length(1e-9, 0.1), help);
     }

@@ -14,15 +14,15 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/** Refuses impossible sizes and reliefs; warns of unlikely ones, and of sampling too coarse for the shortest wavelength. */
+/** Refuses impossible sizes and reliefs; warns of unlikely ones and of coarse sampling. */
 public final class Plausibility {
     /** Shortest wavelength of the model, meters. */
     public static final double SHORTEST_WAVELENGTH = 380e-9;
 
-    /** Meters: |(u, v)| reaches 2, so spatial frequencies reach 2 / lambda, which by the sampling theorem need a pitch of lambda / 4. */
+    /** Meters: spatial frequencies reach 2 / lambda, which need a pitch of lambda / 4 (sampling theorem). */
     public static final double COARSEST_PITCH = SHORTEST_WAVELENGTH / 4;
 
-    /** Meters. Steps q scatter the share (k w q)^2 / 12 of the light at random: 0.2 % for 5 nm at the shortest wavelength and w = 2. */
+    /** Meters. Steps q scatter the share (k w q)^2 / 12 of the light at random: 0.2 % at the shortest wavelength and w = 2. */
     private static final double COARSEST_STEP = 5e-9;
 
     /** Meters; a smaller patch has no diffraction orders of visible light. */
@@ -31,9 +31,9 @@ public final class Plausibility {
     static final double LONGEST_SIDE = 0.1;
     static final double LARGEST_RELIEF = 1e-3;
     static final double SMALLEST_RELIEF = 1e-12;
-    /** Relief in meters below which a patch counts as a mirror: it scatters a few ten-thousandths of the light. */
+    /** Meters; a smaller relief scatters a few ten-thousandths of the light, as a mirror. */
     static final double FLATTEST_RELIEF = 1e-9;
-    /** Largest ratio of the relief to the longer side. */
+
     static final double STEEPEST_RELIEF = 4;
     /** Samples of a flat patch; more would take minutes to process. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;
@@ -42,14 +42,14 @@ public final class Plausibility {
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
     private static final int MOST_EXAMINED = 100_000;
-    // Samples count as integers if they have at least this many distinct values, each RECURRING times on average.
+    // Integers have this many distinct values, each RECURRING times on average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
 
     private Plausibility() {}
 
     /**
-     * Refuses a patch whose longer side is absurd; lengths are in meters.
+     * Refuses a patch whose longer side, in meters, is absurd.
      *
      * @param own whether the file states its sides
      */
@@ -67,11 +67,7 @@ public final class Plausibility {
                 PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
     }
 
-    /**
-     * Refuses an absurd relief, and a large file of equal heights.
-     *
-     * @param from setting that scaled the heights; empty if the file did
-     */
+    /** @param from setting that scaled the heights; empty if the file did */
     static void requireRelief(HeightMap map, Optional<Setting<?>> from, Path file) {
         double relief = map.relief();
         double longSide = Math.max(map.width(), map.height());
@@ -108,7 +104,7 @@ public final class Plausibility {
         return warnings;
     }
 
-    /** Returns the smallest step between heights in meters, of an evenly spaced subset; 0 unless the file seems to hold integers. */
+    /** Returns the smallest step between some heights in meters; 0 unless they seem to be integers. */
     private static double smallestStep(HeightMap map) {
         long samples = (long) map.columns() * map.rows();
         long stride = Math.max(1, samples / MOST_EXAMINED);
@@ -136,7 +132,7 @@ public final class Plausibility {
         if (relief >= FLATTEST_RELIEF) {
             return Optional.empty();
         }
-        // The phase k w h deviates from its mean by at most k w relief / 2, at w = 2.
+        // The phase k w h deviates by at most k w relief / 2 from its mean, at w = 2.
         double phase = 2 * Math.PI * relief / SHORTEST_WAVELENGTH;
         return Optional.of(Text.format(
                 "the relief is only %s, far below a wavelength: the patch is a mirror, which diffracts less than %.1g %% of the"
@@ -144,12 +140,11 @@ public final class Plausibility {
                 Lengths.rounded(relief, 4), 100 * phase * phase));
     }
 
-    /** Returns a warning if the pitch exceeds {@link #COARSEST_PITCH} along an axis of several samples. */
     public static Optional<String> pitch(HeightMap map) {
         double pitchX = map.columns() > 1 ? map.pitchX() : 0;
         double pitchY = map.rows() > 1 ? map.pitchY() : 0;
         double coarsest = Math.max(pitchX, pitchY);
-        // 1e-9: rounding of a pitch of exactly lambda / 4 must not cause a warning.
+        // Rounding of a pitch of exactly lambda / 4 causes no warning.
         if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
             return Optional.empty();
         }
@@ -160,7 +155,6 @@ public final class Plausibility {
                 + " colors far from the specular direction, and false periods");
     }
 
-    /** Returns a warning if integer samples have steps, in meters, above {@link #COARSEST_STEP}. */
     static Optional<String> heightStep(double step) {
         if (step <= COARSEST_STEP) {
             return Optional.empty();

@@ -16,7 +16,7 @@ import sunbeam.precompute.text.Similar;
 public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     private static final int MOST_NAMED = 12;
 
-    // Words in vendors' names of channels, lower-case: without heights, with heights, from position sensors.
+    // Words in vendors' names, lower-case: of channels without heights, with heights, from position sensors.
     private static final Pattern OTHER = Pattern.compile(
             "amplitude|deflection|error|phase|friction|lateral|adhesion|potential|current|stiffness|modulus|dissipation"
                     + "|deformation|indentation|frequency|drive|mask|\\bvdefl|\\bhdefl|slope|intensity|colou?r"
@@ -30,7 +30,6 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         this(checked(channels), labels(channels));
     }
 
-    /** Labels take time in proportion to the square of the number of channels. */
     private static List<ScanChannel> checked(List<ScanChannel> channels) {
         if (channels.isEmpty()) {
             throw new ScanException("holds no channel with samples on a grid; export its heights again");
@@ -54,7 +53,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return others > 0 ? names + " and " + others + " others" : names;
     }
 
-    /** Finds a channel by its label, its name (trace before retrace), its number from 1, or its label without an image's page number. */
+    /** Finds a channel by its label, name (trace before retrace), number from 1, or label without an image's page number. */
     public Optional<Integer> find(String name) {
         String plain = plain(name);
         return traceFirst(i -> plain(labels.get(i)).equals(plain))
@@ -78,8 +77,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     /**
-     * Returns the index of the channel of the heights: a unit of length before no unit, a sensor before a voltage, trace before retrace.
-     * Empty if units and names exclude heights.
+     * Returns the index of the channel of the heights (length unit first, sensor before voltage, trace before retrace); empty if all are
+     * excluded.
      */
     public Optional<Integer> heights() {
         return possible()
@@ -104,7 +103,6 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return kind(channels.get(index).name());
     }
 
-    /** Returns one line per channel: number, label, samples, unit. */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < count(); i++) {
@@ -120,14 +118,11 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return name.strip().toLowerCase(Locale.ROOT);
     }
 
-    /** ValueKind of channels in order of preference. */
     enum Kind {
         SENSOR_HEIGHT,
-        /** Heights from the piezo voltage or an unnamed source. */
+        /** From the piezo voltage or an unnamed source. */
         HEIGHT,
-        /** Channel whose name says nothing about its content. */
         UNNAMED,
-        /** No heights according to the name, whatever the unit. */
         OTHER
     }
 
@@ -143,7 +138,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         return height ? (SENSOR.matcher(words).find() ? Kind.SENSOR_HEIGHT : Kind.HEIGHT) : Kind.UNNAMED;
     }
 
-    /** Returns unique labels: the name, with " (retrace)" if another channel has it, and with the number if that label is taken. */
+    /** Returns unique labels: the name, with " (retrace)" if another channel has it, or with the number. */
     static List<String> labels(List<ScanChannel> channels) {
         String[] labels = new String[channels.size()];
         Set<String> taken = new HashSet<>();

@@ -11,7 +11,6 @@ import java.util.Optional;
  * @param aspect distance between rows divided by that between columns if the file states no lengths, else 1
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
-    /** Unknown size, square samples. */
     public static final Extent UNKNOWN = new Extent(Optional.empty(), Optional.empty(), 1);
 
     /** @throws ScanException if a length is not positive and finite */
@@ -25,9 +24,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
         return new Extent(Optional.of(width), Optional.of(height), 1);
     }
 
-    /**
-     * Computes the size from the distances between columns and between rows. If the unit is no unit of length, only the aspect is known.
-     */
+    /** Computes the size from the pitches; only the aspect is known if the unit is no unit of length. */
     public static Extent ofPitches(double pitchX, double pitchY, String unit, Samples samples) {
         require(pitchX);
         require(pitchY);
@@ -36,7 +33,6 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
                 .orElseGet(() -> new Extent(Optional.empty(), Optional.empty(), pitchY / pitchX));
     }
 
-    /** Like {@link #ofPitches}, from the lengths of the whole area. */
     public static Extent ofSides(double width, double height, String unit, Samples samples) {
         return ofPitches(width / samples.columns(), height / samples.rows(), unit, samples);
     }
@@ -48,8 +44,8 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
     }
 
     /**
-     * Returns meters per unit of length, in instruments' spellings: "nm", "µm" in any encoding, "~m" (Bruker's micrometer), "Å". Empty if the
-     * text is no unit of length.
+     * Returns meters per unit of length, in instruments' spellings: "µm" in any encoding, "~m" (Bruker's micrometer); empty for other
+     * units.
      */
     public static Optional<Double> metersPer(String unit) {
         String plain = unit.strip()

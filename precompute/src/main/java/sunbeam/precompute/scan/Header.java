@@ -7,7 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
-/** Keys and values of a text header. Exceptions about missing or malformed values name the key. */
+/** Keys and values of a text header; exceptions name the key. */
 public final class Header {
     /** Bytes: ten times the longest text header known. */
     public static final int LARGEST = 1 << 20;
@@ -18,9 +18,8 @@ public final class Header {
 
     private final Map<String, String> values = new HashMap<>();
 
-    /** Number, with a decimal point or comma, and the unit after it. */
+    /** Number, with a decimal point or comma, and its unit. */
     public record Quantity(double value, String unit) {
-        /** Parses a text; empty if it does not begin with a number. */
         public static Optional<Quantity> of(String text) {
             Matcher found = QUANTITY.matcher(text.length() <= LONGEST_QUANTITY ? text : "");
             if (!found.matches()) {
@@ -58,7 +57,6 @@ public final class Header {
         return values.containsKey(key);
     }
 
-    /** Returns a value; empty if it is missing or blank. */
     public Optional<String> find(String key) {
         return Optional.ofNullable(values.get(key)).filter(value -> !value.isEmpty());
     }
@@ -67,7 +65,6 @@ public final class Header {
         return values.getOrDefault(key, otherwise);
     }
 
-    /** Returns a positive whole number; refuses another value. */
     public int count(String key) {
         double value = number(key);
         if (value != Math.rint(value) || value < 1 || value > Integer.MAX_VALUE) {
@@ -76,7 +73,6 @@ public final class Header {
         return (int) value;
     }
 
-    /** Returns a number without a unit; refuses another value. */
     public double number(String key) {
         return Optional.of(quantity(key))
                 .filter(quantity -> quantity.unit().isEmpty())
@@ -88,7 +84,6 @@ public final class Header {
         return has(key) ? number(key) : otherwise;
     }
 
-    /** Returns a number with its unit; refuses another value. */
     public Quantity quantity(String key) {
         return Quantity.of(text(key, "")).orElseThrow(() -> wrong(key));
     }

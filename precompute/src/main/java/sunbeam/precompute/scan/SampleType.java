@@ -40,16 +40,12 @@ public enum SampleType {
         return size;
     }
 
-    /** Decodes the sample at a byte offset, in the buffer's byte order, as stored. */
+    /** Decodes the sample at a byte offset, in the buffer's byte order. */
     public double decode(ByteBuffer from, int at) {
         return decoder.decode(from, at);
     }
 
-    /**
-     * Returns the type of signed integers of 8, 16, 32 or 64 bits.
-     *
-     * @throws ScanException for another width
-     */
+    /** @throws ScanException unless the width is 8, 16, 32 or 64 bits */
     public static SampleType signed(int bits) {
         return switch (bits) {
             case 8 -> SIGNED_8;
@@ -62,11 +58,7 @@ public enum SampleType {
         };
     }
 
-    /**
-     * Returns the type that a code in a file stands for.
-     *
-     * @throws ScanException for an unknown code
-     */
+    /** @throws ScanException for an unknown code */
     public static SampleType of(Map<?, SampleType> types, Object code) {
         SampleType type = types.get(code);
         if (type == null) {
@@ -75,11 +67,7 @@ public enum SampleType {
         return type;
     }
 
-    /**
-     * Reads consecutive samples as stored.
-     *
-     * @throws ScanException if the stream ends too early
-     */
+    /** @throws ScanException if the stream ends too early */
     public double[] read(InputStream in, int count, ByteOrder order) throws IOException {
         double[] samples = new double[count];
         byte[] bytes = new byte[BUFFER_SAMPLES * size];

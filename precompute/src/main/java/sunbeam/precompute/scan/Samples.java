@@ -26,9 +26,9 @@ public record Samples(int columns, int rows, Source source) {
     }
 
     /**
-     * Returns consecutive samples of a file, from a position in bytes.
+     * Returns consecutive samples from a position in bytes.
      *
-     * @throws ScanException if the file ends before the last sample, so that a header cannot claim more samples than the file has
+     * @throws ScanException if the file ends before the last sample
      */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
         Samples samples = new Samples(
@@ -37,7 +37,6 @@ public record Samples(int columns, int rows, Source source) {
         return samples;
     }
 
-    /** Returns consecutive little-endian samples of a file. */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type) {
         return of(file, offset, columns, rows, type, ByteOrder.LITTLE_ENDIAN);
     }
@@ -46,7 +45,7 @@ public record Samples(int columns, int rows, Source source) {
         return (long) columns * rows;
     }
 
-    /** Changes the whole array, which the change may overwrite. */
+    /** The change may overwrite the array. */
     public Samples mapAll(UnaryOperator<double[]> change) {
         return new Samples(columns, rows, () -> change.apply(source.read()));
     }
@@ -62,17 +61,14 @@ public record Samples(int columns, int rows, Source source) {
         return map(sample -> factor * sample + offset);
     }
 
-    /** Replaces the value that marks missing samples by NaN. */
     public Samples withMissing(double mark) {
         return map(sample -> sample == mark ? Double.NaN : sample);
     }
 
-    /** Reverses the rows, for files that begin at the bottom of the scan. */
     public Samples flipRows() {
         return reorder(i -> (rows - 1 - i / columns) * columns + i % columns);
     }
 
-    /** Reverses the columns, for files that begin at the right of the scan. */
     public Samples flipColumns() {
         return reorder(i -> i - 2 * (i % columns) + columns - 1);
     }
@@ -90,11 +86,7 @@ public record Samples(int columns, int rows, Source source) {
         return new Samples(newColumns, newRows, source);
     }
 
-    /**
-     * Reads all samples.
-     *
-     * @throws ScanException if there are too many, or fewer than announced
-     */
+    /** @throws ScanException if there are too many, or fewer than announced */
     public double[] read() throws IOException {
         ScanLimits.requireSize(columns, rows);
         ScanLimits.requireMemory(count(), 0);

@@ -29,12 +29,10 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         }
     }
 
-    /** Returns the first bytes, at most {@code count}. */
     public byte[] head(int count) throws IOException {
         return read(0, (int) Math.min(count, size)).array();
     }
 
-    /** True if the file begins with one of the given Latin-1 texts. */
     public boolean startsWith(String... texts) throws IOException {
         for (String text : texts) {
             if (headText(text.length()).equals(text)) {
@@ -44,11 +42,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return false;
     }
 
-    /**
-     * Returns the Latin-1 text from the start of the file to a mark.
-     *
-     * @throws ScanException if there is no mark in the first {@link Header#LARGEST} bytes
-     */
+    /** Returns the Latin-1 text before a mark in the first {@link Header#LARGEST} bytes. */
     public String headBefore(String mark) throws IOException {
         String head = headText(Header.LARGEST);
         int end = head.indexOf(mark);
@@ -59,16 +53,11 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return head.substring(0, end);
     }
 
-    /** Returns the first bytes as Latin-1 text, at most {@code count}. */
     public String headText(int count) throws IOException {
         return new String(head(count), StandardCharsets.ISO_8859_1);
     }
 
-    /**
-     * Reads bytes of a header into a big-endian buffer, backed by an array of exactly these bytes.
-     *
-     * @throws ScanException if the file has fewer bytes, or they are too many for a header
-     */
+    /** Reads bytes of a header, at most {@link #LARGEST_HEADER}, into a big-endian buffer with an array of exactly these. */
     public ByteBuffer read(long offset, int count) throws IOException {
         requireInside(offset, count);
         if (count > LARGEST_HEADER) {
@@ -83,7 +72,6 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return buffer.flip();
     }
 
-    /** Refuses a range outside the file. */
     public void requireInside(long offset, long count) {
         if (offset < 0 || count < 0 || offset > Long.MAX_VALUE - count) {
             throw new ScanException(
@@ -99,7 +87,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         return new Cursor(offset, order);
     }
 
-    /** Opens a stream from a position to the end, valid until the next call, which moves the same file channel. */
+    /** Opens a stream from a position, valid until the next call, which moves the same file channel. */
     public InputStream stream(long offset) throws IOException {
         requireInside(offset, 0);
         channel.position(offset);
@@ -111,7 +99,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
         channel.close();
     }
 
-    /** Sequential reader of numbers and texts in a file. Every method refuses to pass the end of the file. */
+    /** Sequential reader, which refuses to pass the end of the file. */
     public final class Cursor {
         private static final int WINDOW = 8192;
 
@@ -168,7 +156,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
             return next(Double.BYTES).getDouble();
         }
 
-        /** Reads a Latin-1 text of {@code count} bytes: up to the first NUL, without blanks around it. */
+        /** Reads Latin-1 of {@code count} bytes: up to the first NUL, stripped. */
         public String text(int count) throws IOException {
             String text = new String(ScanBytes.this.read(position, count).array(), StandardCharsets.ISO_8859_1);
             position += count;
@@ -176,11 +164,7 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
             return (end < 0 ? text : text.substring(0, end)).strip();
         }
 
-        /**
-         * Reads UTF-8 up to a NUL.
-         *
-         * @throws ScanException if the text is longer than {@code most} bytes
-         */
+        /** Reads UTF-8 up to a NUL, at most {@code most} bytes. */
         public String textToNul(int most) throws IOException {
             ByteArrayOutputStream text = new ByteArrayOutputStream();
             while (text.size() < most) {

@@ -33,12 +33,11 @@ public record ScanChannel(String name, boolean retrace, Samples samples, Extent 
         return samples.rows();
     }
 
-    /** Empty if the unit is unknown or no unit of length. */
     public Optional<Double> metersPerUnit() {
         return Extent.metersPer(unit);
     }
 
-    /** True if the samples may be heights: in a unit of length, of full scale, or without a unit. */
+    /** True for samples in a unit of length, of full scale, or without a unit. */
     public boolean maybeHeights() {
         return unit.isEmpty() || unit.equals(FULL_SCALE) || metersPerUnit().isPresent();
     }

@@ -2,7 +2,7 @@ package sunbeam.precompute.scan;
 
 import sunbeam.precompute.text.Quoted;
 
-/** Reports a scan file that cannot be used. The message, one line, continues the file's name: "ends after 100 bytes; copy it again". */
+/** Refusal of a scan file. The message continues the file's name: "ends after 100 bytes; copy it again". */
 public final class ScanException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

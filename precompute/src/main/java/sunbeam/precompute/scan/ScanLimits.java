@@ -2,7 +2,7 @@ package sunbeam.precompute.scan;
 
 import sunbeam.precompute.text.Text;
 
-/** Limits of the size of scans, checked from a file's header before memory is taken. */
+/** Limits of scans, checked from a file's header before memory is taken. */
 public final class ScanLimits {
     /** Samples: three times the longest side that the software of force microscopes writes. */
     public static final int LONGEST_SIDE = 16_384;
@@ -11,12 +11,11 @@ public final class ScanLimits {
     /** Five times as many as any instrument records at once. */
     public static final int MOST_CHANNELS = 256;
 
-    /** Leveling holds two arrays of heights, and the gaps that these leave in the heap take as much as a third. */
+    /** Leveling holds two arrays of heights; gaps in the heap take up to a third more. */
     private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ScanLimits() {}
 
-    /** Refuses grids that are too large, are empty or have a single sample. */
     public static void requireSize(long columns, long rows) {
         if (columns < 1 || rows < 1) {
             throw new ScanException(
@@ -31,11 +30,7 @@ public final class ScanLimits {
         }
     }
 
-    /**
-     * Refuses scans that the heap cannot hold while they are read and leveled.
-     *
-     * @param otherBytes memory for reading, besides the heights
-     */
+    /** Refuses scans that the heap cannot hold with {@code otherBytes} while they are read and leveled. */
     public static void requireMemory(long samples, long otherBytes) {
         long needed = samples * BYTES_PER_HEIGHT + otherBytes;
         long heap = Runtime.getRuntime().maxMemory();

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Suggestions for misspelled names. */
 public final class Similar {
     private static final int LARGEST_DISTANCE = 2;
 
@@ -17,7 +16,6 @@ public final class Similar {
         return editDistance(one, other) <= Math.min(LARGEST_DISTANCE, Math.min(one.length(), other.length()) / 2);
     }
 
-    /** Returns the nearest similar name, ignoring case. */
     public static Optional<String> nearest(String written, List<String> names) {
         String plain = plain(written);
         return names.stream()

@@ -13,11 +13,7 @@ public final class Angles {
 
     private Angles() {}
 
-    /**
-     * Parses an angle to radians.
-     *
-     * @throws IllegalArgumentException when the text has no number or an unknown unit
-     */
+    /** @throws IllegalArgumentException when the text has no number or an unknown unit */
     public static double parse(String text) {
         String value = text.strip().toLowerCase(Locale.ROOT).replaceFirst("\u00b0$", "deg");
         boolean radians = value.endsWith("rad");
@@ -30,7 +26,6 @@ public final class Angles {
         return radians ? number : Math.toRadians(number);
     }
 
-    /** Formats radians in degrees, {@code "30 deg"}. */
     public static String format(double radians) {
         if (!Double.isFinite(radians)) {
             return radians + " deg";

@@ -7,13 +7,11 @@ import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
-/** Parsing and formatting of decimal numbers. */
 public final class Decimals {
-    /** Double.parseDouble would also accept 1d, 0x1p3 and NaN. */
+    /** Without what Double.parseDouble also accepts: 1d, 0x1p3 and NaN. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private static final int LONGEST = 100;
-    // Digits after the decimal point, and those of an exact value.
     private static final int MOST_PLACES = 9;
     private static final int EXACT_PLACES = 2;
 
@@ -29,7 +27,7 @@ public final class Decimals {
         return pointed.equals(text.strip()) ? "" : "; write a decimal point for the comma, " + Quoted.of(pointed);
     }
 
-    /** Returns a remedy for a decimal comma or a percent sign, starting with a semicolon; empty if the text has neither. */
+    /** Returns a remedy for a decimal comma or a percent sign, starting with a semicolon, or "". */
     public static String remedy(String text) {
         String written = text.strip();
         if (!written.endsWith("%")) {
@@ -62,7 +60,7 @@ public final class Decimals {
                         .toPlainString();
     }
 
-    /** Formats a finite value to two digits of its uncertainty (half an interval), or with two decimals if that is 0. */
+    /** Formats a finite value to two digits of its uncertainty (half an interval); if that is 0, to two decimals. */
     public static String within(double value, double uncertainty) {
         int places = uncertainty > 0 && Double.isFinite(uncertainty)
                 ? (int) Math.min(MOST_PLACES, 1 - Math.floor(Math.log10(uncertainty)))
@@ -70,7 +68,6 @@ public final class Decimals {
         return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).toPlainString();
     }
 
-    /** Parses a finite number, with blanks around it allowed. */
     public static OptionalDouble parse(String text) {
         String digits = text.strip();
         if (digits.length() > LONGEST || !DECIMAL.matcher(digits).matches()) {

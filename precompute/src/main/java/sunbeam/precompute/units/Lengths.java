@@ -9,22 +9,21 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Conversion of lengths as text ("65um", "65 µm", "375 nm", "2.5e-6 m") to and from meters. A length always carries its unit: pm, nm, um,
- * mm, cm or m, with either Unicode mu (U+00B5, U+03BC) for the u.
+ * Conversion of lengths as text to and from meters. A length always carries its unit: pm, nm, um, mm, cm or m, with either Unicode mu
+ * (U+00B5, U+03BC) for the u.
  */
 public final class Lengths {
     private static final Map<String, Integer> POWER_OF_TEN =
             Map.of("pm", -12, "nm", -9, "um", -6, "mm", -3, "cm", -2, "m", 0);
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
-    /** More digits in messages would not help a reader. */
     private static final int SHOWN_DIGITS = 6;
 
-    /** Smallest length that is no rounding error, meters. */
+    /** Meters; shorter ones are rounding errors. */
     private static final double SMALLEST = 1e-15;
-    /** These digits distinguish every double from its neighbors. */
+    /** They distinguish every double from its neighbors. */
     private static final int MOST_DIGITS = 17;
 
-    /** More than three digits of exponent would make the decimal arithmetic slow. */
+    /** More digits of exponent would make the decimal arithmetic slow. */
     private static final Pattern LENGTH =
             Pattern.compile("([+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*(\\S*)");
 
@@ -59,12 +58,12 @@ public final class Lengths {
         return new BigDecimal(matcher.group(1)).scaleByPowerOfTen(power).doubleValue();
     }
 
-    /** Formats a length with at most six digits, in the unit that makes it 1 to 1000: {@code "65 um"}, {@code "818.69 nm"}. */
+    /** Formats with at most six digits, in the unit that makes it 1 to 1000: {@code "818.69 nm"}. */
     public static String format(double meters) {
         return format(meters, SHOWN_DIGITS);
     }
 
-    /** Formats with the given digits; a length below a femtometer, which can only be a rounding error, as 0. */
+    /** Formats with the given digits; a rounding error, below a femtometer, as 0. */
     public static String rounded(double meters, int digits) {
         return format(Math.abs(meters) < SMALLEST ? 0 : meters, digits);
     }
@@ -85,7 +84,7 @@ public final class Lengths {
             return (meters == 0 ? "0" : Double.toString(meters)) + " m";
         }
         BigDecimal rounded = new BigDecimal(meters).round(new MathContext(digits, RoundingMode.HALF_EVEN));
-        // Digits before the decimal point of the value in meters: -4 for 6.5e-5.
+        // Digits before the decimal point in meters: -4 for 6.5e-5.
         int magnitude = rounded.precision() - rounded.scale();
         int index = Math.max(0, Math.min(ENGINEERING_UNITS.length - 1, Math.floorDiv(magnitude - 1, 3) + 4));
         String unit = ENGINEERING_UNITS[index];

@@ -9,7 +9,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Generators of the built-in patches, by name. All are periodic, and equal on every run. Parameters and their sources: docs/guide.md. */
+/** Generators of the built-in patches: periodic, equal on every run. Parameters and sources: docs/guide.md. */
 public final class BuiltInPatches {
     /** Meters, as in the thesis. */
     private static final double PERIOD = 2.5e-6;
@@ -37,12 +37,10 @@ public final class BuiltInPatches {
 
     private BuiltInPatches() {}
 
-    /** Returns the names, simple gratings first. */
     public static List<String> names() {
         return List.copyOf(GENERATORS.keySet());
     }
 
-    /** Generates a patch of this name; heights in meters, not leveled. */
     public static HeightMap generate(String name) {
         Supplier<HeightMap> generator = GENERATORS.get(name);
         if (generator == null) {
@@ -51,7 +49,7 @@ public final class BuiltInPatches {
         return generator.get();
     }
 
-    /** Samples the profile, over x in 0..1, at the middle of each interval. */
+    /** Samples the profile at the middle of each interval of x in 0..1. */
     private static HeightMap grating(DoubleUnaryOperator profile) {
         double[] heights = new double[ROWS * COLUMNS];
         Arrays.setAll(heights, i -> profile.applyAsDouble((i % COLUMNS + 0.5) / COLUMNS));
@@ -73,14 +71,13 @@ public final class BuiltInPatches {
         private static final double PITCH = SIDE / SAMPLES;
         /** 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
         private static final int CHANNEL_BITS = 184;
-        /** At half depth, meters. */
+
         private static final double PIT_WIDTH = 500e-9;
 
         private static final double PIT_DEPTH = 110e-9;
-        /** Width of the walls, whose profile is a cosine, meters. */
+        /** Walls with a cosine profile, meters. */
         private static final double WALL_WIDTH = 150e-9;
 
-        // Channel bits.
         private static final int SHORTEST_RUN = 3;
         private static final int LONGEST_RUN = 11;
         private static final double RUN_RATIO = 0.7;
@@ -106,7 +103,7 @@ public final class BuiltInPatches {
             return new HeightMap(SAMPLES, SAMPLES, PITCH, PITCH, heights);
         }
 
-        /** Lengths of pits and lands in turn, in channel bits, fill the track exactly, so that it is periodic. */
+        /** Lengths of pits and lands fill the track exactly, so that it is periodic. */
         private static List<Integer> runs(SeededNoise noise) {
             List<Integer> runs = new ArrayList<>();
             int sum = 0;
@@ -131,7 +128,7 @@ public final class BuiltInPatches {
             return run;
         }
 
-        /** Sinks a bar with round ends, which wraps around the patch; meters. */
+        /** Sinks a bar with round ends; lengths in meters. */
         private static void sink(double[] heights, double center, double start, double length) {
             double reach = (PIT_WIDTH + WALL_WIDTH) / 2;
             double middle = start + length / 2;
@@ -150,7 +147,7 @@ public final class BuiltInPatches {
             }
         }
 
-        /** Relative depth at a signed distance in meters from the contour of half depth. */
+        /** Relative depth at a distance in meters outside the contour of half depth. */
         private static double depthAt(double outside) {
             double z = Math.max(-1, Math.min(1, 2 * outside / WALL_WIDTH));
             return (1 - StrictMath.sin(StrictMath.PI / 2 * z)) / 2;
@@ -179,7 +176,6 @@ public final class BuiltInPatches {
         static final int ROWS = 16;
 
         private static final int SAMPLES = 1024;
-        /** Their areas add up to an eighth of the patch's. */
         private static final int BUMPS = 1024;
 
         private static final int SEED = 5;

@@ -83,18 +83,16 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
 
     /** Waviness of the ground, root mean square in meters. */
     private static final double WAVINESS = 34e-9;
-    /** Periods along the side. */
+
     private static final int WAVINESS_MODES = 24;
-    /** Standard deviation of the Gaussian that smooths the grain, meters. */
+    /** Standard deviation of the grain's smoothing, meters. */
     private static final double GRAIN_LENGTH = 60e-9;
 
     /** Table entries per sample, 16 nm apart. */
     private static final int OVERSAMPLING = 4;
 
-    /** Half the width of an edge's transition, in its standard deviations. */
     private static final double EDGE_MARGIN = 2.5;
 
-    /** Least distance between rows, relative to the mean distance. */
     private static final double CLOSEST = 0.35;
 
     public HeightMap generate() {
@@ -115,7 +113,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         int strip = 0;
         Strip plates = strip(strip, lines, rows);
         for (int row = 0; row < SAMPLES; row++) {
-            // A sample above the first line is below the last line of the previous period.
+            // Above the first line lies the last row of the previous period.
             double down = row * SIDE / SAMPLES;
             while (down < lines[0]) {
                 down += SIDE;
@@ -130,12 +128,9 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     }
 
     /**
-     * Strip between the lines of two neighboring rows, where one plate partly covers another.
+     * Strip between the lines of two rows, where one plate partly covers another. Lengths in meters.
      *
-     * @param upper covering row, whose tips lie on the strip's upper line
-     * @param lower covered row, whose tips lie one row higher
-     * @param length distance between the strip's lines, meters
-     * @param lengthBelow the same distance of the strip above, where the covered row begins, meters
+     * @param lengthBelow length of the strip above, where the covered row begins
      */
     private record Strip(FingerRow upper, FingerRow lower, double length, double lengthBelow) {}
 
@@ -153,7 +148,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return strip;
     }
 
-    /** Returns distances of the rows' lines from the top at one table index, over two periods, in meters; close lines are moved apart. */
+    /** Returns distances of the rows' lines from the top, over two periods, in meters; close lines are moved apart. */
     private double[] lines(int place, FingerRow[] rows) {
         int count = rows.length;
         double least = CLOSEST * SIDE / count;
@@ -172,7 +167,6 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         return lines;
     }
 
-    /** Returns the height at a distance {@code down} below the strip's upper line; both in meters. */
     private double height(double x, double down, Strip strip) {
         double t = down / strip.length();
         double place = place(x - layout.lean() * down);
@@ -212,25 +206,22 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     }
 
     /**
-     * Shape of the plate of a row of fingers. Its upper edge is toothed; it lies on the plate of the row above and dives under the row below.
-     * Heights are in meters above the mean surface.
+     * Shape of the plate of a row of fingers, which lies on the plate above and dives under the one below. Heights are in meters above the
+     * mean surface.
      *
-     * <p>Let t be 0 at the tips and 1 where the next row begins, phi 0 on a finger's ridge and 1 midway to its neighbor. The edge is at t =
-     * length (1 - (1 - phi^tipExponent)^baseExponent).
-     *
-     * @param length distance from the tips to the bottom of the notches between them, as a fraction of the rows' distance
+     * @param length from the tips to the notches' bottom, as a fraction of the rows' distance
      * @param tipExponent exponent; small: pointed tips; large: blunt ones
      * @param baseExponent exponent; large: notches that close slowly, like a narrow V
      * @param crest height of the ridge at the tip
      * @param fall drop of the ridge until the next row begins
      * @param bulge arch of the ridge between its ends
      * @param dome depth of a finger's flank below its ridge
-     * @param fade decay length of fingers under the next row, as a fraction of the rows' distance
-     * @param floor height of the ground between the fingers where the plate dives under the next row
+     * @param fade decay length under the next row, as a fraction of the rows' distance
+     * @param floor height of the ground between the fingers at the next row
      * @param floorFall further drop of this ground until the end of the plate
      * @param notchDepth additional depth of the ground at the bottom of the notches
      * @param notchLength decay length of that depth, meters
-     * @param edgeWidth standard deviation in meters of the slope that rounds the edges (the probe's tip)
+     * @param edgeWidth standard deviation in meters of the edges' rounding (the probe's tip)
      */
     record FingerShape(
             double length,
@@ -247,18 +238,16 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             double notchLength,
             double edgeWidth) {
 
-        /** Returns the height of the uncovered plate, phi and t in [0, 1]. */
         double top(double phi, double t) {
             double inFinger = Math.min(1, phi / halfWidth(t / length));
             return crest - fall * t + 4 * bulge * t * (1 - t) - dome * inFinger * inFinger;
         }
 
-        /** Returns the height of the plate under the fingers of the next row, at their t: from {@code top(phi, 1)} down to the floor. */
+        /** Returns the height under the next row's fingers, at their t: from {@code top(phi, 1)} to the floor. */
         double under(double phi, double t) {
             return (top(phi, 1) - floor) * Math.exp(-t / fade) + floor - floorFall * t;
         }
 
-        /** Returns the additional depth of the ground at a distance in meters above a notch's bottom. */
         double notch(double distance) {
             return notchDepth * Math.exp(-Math.max(0, distance) / notchLength);
         }
@@ -267,7 +256,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             return 1 - Math.pow(1 - Math.pow(phi, tipExponent), baseExponent);
         }
 
-        /** Inverse of {@link #edge}: half the width of a finger, as a value of phi. */
+        /** Inverse of {@link #edge}: half width of a finger, as phi. */
         private double halfWidth(double position) {
             return position >= 1
                     ? 1

@@ -4,15 +4,13 @@ import java.util.Arrays;
 import sunbeam.precompute.patch.builtin.FingerSkin.FingerShape;
 
 /**
- * Positions of the fingers of a {@link FingerSkin}: a lattice with random deviations. Fingers point up (+y); rows are counted downwards.
+ * Positions of the fingers of a {@link FingerSkin}: a lattice with random deviations, fingers up (+y), rows counted downwards.
  *
  * @param rows number of rows in the patch, at least 3
  * @param fingers mean number of fingers in a row, at least 3
  * @param rowSpread standard deviation of the distance between rows, as a fraction of its mean
- * @param fingerSpread standard deviation of the distance between neighboring fingers of a row, as a fraction of its mean; deviations add up
- *     along the row, so order is lost over long distances
- * @param coherenceRows number of rows (standard deviation of a Gaussian) over which columns of fingers continue; 0 makes the rows
- *     independent, each with a random offset
+ * @param fingerSpread standard deviation of the distance between fingers of a row, as a fraction of its mean; deviations add up
+ * @param coherenceRows rows (standard deviation) over which columns of fingers continue; 0: independent rows with random offsets
  * @param countSpread standard deviation of the number of fingers between independent rows
  * @param wander root mean square in meters of the common meander of the rows' lines
  * @param wanderModesX largest number of periods of the meander along x
@@ -34,10 +32,9 @@ record RowLayout(
         double tipSpread,
         double heightSpread,
         double lean) {
-    /** The density falls with the square of the frequency: slopes are equal on all scales. */
+    /** Equal slopes on all scales. */
     private static final double WANDER_EXPONENT = 2;
 
-    /** @param places number of entries of a row's tables */
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
         double[] starts = intervalStarts(normals(rows, rowSpread, noise), side);
         int modesDown = Math.min(wanderModesY, (rows - 1) / 2);
@@ -82,7 +79,6 @@ record RowLayout(
         return centers;
     }
 
-    /** If it were not subtracted, the first column would be straight. */
     private static double meanDeviation(double[] positions, double side) {
         double sum = 0;
         for (int i = 0; i < positions.length; i++) {
@@ -91,13 +87,13 @@ record RowLayout(
         return sum / positions.length;
     }
 
-    /** Intervals fill the side; their lengths deviate from their mean by the given fractions. */
+    /** Intervals that fill the side, with lengths off their mean by the given fractions. */
     private static double[] intervalStarts(double[] deviations, double side) {
         int count = deviations.length;
         double[] lengths = new double[count];
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            // A length below 40 % would merge two neighbors.
+            // Shorter ones would merge two neighbors.
             lengths[i] = Math.max(0.4, 1 + deviations[i]);
             sum += lengths[i];
         }
@@ -123,7 +119,6 @@ record RowLayout(
         return values;
     }
 
-    /** Restores the standard deviation after averaging. */
     private static double[][] smoothedOverRows(double[][] values, double sigma) {
         int rows = values.length;
         double[][] smooth = new double[rows][values[0].length];
@@ -147,21 +142,13 @@ record RowLayout(
     }
 
     /**
-     * One row of a {@link FingerSkin}, tabulated along x over one period.
-     *
-     * @param line distance from the patch's top to the line through the tips, meters
+     * @param line distance from the patch's top to the line through the tips, meters, tabulated over a period along x
      * @param phi 0 on the ridge of a finger, 1 midway to its neighbor
-     * @param lift offset of the height, meters
-     * @param edge see {@link FingerShape#edge}
+     *
      * @param edgeSlope absolute slope of the edge along x, per meter
      */
     record FingerRow(double[] line, double[] phi, double[] lift, double[] edge, double[] edgeSlope) {
-        /**
-         * @param centers x of each finger's ridge in meters, ascending within [0, side), at least two
-         * @param tips distance of each tip below the row's line, meters
-         * @param lifts random offset of the height of each finger, meters
-         * @param rowLine distance from the patch's top to the row's line, meters, one per table entry
-         */
+        /** @param centers x of each ridge in meters, ascending within [0, side); tips and lifts are offsets in meters */
         static FingerRow of(
                 double[] centers, double[] tips, double[] lifts, double[] rowLine, double side, FingerShape shape) {
             int size = rowLine.length;
@@ -186,7 +173,6 @@ record RowLayout(
             return new FingerRow(line, phi, lift, edge, slope(edge, side));
         }
 
-        /** Returns a table's value at a fractional index. */
         static double at(double[] table, double place) {
             int left = (int) place;
             double part = place - left;
@@ -198,7 +184,7 @@ record RowLayout(
             return to < from ? to - from + side : to - from;
         }
 
-        /** Returns at each entry the larger of the slopes to both neighbors, so that no slope is 0 at a ridge or notch. */
+        /** Returns the larger slope to either neighbor, so that none is 0 at a ridge or notch. */
         private static double[] slope(double[] values, double side) {
             int size = values.length;
             double[] slope = new double[size];

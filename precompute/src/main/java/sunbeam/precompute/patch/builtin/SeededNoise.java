@@ -5,8 +5,8 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
 /**
- * Reproducible random numbers and fields. Normal deviates use the transform of Box and Muller (Ann. Math. Statist. 29, 1958) with {@link StrictMath},
- * because the JDK does not specify the algorithm of {@code nextGaussian}.
+ * Reproducible random numbers and fields. Normal deviates are those of Box and Muller (Ann. Math. Statist. 29, 1958) with {@link
+ * StrictMath}; the JDK does not specify {@code nextGaussian}.
  */
 final class SeededNoise {
     private final SplittableRandom random;
@@ -15,20 +15,18 @@ final class SeededNoise {
         random = new SplittableRandom(seed);
     }
 
-    /** In [0, 1). */
     double uniform() {
         return random.nextDouble();
     }
 
-    /** Mean 0, standard deviation 1. */
     double normal() {
         double radius = StrictMath.sqrt(-2 * StrictMath.log(1 - random.nextDouble()));
         return radius * StrictMath.cos(2 * StrictMath.PI * random.nextDouble());
     }
 
     /**
-     * Generates a smooth, periodic field of {@code rows * columns} values, row by row, of mean 0: a sum of plane waves with integer numbers of periods (p, q) along the sides and random phases.
-     * The power spectral density falls as frequency to minus {@code exponent} within an ellipse.
+     * Generates a smooth, periodic field, row by row, of mean 0: a sum of plane waves with integer numbers of periods along the sides and
+     * random phases, whose power spectral density falls as frequency to minus {@code exponent} within an ellipse.
      *
      * @param rms root mean square of the field, in any unit
      * @param modesX most periods along the first axis, at least 1 and below {@code columns / 2}
@@ -38,7 +36,7 @@ final class SeededNoise {
         double[][] imaginary = new double[modesY + 1][columns];
         double[][] circle = circle(columns);
         for (int q = 0; q <= modesY; q++) {
-            // Skips the conjugate waves (-p, -q) and (0, 0), which would shift the mean.
+            // Without conjugate waves (-p, -q) and (0, 0), which would shift the mean.
             for (int p = q == 0 ? 1 : -modesX; p <= modesX; p++) {
                 if (StrictMath.hypot((double) p / modesX, (double) q / modesY) > 1) {
                     continue;
@@ -57,7 +55,6 @@ final class SeededNoise {
         return scaledToRms(sumOverRows(real, imaginary, rows), rms);
     }
 
-    /** Takes rows * columns * modesY steps, since the caller summed over p for each column. */
     private static double[] sumOverRows(double[][] real, double[][] imaginary, int rows) {
         int columns = real[0].length;
         double[][] circle = circle(rows);
@@ -76,7 +73,6 @@ final class SeededNoise {
         return field;
     }
 
-    /** Cosines and sines of {@code count} equally spaced angles from 0 to below 2 pi. */
     private static double[][] circle(int count) {
         double[][] circle = new double[2][count];
         for (int i = 0; i < count; i++) {
@@ -98,7 +94,7 @@ final class SeededNoise {
         return field;
     }
 
-    /** Generates white noise, smoothed with a Gaussian of sigma samples, of standard deviation 1. */
+    /** White noise of standard deviation 1, smoothed with a Gaussian of sigma samples. */
     double[] grain(int samples, double sigma) {
         double[] grains = new double[samples * samples];
         Arrays.setAll(grains, i -> normal());
@@ -106,7 +102,7 @@ final class SeededNoise {
         return smoothed(smoothed(grains, kernel, samples, 1, samples), kernel, samples, samples, 1);
     }
 
-    /** Returns half of a Gaussian from its center, normalized to a sum of squares of 1 so that noise keeps its variance. */
+    /** Half of a Gaussian from its center with a sum of squares of 1, so that noise keeps its variance. */
     private static double[] kernel(double sigma) {
         double[] kernel = new double[1 + (int) Math.ceil(3 * sigma)];
         double squares = 0;
@@ -120,12 +116,7 @@ final class SeededNoise {
         return kernel;
     }
 
-    /**
-     * Convolves all lines along one axis with a symmetric kernel, periodically.
-     *
-     * @param kernel half of the kernel, from its center
-     * @param step index distance between neighbors on a line
-     */
+    /** Convolves all lines along one axis with a symmetric kernel, given from its center on, periodically. */
     private static double[] smoothed(double[] values, double[] kernel, int size, int step, int lineStep) {
         int reach = kernel.length - 1;
         double[] result = new double[values.length];

@@ -13,9 +13,9 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of .mi files by instruments of Molecular Imaging, Agilent and Keysight. Each line is a key padded to 14 characters and a value.
- * The key bufferLabel begins the header of a buffer, which is a channel. After the line "data" come the buffers' 16- or 32-bit integers,
- * little-endian, from the bottom row. The full range of the integers stands for -bufferRange to bufferRange. Source: sample files.
+ * Reader of .mi files (Molecular Imaging, Agilent, Keysight): lines of a key padded to 14 characters and a value. The key bufferLabel
+ * begins a channel; after the line "data" come the channels' little-endian integers, from the bottom row, whose full range stands for
+ * -bufferRange to bufferRange. Source: sample files.
  */
 final class AgilentReader {
     private static final int KEY_LENGTH = 14;

@@ -11,15 +11,15 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of .sur files by Digital Surf (MountainsMap): a header of 512 bytes with spacings and their units, a comment, then 16- or 32-bit
- * integers from the top row. Source of all offsets: Digital Surf, "SURF file format".
+ * Reader of .sur files by Digital Surf (MountainsMap): a header of 512 bytes, a comment, integers from the top row. Source of all offsets:
+ * Digital Surf, "SURF file format".
  */
 final class DigitalSurfReader {
     private static final int HEADER_LENGTH = 512;
-    /** Code of a surface among types of objects; others are profiles, binary images and series. */
+    /** Others are profiles, binary images and series. */
     private static final int SURFACE = 2;
 
-    /** Difference between the minimum in the header and the value of a missing sample. */
+    /** Distance of the value of missing samples below the header's minimum. */
     private static final int BELOW_LOWEST = 2;
 
     private static final int TEXT_LENGTH = 16;
@@ -62,7 +62,7 @@ final class DigitalSurfReader {
                 unitZ));
     }
 
-    /** Undoes the inversion of columns or rows, but not of heights. Codes: 0 none, 1 heights, 2 columns and heights, 3 rows and heights. */
+    /** Undoes the inversion of columns (code 2) or rows (3); heights are inverted too for codes 1 to 3. */
     private static Samples undoInversion(Samples samples, int inversion) {
         return switch (inversion) {
             case 0, 1 -> samples;

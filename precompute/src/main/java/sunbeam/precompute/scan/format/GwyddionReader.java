@@ -27,7 +27,7 @@ final class GwyddionReader {
 
     private GwyddionReader() {}
 
-    /** Array of doubles in the file: position in bytes, number of doubles. */
+    /** Doubles in the file from a position in bytes on. */
     private record Numbers(long offset, long count) {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
@@ -47,9 +47,8 @@ final class GwyddionReader {
     }
 
     /**
-     * Reads a Gwyddion Simple Field: a header of {@code name = value} lines, one to four NULs up to a multiple of four bytes, then 32-bit
-     * floats, little-endian, from the top row. Units have no prefix; without a unit, a size is meaningless. Source: Gwyddion user guide,
-     * "Simple Field Files".
+     * Reads a Gwyddion Simple Field: {@code name = value} lines, NULs up to a multiple of four bytes, then little-endian floats from the
+     * top row. Source: Gwyddion user guide, "Simple Field Files".
      */
     static List<ScanChannel> simpleField(ScanBytes file) throws IOException {
         int end = file.headBefore("\0").length();
@@ -76,12 +75,11 @@ final class GwyddionReader {
     }
 
     /**
-     * Serialized object: type name, size, then components, each with a name, a letter for its type and a value.
-     *
-     * @param items components by name: Integer, Double, String, {@link Numbers} or GwyddionObject; other types are skipped
+     * Serialized object: type name, size, then components, each with a name, a letter for its type and a value: Integer, Double, String,
+     * {@link Numbers} or GwyddionObject; others are skipped.
      */
     private record GwyddionObject(Map<String, Object> items) {
-        /** Known files nest three levels deep; a hostile file could nest until the stack overflows. */
+        /** Known files nest three levels deep; hostile ones could overflow the stack. */
         private static final int DEEPEST = 8;
 
         private static final int MOST_ITEMS = 100_000;
@@ -114,7 +112,6 @@ final class GwyddionReader {
             return new GwyddionObject(items);
         }
 
-        /** Returns null for types that no height field needs. */
         private static Object value(ScanBytes file, ScanBytes.Cursor cursor, char type, int depth) throws IOException {
             return switch (type) {
                 case 'i' -> cursor.int32();

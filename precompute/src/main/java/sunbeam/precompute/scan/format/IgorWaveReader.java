@@ -14,17 +14,16 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of Igor binary waves of version 5, which Asylum Research's microscopes write: the layers of one array are the channels, and the
- * labels of the layers are their names. Samples are stored row by row from the bottom. Source: WaveMetrics, "Igor Technical Note 003".
+ * Reader of Igor binary waves of version 5 (Asylum Research): layers are channels named by their labels, rows from the bottom. Source:
+ * WaveMetrics, "Igor Technical Note 003".
  */
 final class IgorWaveReader {
-    // Lengths of the first header and of both together, and positions of fields in the file, bytes.
+    // Lengths of the headers and positions of fields, bytes.
     private static final int FIRST_HEADER = 64;
     private static final int HEADERS = FIRST_HEADER + 320;
     private static final int TYPE = FIRST_HEADER + 16;
     private static final int DIMENSIONS = FIRST_HEADER + 68;
     private static final int DATA_UNIT = FIRST_HEADER + 148;
-    // Bytes per label, and of all labels at most.
     private static final int LABEL_LENGTH = 32;
     private static final int LARGEST_TEXT = 1 << 20;
 
@@ -67,8 +66,7 @@ final class IgorWaveReader {
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
         ByteOrder order = order(file);
         ScanBytes.Cursor cursor = file.cursor(8, order);
-        // Sizes of the nine parts between the samples and the layers' labels: formula, note, units of the data and of
-        // four dimensions, labels of the first two dimensions.
+        // Nine parts lie between samples and layers' labels: formula, note, five units, labels of two dimensions.
         long beforeLabels = 0;
         for (int i = 0; i < 9; i++) {
             beforeLabels += cursor.unsigned32();
@@ -100,7 +98,7 @@ final class IgorWaveReader {
         return channels;
     }
 
-    /** Returns the labels of the layers, which follow the label of their dimension. */
+    /** The label of the dimension precedes those of the layers. */
     private static List<String> names(ScanBytes file, long position, long bytes, int layers, ByteOrder order)
             throws IOException {
         List<String> names = new ArrayList<>();
@@ -112,7 +110,7 @@ final class IgorWaveReader {
         return names;
     }
 
-    /** A wave has one unit, meters, for all its layers, even for phases and potentials. */
+    /** A wave has one unit, meters, even for layers of phases and potentials. */
     private static String unit(String name, String unit) {
         if (name.startsWith("Phase")) {
             return "deg";

@@ -9,12 +9,11 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of JPK (Bruker NanoWizard) images, .jpk and .jpk-qi-image: a TIFF whose first page is a thumbnail, with the size of the scan in
- * its tags. The other pages are channels, from the bottom row; each has several scalings ("slots"), one of them the default. Source: JPK,
- * "Image file format specification", tags 0x8000 to 0x80ff.
+ * Reader of JPK (Bruker NanoWizard) images: TIFF files whose first page is a thumbnail with the scan's size in its tags. The others are
+ * channels, from the bottom row, each with several scalings ("slots"). Source: JPK, "Image file format specification", tags 0x8000 to
+ * 0x80ff.
  */
 final class JpkReader {
-    // Numbers of tags.
     private static final int GRID_WIDTH = 0x8042;
     private static final int GRID_HEIGHT = 0x8043;
     private static final int CHANNEL = 0x8050;
@@ -23,11 +22,10 @@ final class JpkReader {
     private static final int SLOTS = 0x8080;
     private static final int DEFAULT_SLOT = 0x8081;
     private static final int FIRST_SLOT = 0x8090;
-    /** Distance between the numbers of the first tags of two slots. */
     private static final int SLOT_STEP = 0x30;
 
     private static final int MOST_SLOTS = 64;
-    /** Distances of the numbers of a slot's tags from that of its first tag, which is the slot's name. */
+    /** Tags of a slot, relative to its first one, its name. */
     private static final int UNIT = 0x12;
 
     private static final int SCALING = 0x13;
@@ -36,7 +34,7 @@ final class JpkReader {
 
     private JpkReader() {}
 
-    /** True for a JPK image; in some files only the second page has a channel's name. */
+    /** In some files only the second page has a channel's name. */
     static boolean recognizes(ScanBytes file) throws IOException {
         return TiffPage.has(file, 1, GRID_WIDTH) && (TiffPage.has(file, 1, CHANNEL) || TiffPage.has(file, 2, CHANNEL));
     }

@@ -18,17 +18,14 @@ import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
 /**
- * Reader of Bruker (Digital Instruments, Veeco) Nanoscope files since version 4.2: lists of {@code \key: value}, one list per image, then
- * integers, little-endian, from the bottom row. A height is sample * "Z scale" (volts of the full range) / number of steps of the range * a
- * sensitivity (nm/V), which another list holds. "Scan Size" is the size of the complete scan; "Aspect Ratio" is width over height; a
- * stopped scan has fewer lines. Source: manual of the Nanoscope software, "File format", and sample files.
+ * Reader of Bruker (Digital Instruments, Veeco) Nanoscope files since version 4.2: lists of {@code \key: value}, one per image, then
+ * little-endian integers from the bottom row. A height is sample * "Z scale" (volts of the full range) / steps of the range * a sensitivity
+ * (nm/V) of another list. "Scan Size" is that of the complete scan; a stopped scan has fewer lines. Source: manual of the Nanoscope
+ * software, "File format", and sample files.
  */
 final class NanoscopeReader {
     private static final Pattern LINE = Pattern.compile("\\\\@?(?:\\d+:)?\\s*([^:]+):\\s*(.*)");
-    /**
-     * Value of "Z scale", such as {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}. The name of the sensitivity and the unit may be
-     * missing; log(Pa) is a unit.
-     */
+    /** Such as {@code V [Sens. Zsens] (0.0050354 V/LSB) 329.995 V}; the name and the unit may be missing; log(Pa) is a unit. */
     private static final Pattern SCALE =
             Pattern.compile("V\\s*(?:\\[([^\\]]*)\\])?\\s*(?:\\(.*\\))?\\s*([-+0-9.eE]+)\\s*(\\S*)\\s*");
 
@@ -83,7 +80,7 @@ final class NanoscopeReader {
                 scale.unit());
     }
 
-    /** Grid of the stored samples that are valid; a stopped scan stores fewer lines than announced. */
+    /** Valid samples; a stopped scan stores fewer lines than announced. */
     private record Stored(int columns, int firstRow, int rows, SampleType type) {
         static Stored of(Header common, Header image) {
             int columns = image.count("samps/line");
@@ -168,8 +165,8 @@ final class NanoscopeReader {
     }
 
     /**
-     * Parses "500 500 nm", "500 nm" or "10 5 ~m" (~m is the micrometer), the size of the complete scan. If both sides are equal or only one
-     * is given, the height follows from the aspect ratio, or else from square pixels.
+     * Parses "500 500 nm", "500 nm" or "10 5 ~m". If both sides are equal or one is given, the height follows from the aspect ratio (width
+     * over height), or else from square pixels.
      */
     private static Extent extent(Header common, Header image, Samples samples) {
         String[] words = image.text("scan size", common.text("scan size", "")).split("\\s+", -1);
@@ -186,7 +183,6 @@ final class NanoscopeReader {
         return Extent.of(width, height * samples.rows() / lines);
     }
 
-    /** Parses an aspect ratio such as "2:1". */
     private static double ratio(String text) {
         String[] sides = text.split("\\s*:\\s*", -1);
         double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;

@@ -15,9 +15,8 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of .nid files by Nanosurf: sections of {@code key=value}, the mark {@code #!}, then the channels' samples in the order of the
- * groups, from the bottom row. A sample s of b bits means {@code Dim2Min + Dim2Range (s / 2^b + 1/2)}. Source: Nanosurf, "NID file format",
- * and sample files.
+ * Reader of .nid files by Nanosurf: sections of {@code key=value}, {@code #!}, then the channels' samples by group, from the bottom row. A
+ * sample s of b bits means {@code Dim2Min + Dim2Range (s / 2^b + 1/2)}. Source: Nanosurf, "NID file format", and sample files.
  */
 final class NanosurfReader {
     private static final String MARK = "#!";

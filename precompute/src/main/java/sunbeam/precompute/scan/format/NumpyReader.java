@@ -16,10 +16,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Reader of .npy files by NumPy: one array of numbers, rows by columns, row 0 at the top, without physical size and unit. Source: NumPy
- * manual, "numpy.lib.format".
- */
+/** Reader of .npy files: one array, rows by columns, row 0 at the top, without size and unit. Source: NumPy manual, "numpy.lib.format". */
 final class NumpyReader {
     private static final Pattern TYPE = Pattern.compile("'descr'\\s*:\\s*'([<>=|]?)([a-zA-Z])(\\d+)'");
     private static final Pattern FORTRAN = Pattern.compile("'fortran_order'\\s*:\\s*(True|False)");

@@ -16,19 +16,17 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of TIFF files by Park Systems: the picture is a preview; private tags hold a header and the samples, from the bottom row. A height
- * is {@code gain (scale sample + offset)}. Source: Park Systems, "TIFF format for XEI", and sample files.
+ * Reader of Park Systems' TIFF files: a preview whose private tags hold a header and the samples, from the bottom row. A height is {@code
+ * gain (scale sample + offset)}. Source: Park Systems, "TIFF format for XEI", and sample files.
  */
 final class ParkReader {
-    // Numbers of tags.
     private static final int MAGIC = 50432;
     private static final int VERSION = 50433;
     private static final int DATA = 50434;
     private static final int HEADER = 50435;
-    /** Value of the tag {@link #MAGIC} in these files. */
     private static final int PARK = 0x0e031301;
 
-    /** Least length of the header, bytes; the last field that is read, the type of the samples, ends there. */
+    /** Bytes; the last field that is read ends there. */
     private static final int LEAST_HEADER = 352;
 
     private static final int FIRST_VERSION_WITH_TYPES = 0x01000002;
@@ -76,7 +74,6 @@ final class ParkReader {
                 utf16(head, 244, 8)));
     }
 
-    /** Returns the UTF-16 text in a field of the header, up to its first NUL. */
     private static String utf16(byte[] header, int position, int characters) {
         String text = new String(header, position, 2 * characters, StandardCharsets.UTF_16LE);
         int end = text.indexOf(0);

@@ -24,22 +24,21 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of pictures: samples as stored, without gamma or color management, row 0 on top. Integers are divided by full scale (255 for 8
- * bits, 65535 for 16); a transparent sample is missing. ImageIO decodes PNG and BMP after their size is checked; {@link TiffPictureReader}
- * reads TIFF.
+ * Reader of pictures: samples without gamma or color management over full scale (255 for 8 bits, 65535 for 16), row 0 on top; transparent
+ * ones are missing. ImageIO decodes PNG and BMP after a check of their size.
  */
 final class PictureReader {
     private static final List<String> COLORS = List.of("red", "green", "blue");
     /** Four bands of 16 bits. */
     private static final int MOST_BYTES_PER_PIXEL = 8;
 
-    /** Position of the compression code in a BMP file, bytes; its values for embedded files follow. */
+    /** Position of the compression code in a BMP file, bytes. */
     private static final int BMP_COMPRESSION = 30;
 
     private static final int EMBEDDED_JPEG = 4;
     private static final int EMBEDDED_PNG = 5;
 
-    /** ImageIO's names of formats by the first characters of files. */
+    /** ImageIO's names of formats by files' first characters. */
     private static final Map<String, String> KINDS = Map.of(
             "\u0089PNG\r\n\u001a\n", "png",
             "II*\0", "tiff",
@@ -68,7 +67,7 @@ final class PictureReader {
         } catch (ScanException refused) {
             throw refused;
         } catch (IOException | RuntimeException broken) {
-            // Decoders throw many kinds of exceptions on damaged files.
+            // Decoders throw many kinds of exceptions.
             throw new ScanException(
                     "is damaged or of a kind that cannot be read; export the scan again as PNG or TIFF", broken);
         }
@@ -139,10 +138,9 @@ final class PictureReader {
     }
 
     /**
-     * Returns the channels of a picture: gray, if it has one band or three equal ones; red, green and blue, if it has three; alpha. A
-     * sample is missing where alpha is 0.
+     * Returns gray, of one band or three equal ones; red, green and blue; alpha. Samples are missing where alpha is 0.
      *
-     * @param prefix start of the channels' names, empty or ending in a blank
+     * @param prefix empty or ending in a blank
      * @param colors one or three bands
      */
     static List<ScanChannel> channels(

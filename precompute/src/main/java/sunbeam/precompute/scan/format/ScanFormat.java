@@ -18,7 +18,7 @@ public record ScanFormat(String name, Check check, Opener opener) {
     private static final ScanFormat PICTURE =
             new ScanFormat("image", PictureReader::recognizes, PictureReader::channels);
 
-    /** Readers in the order of their checks; text and pictures come last. */
+    /** In the order of their checks; text and pictures come last. */
     private static final List<ScanFormat> ALL = List.of(
             ScanFormat.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
             ScanFormat.of("Gwyddion Simple Field (.gsf)", GwyddionReader::simpleField, "Gwyddion Simple Field 1.0\n"),
@@ -39,24 +39,22 @@ public record ScanFormat(String name, Check check, Opener opener) {
             new ScanFormat("Park Systems TIFF", ParkReader::recognizes, ParkReader::channels),
             new ScanFormat("Igor binary wave (.ibw)", IgorWaveReader::recognizes, IgorWaveReader::channels));
 
-    /** Fast test whether a file has a format; it throws no exception for any content. */
+    /** Fast test; throws no exception for any content. */
     @FunctionalInterface
     public interface Check {
         boolean recognizes(ScanBytes file) throws IOException;
     }
 
-    /** Reads files of a format that the check has accepted. */
     @FunctionalInterface
     public interface Opener {
         /**
-         * Reads the channels from the header, in the file's order. Their samples can be read while the file is open.
+         * Reads the channels from the header; their samples can be read while the file is open.
          *
          * @throws ScanException if the file cannot be used
          */
         List<ScanChannel> channels(ScanBytes file) throws IOException;
     }
 
-    /** Creates a reader of files that begin with one of these ASCII texts. */
     private static ScanFormat of(String name, Opener opener, String... magics) {
         return new ScanFormat(name, file -> file.startsWith(magics), opener);
     }
@@ -66,9 +64,9 @@ public record ScanFormat(String name, Check check, Opener opener) {
     }
 
     /**
-     * Finds the reader of a file by its content; empty if none recognizes it.
+     * Finds the reader of a file by its content.
      *
-     * @param mark decimal mark of texts; the user's choice
+     * @param mark the user's choice for texts
      */
     public static Optional<ScanFormat> find(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
         for (ScanFormat reader : ALL) {

@@ -18,9 +18,8 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.text.TextNumbers;
 
 /**
- * Reader of .sdf files of ISO 25178-71, as text ("aISO-1.0") and binary ("bISO-1.0"), and of their predecessor BCR-1.0. Xscale and Yscale
- * are the distances between samples in meters; a height in meters is sample * Zscale. Missing samples are BAD in text, the lowest integer
- * or NaN in binary files.
+ * Reader of .sdf files of ISO 25178-71, text ("aISO-1.0") and binary ("bISO-1.0"), and of BCR-1.0. Xscale and Yscale are pitches in meters;
+ * a height in meters is sample * Zscale. Missing samples are BAD in text, the lowest integer or NaN in binary files.
  */
 final class SurfaceDataReader {
     private static final int BINARY_HEADER_BYTES = 81;
@@ -56,21 +55,18 @@ final class SurfaceDataReader {
         return channel(samples, values.number("Xscale"), values.number("Yscale"), values.number("Zscale"));
     }
 
-    /** Reads the first {@code count} numbers and ignores the trailer after them. */
     private static double[] numbers(ScanBytes file, long offset, long line, int count) throws IOException {
         Reader reader = new InputStreamReader(file.stream(offset), StandardCharsets.ISO_8859_1);
         return TextNumbers.read(new BufferedReader(reader), false, line, count).first(count);
     }
 
     private static ScanChannel binary(ScanBytes file) throws IOException {
-        // The header begins with version, manufacturer, and dates of creation and change.
         ScanBytes.Cursor cursor = file.cursor(8 + 10 + 12 + 12, ByteOrder.LITTLE_ENDIAN);
         int columns = cursor.unsigned16();
         int rows = cursor.unsigned16();
         double pitchX = cursor.float64();
         double pitchY = cursor.float64();
         double scale = cursor.float64();
-        // Skips the resolution of heights.
         cursor.float64();
         requireUncompressed(cursor.unsignedByte());
         SampleType type = SampleType.of(TYPES, cursor.unsignedByte());

@@ -26,23 +26,20 @@ import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Text;
 
 /**
- * Page of a TIFF or BigTIFF file: its tags, including private ones, and its samples as stored. Source: Adobe, "TIFF Revision 6.0" and its
- * technical notes. The library TwelveMonkeys decodes the samples after this class has checked sizes and tags.
+ * Page of a TIFF or BigTIFF file with its tags and samples as stored, which TwelveMonkeys decodes after this class has checked sizes and
+ * tags. Source: Adobe, "TIFF Revision 6.0" and its technical notes.
  */
 record TiffPage(ScanBytes file, int index, Directory tags) {
-    // Values of the tag SampleFormat.
     private static final int UNSIGNED = 1;
     private static final int SIGNED = 2;
     private static final int FLOAT = 3;
-
-    // Value of the tag Compression.
     private static final int UNCOMPRESSED = 1;
-    /** Codes of lossless compressions: none, LZW, ZIP (two codes) and PackBits. */
+    /** None, LZW, ZIP (two codes) and PackBits. */
     private static final Set<Integer> LOSSLESS = Set.of(UNCOMPRESSED, 5, 8, 32_946, 32_773);
 
     private static final int MAX_BANDS = 4;
 
-    /** True if one of the first {@code pages} pages of a TIFF file has a tag; false for unreadable files. */
+    /** True if a tag is on the first {@code pages} pages; false for unreadable files. */
     static boolean has(ScanBytes file, int pages, int tag) throws IOException {
         try {
             return isTiff(file) && read(file).stream().limit(pages).anyMatch(page -> page.has(tag));
@@ -55,7 +52,6 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return file.startsWith("II*\0", "MM\0*", "II+\0", "MM\0+");
     }
 
-    /** Reads the pages of a TIFF file, at least one. */
     static List<TiffPage> read(ScanBytes file) throws IOException {
         List<TiffPage> pages = new ArrayList<>();
         try (ImageInputStream in = new BoundedInput(file.path().toFile())) {
@@ -104,7 +100,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return numbers.length == 0 ? otherwise : numbers[0];
     }
 
-    /** Returns the tag's text; empty if the tag is missing or is not text. */
+    /** Returns "" for a missing tag. */
     String text(int tag) {
         Entry entry = tags.getEntryById(tag);
         return entry != null && entry.getValue() instanceof String text ? text : "";
@@ -139,7 +135,6 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         return format() == FLOAT;
     }
 
-    /** Returns the samples of a band as stored, without scale. */
     Samples samples(int band) {
         requireReadable();
         int count = columns() * rows();
@@ -216,9 +211,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         }
     }
 
-    /**
-     * Stream that refuses to read much more than twice the file's size in all: the tags of a hostile file may all refer to the same bytes.
-     */
+    /** Stream that refuses to read much more than twice the file's size: hostile tags may all refer to the same bytes. */
     private static final class BoundedInput extends FileImageInputStream {
         private long rest = 2 * length() + ScanBytes.LARGEST_HEADER;
 

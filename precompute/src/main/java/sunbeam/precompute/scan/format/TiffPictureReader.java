@@ -17,18 +17,14 @@ import sunbeam.precompute.scan.ScanException;
 
 /**
  * Reader of TIFF pictures: gray, RGB or with a palette, integers or floats. Each page has its own channels; reduced copies and masks are
- * skipped. ImageJ writes pixels per unit of length as the resolution, and the unit into the description. The resolutions that other
- * programs write are meant for printers and are ignored.
+ * skipped. ImageJ writes pixels per unit of length as the resolution; other programs' resolutions are for printers and ignored.
  */
 final class TiffPictureReader {
-    // Values of the tag PhotometricInterpretation.
     private static final int WHITE_IS_ZERO = 0;
     private static final int BLACK_IS_ZERO = 1;
     private static final int PALETTE = 3;
-    // Values of the tag ExtraSamples.
     private static final int PREMULTIPLIED = 1;
     private static final int ALPHA = 2;
-    /** Bits of the tag NewSubfileType for a reduced copy and for a mask. */
     private static final int NO_IMAGE = 1 | 4;
 
     private static final Pattern UNIT = Pattern.compile("(?s)ImageJ=.*?\nunit=(\\V*).*");
@@ -48,7 +44,7 @@ final class TiffPictureReader {
             try {
                 channels.addAll(channels(page, lengthUnit, true));
             } catch (ScanException unreadable) {
-                // An unreadable page, such as a preview, does not make the others useless.
+                // Such as a preview; the others may do.
             }
         }
         return channels;
@@ -88,7 +84,7 @@ final class TiffPictureReader {
                 page.isFloat() ? "" : ScanChannel.FULL_SCALE);
     }
 
-    /** Returns the red, green and blue band of a picture with a palette. Palettes have 16 bits; some programs write 8. */
+    /** Palettes have 16 bits; some programs write 8. */
     private static List<Samples> colors(Samples indices, double[] palette) {
         int length = palette.length / 3;
         double fullScale = Arrays.stream(palette).max().orElse(0) > 255 ? 65_535 : 255;

@@ -16,8 +16,8 @@ import sunbeam.precompute.scan.ScanChannel;
 import sunbeam.precompute.scan.ScanException;
 
 /**
- * Reader of .stp and .top files by WSxM: a text header that states its own length, then 16-bit integers, floats or doubles, little-endian,
- * from the bottom right corner. "Z Amplitude" is the difference in height between the lowest and the highest sample. Source: sample files.
+ * Reader of .stp and .top files by WSxM: a text header that states its length, then little-endian samples from the bottom right corner. "Z
+ * Amplitude" is the highest minus the lowest sample. Source: sample files.
  */
 final class WsxmReader {
     private static final Pattern SIZE = Pattern.compile("Image header size:\\s*(\\d{1,7})");
@@ -50,7 +50,6 @@ final class WsxmReader {
                 amplitude.unit()));
     }
 
-    /** Scales samples so that the highest minus the lowest is the amplitude; zero stays zero. */
     private static Samples stretched(Samples stored, double amplitude) {
         return stored.mapAll(samples -> {
             DoubleSummaryStatistics range = Arrays.stream(samples).summaryStatistics();

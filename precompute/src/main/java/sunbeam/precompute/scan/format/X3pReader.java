@@ -25,13 +25,12 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
- * Reader of .x3p files of ISO 25178-72: a zip archive with main.xml and the samples as a binary member, from the top row, in meters. At
- * most as many bytes of a member are read as the matrix takes, so that an archive cannot unpack to terabytes. Missing samples are NaN, or
- * have a 0 in an optional list of valid points.
+ * Reader of .x3p files of ISO 25178-72: a zip archive with main.xml and binary samples, from the top row, in meters. Missing ones are NaN,
+ * or have a 0 in a list of valid points. No more of a member is read than the matrix takes, so that an archive cannot unpack to terabytes.
  */
 final class X3pReader {
     private static final String MAIN = "main.xml";
-    /** Largest size of main.xml, bytes; known files have a few thousand. */
+    /** Bytes; known files have a few thousand. */
     private static final int LARGEST_MAIN = 1 << 20;
 
     private static final Map<String, SampleType> TYPES = Map.of(
@@ -82,10 +81,9 @@ final class X3pReader {
         }
     }
 
-    /** Reads the texts of elements, under the keys parent/name. */
+    /** Returns elements' texts under the keys parent/name. */
     private static Header main(InputStream in) throws IOException {
         XMLInputFactory factory = XMLInputFactory.newInstance();
-        // Follow no reference to other files.
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         Header header = new Header();
@@ -113,7 +111,6 @@ final class X3pReader {
         return header;
     }
 
-    /** The member must have at least {@code bytes} bytes. */
     private static InputStream member(ZipFile archive, String name, long bytes) throws IOException {
         ZipEntry entry = archive.getEntry(name);
         if (entry == null || entry.isDirectory() || entry.getSize() < bytes) {
@@ -144,7 +141,7 @@ final class X3pReader {
                 "is a damaged archive (" + damaged.getMessage() + "); copy or export it again", damaged);
     }
 
-    /** Replaces invalid samples by NaN. The stream has one bit per sample, the lowest bit of a byte first; 0 marks a missing sample. */
+    /** The stream has one bit per sample, the lowest bit of a byte first; 0 marks a missing sample. */
     private static void dropInvalid(double[] samples, InputStream in) throws IOException {
         byte[] bits = in.readNBytes((samples.length + 7) / 8);
         for (int i = 0; i < samples.length && i / 8 < bits.length; i++) {

@@ -18,33 +18,30 @@ import java.util.stream.Collectors;
 import sunbeam.precompute.scan.Extent;
 import sunbeam.precompute.scan.Header;
 import sunbeam.precompute.scan.ScanBytes;
-import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 
 /**
  * Text file with numbers: its header, encoding and decimal mark.
  *
- * @param charset UTF-16 if the file begins with its byte order mark, UTF-8 if the first bytes are valid in it, else Latin-1, which
- *     instruments still write
+ * @param charset UTF-16 by its byte order mark, else UTF-8 if the first bytes are valid in it, else Latin-1
  * @param header lines before the first line of numbers
  * @param decimalComma whether 1,5 is one and a half
  */
 record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
-    /** The first line of numbers must begin within this many bytes. */
     private static final int LONGEST_HEADER = 1 << 18;
 
     private static final Pattern NUMBER =
             Pattern.compile("[+\u2212-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+\u2212-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
-    // Commas are decimal marks if they stand between digits (FRACTION), none is before a sign (SIGNED), and other
-    // characters separate the numbers (SEPARATED).
+    // Commas are decimal marks between digits (FRACTION), never before a sign (SIGNED), if others separate the numbers
+    // (SEPARATED).
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
     private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
 
     /**
-     * Recognizes a text; empty if the file has no line of numbers in its first 256 KB.
+     * Recognizes a text; empty without a line of numbers in its first 256 KB.
      *
-     * @param mark the user's choice; without one, commas are decimal marks if something else separates numbers and no number has a point
+     * @param mark the user's choice; without one, decimal commas are detected
      */
     static Optional<TextFile> of(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);
@@ -67,7 +64,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         return Optional.empty();
     }
 
-    /** True for a line of one or more numbers and nothing else. */
     private static boolean areNumbers(String line, String separators) {
         StringTokenizer words = new StringTokenizer(line, separators);
         boolean some = words.hasMoreTokens();
@@ -84,7 +80,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         if (utf16) {
             return head[0] == (byte) 0xff ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_16BE;
         }
-        // The first bytes may end within a character, so the end of input is not checked.
+        // The first bytes may end within a character.
         boolean broken = StandardCharsets.UTF_8
                 .newDecoder()
                 .decode(ByteBuffer.wrap(head), CharBuffer.allocate(head.length), false)
@@ -97,7 +93,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
     }
 
-    /** Removes the last word, which may be incomplete, if the head was cut off from a longer file. */
+    /** Removes the last word, which may be cut off. */
     private static String withoutCutWord(String head, boolean cut) {
         int end = head.length();
         while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {
@@ -113,7 +109,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && !SIGNED.matcher(numbers).find();
     }
 
-    /** @throws ScanException if there are too many numbers, or a word that is no number */
     TextNumbers numbers() throws IOException {
         // A single line, which is held as text, may contain all numbers.
         ScanLimits.requireMemory(0, file.size());
@@ -124,12 +119,11 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         return TextNumbers.read(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
     }
 
-    /** @throws ScanException if a size is malformed */
     Facts facts() {
         return Facts.of(header);
     }
 
-    /** Facts that a text's header states about its numbers, under the keys that Gwyddion, SPIP, Park's XEI and WSxM write; empty if unknown. */
+    /** Facts of a text's header, under the keys of Gwyddion, SPIP, Park's XEI and WSxM. */
     record Facts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
         private static final Pattern LINE =
                 Pattern.compile("[#%;*/\\s\"]*([^:=]{1,60}?)\\s*[:=]\\s*(.{0,200}?)[\\s\"]*");
@@ -145,7 +139,6 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         private static final List<String> UNIT =
                 List.of("value units", "z-unit", "z unit", "zunits", "data unit", "height unit", "unit", "units");
 
-        /** @throws sunbeam.precompute.scan.ScanException if a size is malformed */
         private static Facts of(List<String> lines) {
             Header header = new Header();
             List<String> inOrder = new ArrayList<>();

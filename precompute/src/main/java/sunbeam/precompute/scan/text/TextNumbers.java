@@ -8,7 +8,7 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.scan.ScanLimits;
 import sunbeam.precompute.text.Quoted;
 
-/** Numbers separated by blanks, tabs, semicolons or commas that are no decimal marks; an empty field is a missing sample. */
+/** Numbers of a text; an empty field is a missing sample. */
 public final class TextNumbers {
     private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
 
@@ -30,10 +30,8 @@ public final class TextNumbers {
     }
 
     /**
-     * Reads numbers.
-     *
      * @param line number of the first line, for messages
-     * @param most count after which reading stops
+     *
      * @throws ScanException if there are too many numbers, or a word that is no number
      */
     public static TextNumbers read(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
@@ -133,14 +131,12 @@ public final class TextNumbers {
         return ragged.isEmpty();
     }
 
-    /** @throws ScanException that names the first line of another length */
     void requireRectangular() {
         if (!isRectangular()) {
             throw new ScanException("has " + ragged + ", but " + columns + " in its first row; export it again");
         }
     }
 
-    /** Returns the first numbers; refuses fewer. */
     public double[] first(int wanted) {
         if (wanted > count) {
             throw new ScanException(

@@ -15,23 +15,22 @@ import sunbeam.precompute.scan.ScanException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Reader of text: a matrix of numbers from the top row, or points x y z on a grid, after any header.
+ * Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid.
  *
  * @param decimalMark the user's choice; empty to detect it
  */
 public record TextReader(Optional<DecimalMark> decimalMark) {
-    /** Decimal mark of a text; if it is a point, commas separate numbers. */
+    /** If it is a point, commas separate numbers. */
     public enum DecimalMark {
         POINT,
         COMMA
     }
 
-    /** x, y, z. */
     private static final int POINT = 3;
-    /** This many lines with three numbers must be points; fewer may be a matrix of three columns. */
+    /** Lines from which on three numbers each must be points, no matrix. */
     private static final int SURELY_POINTS = 16;
 
-    /** This many evenly spaced numbers count as coordinates; fewer may be heights. */
+    /** Evenly spaced numbers from which on they count as coordinates. */
     private static final int FEWEST_EVENLY_SPACED = 8;
     // Share of the step; files round numbers.
     private static final double ROUNDING = 0.2;
@@ -43,11 +42,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         return TextFile.of(file, decimalMark).isPresent();
     }
 
-    /**
-     * Reads the single channel of a recognized text.
-     *
-     * @throws ScanException if the file cannot be used
-     */
+    /** @throws ScanException if the file cannot be used */
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         TextFile text = TextFile.of(file, decimalMark).orElseThrow();
         TextFile.Facts facts = text.facts();
@@ -81,7 +76,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         return new ScanChannel(facts.channel(), samples, facts.extent(), facts.unit());
     }
 
-    /** Refuses profiles, and a first column or row of evenly spaced numbers beside others: coordinates or row numbers. */
+    /** Refuses profiles, and a first column or row of coordinates or row numbers. */
     private static void refuseCoordinates(double[] heights, int columns, int rows) {
         if (columns == 2 && rows > 2) {
             throw new ScanException(
@@ -105,7 +100,6 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 + " others that do not; remove it, so that only heights are left");
     }
 
-    /** True if numbers at a stride are evenly spaced; false for fewer than {@link #FEWEST_EVENLY_SPACED}. */
     private static boolean isEvenlySpaced(double[] numbers, int first, int stride, int count) {
         int last = first + (count - 1) * stride;
         if (count < FEWEST_EVENLY_SPACED || last >= numbers.length) {
@@ -147,13 +141,13 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     }
 
     /**
-     * Grid on which points x y z lie, which a file lists in any order.
+     * Grid of points x y z, listed in any order.
      *
      * @param axisY axis of the rows; row 0 has the largest y
      * @param heights heights row by row, NaN for cells without a point
      */
     record PointGrid(Axis axisX, Axis axisY, double[] heights) {
-        /** In pitches. Files round coordinates; those closer than twice this share of the largest gap belong to one grid line. */
+        /** In pitches. Coordinates closer than twice this share of the largest gap belong to one line; files round them. */
         private static final double MOST_OFF = 0.05;
 
         private static final double MOST_MISSING = 0.5;
@@ -164,7 +158,6 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 return (int) Math.round((coordinate - first) / pitch);
             }
 
-            /** Fits an axis to coordinates in any order; empty if they are not equidistant or all equal. */
             static Optional<Axis> of(double[] coordinates) {
                 double[] sorted = coordinates.clone();
                 Arrays.sort(sorted);
@@ -191,11 +184,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
             }
         }
 
-        /**
-         * Fits a grid to points; empty if they lie on none.
-         *
-         * @throws ScanException if two points share a cell
-         */
+        /** @throws ScanException if two points share a cell */
         static Optional<PointGrid> of(double[] x, double[] y, double[] z) {
             Optional<Axis> columns = Axis.of(x);
             Optional<Axis> rows = columns.isEmpty() ? Optional.empty() : Axis.of(y);
