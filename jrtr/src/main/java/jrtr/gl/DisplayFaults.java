@@ -15,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -37,8 +36,6 @@ public final class DisplayFaults {
     private static final long OPENING_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final String TEMPORARY_FOLDER = "java.io.tmpdir";
-    private static final List<Thread> DRAWING = new CopyOnWriteArrayList<>();
-    private static final List<Thread> OPENING = new CopyOnWriteArrayList<>();
     private static volatile Runnable onLoss = () -> {};
     private static volatile boolean ending;
     private static boolean prepared;
@@ -160,8 +157,11 @@ public final class DisplayFaults {
      * the server must also refuse a new connection.
      */
     private static void runAfterEnd(SocketAddress address, SocketChannel first, Runnable loss) {
-        SocketChannel server = first;
-        while (server != null) {
+        for (SocketChannel server = first; server != null; server = connect(address)) {
+            if (server != first) {
+                // A server with too many clients drops a new one at once: wait before the next try.
+                sleep(1000);
+            }
             try (SocketChannel open = server) {
                 while (open.read(ByteBuffer.allocate(1)) >= 0) {
                     // Servers do not write to clients that send no request.
@@ -169,60 +169,48 @@ public final class DisplayFaults {
             } catch (IOException reset) {
                 // This also ends the connection.
             }
-            server = connect(address);
-            if (server != null) {
-                // A server with too many clients drops a new one at once: wait before the next try.
-                sleep(1000);
-            }
         }
         loss.run();
-    }
-
-    /** Registers the calling thread, which is about to open a context and to draw, until {@link #unregisterDrawingThread}. */
-    static void registerDrawingThread() {
-        DRAWING.add(Thread.currentThread());
-        OPENING.add(Thread.currentThread());
-    }
-
-    static void finishOpening() {
-        OPENING.remove(Thread.currentThread());
-    }
-
-    /** Unregisters the calling thread once, after a context was closed or could not be opened. */
-    static void unregisterDrawingThread() {
-        DRAWING.remove(Thread.currentThread());
     }
 
     /** Must precede each operation: when the process is ending, finishes earlier operations and never returns. */
     static void blockIfExiting(GL3 gl) {
         if (ending) {
             gl.glFinish();
-            DRAWING.removeAll(List.of(Thread.currentThread()));
-            while (true) {
-                sleep(TimeUnit.DAYS.toMillis(1));
-            }
+            blockForever();
+        }
+    }
+
+    private static void blockForever() {
+        while (true) {
+            sleep(TimeUnit.DAYS.toMillis(1));
         }
     }
 
     /**
-     * Waits until each drawing thread is between two operations, where it stays, or until a time limit. The C library's exit runs the
-     * destructors of the driver and of LLVM, which crash the virtual machine if another thread compiles or draws.
+     * Waits until each thread is outside of this package or blocked between two operations, or until a time limit. The C library's exit
+     * runs the destructors of the driver and of LLVM, which crash the virtual machine if another thread compiles or draws.
      */
     private static void awaitRest() {
         ending = true;
         long start = System.nanoTime();
-        while (DRAWING.stream().anyMatch(thread -> mustWait(thread, System.nanoTime() - start))) {
+        while (Thread.getAllStackTraces().values().stream()
+                .anyMatch(trace -> mustWait(trace, System.nanoTime() - start))) {
             sleep(5);
         }
     }
 
-    private static boolean mustWait(Thread thread, long waited) {
-        return waited < (OPENING.contains(thread) ? OPENING_NANOSECONDS : DRAWING_NANOSECONDS)
-                && Stream.of(thread.getStackTrace())
-                        .anyMatch(frame -> frame.getClassName().startsWith("jrtr.gl."));
+    private static boolean mustWait(StackTraceElement[] trace, long waited) {
+        List<String> calls = Stream.of(trace)
+                .map(frame -> frame.getClassName() + "." + frame.getMethodName())
+                .filter(call -> call.startsWith("jrtr.gl."))
+                .toList();
+        String own = DisplayFaults.class.getName();
+        return waited < (calls.contains("jrtr.gl.GlDevice.open") ? OPENING_NANOSECONDS : DRAWING_NANOSECONDS)
+                && !calls.stream().allMatch(call -> call.startsWith(own))
+                && !calls.contains(own + ".blockForever");
     }
 
-    /** Sleeps on a thread that has no other work. */
     private static void sleep(long milliseconds) {
         try {
             TimeUnit.MILLISECONDS.sleep(milliseconds);

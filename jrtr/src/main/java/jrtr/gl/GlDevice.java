@@ -11,11 +11,9 @@ import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
 import java.awt.AWTError;
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
-import java.util.List;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Locale;
-import java.util.Set;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
@@ -28,7 +26,7 @@ final class GlDevice {
     private final GLDrawable drawable;
     private final GLContext context;
     private final Thread owner = Thread.currentThread();
-    private final Set<Resource> resources = new LinkedHashSet<>();
+    private final Deque<Resource> resources = new ArrayDeque<>();
     private ContextInfo info;
     private boolean closed;
 
@@ -39,18 +37,6 @@ final class GlDevice {
 
     static GlDevice open() {
         DisplayFaults.prepare();
-        DisplayFaults.registerDrawingThread();
-        try {
-            return connect();
-        } catch (RuntimeException | Error failure) {
-            DisplayFaults.unregisterDrawingThread();
-            throw failure;
-        } finally {
-            DisplayFaults.finishOpening();
-        }
-    }
-
-    private static GlDevice connect() {
         // The connection stays open until there is a context: without the option -noreset, X servers reset when their
         // last client goes.
         AbstractGraphicsDevice display = connectToDisplay();
@@ -186,12 +172,9 @@ final class GlDevice {
         return new GraphicsException(need + " but this driver allows at most " + limit + " (" + info.renderer() + ")");
     }
 
-    void register(Resource resource) {
-        resources.add(resource);
-    }
-
-    void unregister(Resource resource) {
-        resources.remove(resource);
+    /** Returns the open resources, the newest last; {@link #close} closes them. */
+    Deque<Resource> resources() {
+        return resources;
     }
 
     void close() {
@@ -201,19 +184,14 @@ final class GlDevice {
         }
         try {
             GL3 gl = gl();
-            List<Resource> open = new ArrayList<>(resources);
-            for (int index = open.size() - 1; index >= 0; index--) {
-                open.get(index).close();
+            while (!resources.isEmpty()) {
+                resources.getLast().close();
             }
             // OpenGL keeps a deleted program alive while it is in use.
             gl.glUseProgram(0);
         } finally {
             closed = true;
-            try {
-                release();
-            } finally {
-                DisplayFaults.unregisterDrawingThread();
-            }
+            release();
         }
     }
 

@@ -12,7 +12,7 @@ public abstract class Resource implements AutoCloseable {
     Resource(GlDevice device, String label) {
         this.device = device;
         this.label = label;
-        device.register(this);
+        device.resources().add(this);
     }
 
     /** Opens a resource; if that fails, closes others in the given order. */
@@ -36,9 +36,7 @@ public abstract class Resource implements AutoCloseable {
 
     final GL3 gl() {
         GL3 gl = device.gl();
-        if (closed) {
-            throw new IllegalStateException("'" + label + "' is closed");
-        }
+        requireUsableBy(device);
         return gl;
     }
 
@@ -51,22 +49,18 @@ public abstract class Resource implements AutoCloseable {
         }
     }
 
-    /** Returns the name of this resource in messages, as given at creation. */
+    /** Returns the name in messages. */
     public final String label() {
         return label;
     }
 
-    /**
-     * Frees the memory.
-     *
-     * @throws IllegalStateException on any thread but the context's
-     */
+    /** @throws IllegalStateException on any thread but the context's */
     @Override
     public final void close() {
         device.requireOwner();
         if (!closed) {
             closed = true;
-            device.unregister(this);
+            device.resources().remove(this);
             delete(device.gl());
         }
     }
