@@ -1,15 +1,25 @@
 package jrtr;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Complete text of one shader stage, with expanded includes and the origin of each line. {@link jrtr.glsl.ShaderLibrary#load} creates it.
  *
  * @param name of the root file
  * @param text the compiler's input: ASCII, lines end with {@code \n}
- * @param origins origin of each line of the text; one element per line
+ * @param origins origin of each line of the text
  */
 public record ShaderSource(String name, String text, List<Line> origins) {
+    // Forms of the messages of Mesa, of NVIDIA, and of AMD, Intel on Windows and Apple.
+    private static final List<Pattern> FORMS = List.of(
+            Pattern.compile("\\d+:(?<line>\\d+)\\(\\d+\\): [a-z ]*(?:error|warning): (?<message>.*)"),
+            Pattern.compile("\\d+\\((?<line>\\d+)\\) : [a-z ]*(?:error|warning) (?<message>.*)"),
+            Pattern.compile("(?:ERROR|WARNING): \\d+:(?<line>\\d+): (?<message>.*)"));
+    private static final Pattern WARNING = Pattern.compile("(?i)\\bwarning\\b.*:");
+
     /**
      * Line of a shader file before include expansion.
      *
@@ -31,5 +41,44 @@ public record ShaderSource(String name, String text, List<Line> origins) {
             throw new IllegalArgumentException(
                     "shader " + name + ": " + lines + " lines of text but " + origins.size() + " origins");
         }
+    }
+
+    /**
+     * Returns the exception for a failed step of the driver. Its message starts with {@code file:line:} of the first error and quotes that
+     * line. If no error has a known form, it starts with the shader's name. Warnings do not count.
+     *
+     * @param doing the failed step, such as "compiling full.frag.glsl"
+     */
+    public GraphicsException failure(String doing, String log) {
+        List<String> errors = log.replace("\0", "")
+                .lines()
+                .map(String::strip)
+                .filter(line -> !line.isEmpty() && !WARNING.matcher(line).find())
+                .toList();
+        List<String> located =
+                errors.stream().flatMap(line -> located(line).stream()).toList();
+        List<String> problems = located.isEmpty()
+                ? errors.stream().map(line -> name + ": " + line).toList()
+                : located;
+        if (problems.isEmpty()) {
+            return new GraphicsException(name + ": the driver failed without a reason [" + doing + "]");
+        }
+        int more = problems.size() - 1;
+        return new GraphicsException(
+                problems.get(0) + " [" + doing + (more > 0 ? ", and " + more + " more" : "") + "]");
+    }
+
+    private Optional<String> located(String error) {
+        return FORMS.stream()
+                .map(form -> form.matcher(error))
+                .filter(Matcher::matches)
+                .map(found -> origin(found.group("line")).describe(found.group("message")))
+                .findFirst();
+    }
+
+    /** Numbers past the end, as for "unexpected end of file", and of ten digits or more mean the last line. */
+    private Line origin(String number) {
+        int line = number.length() < 10 ? Integer.parseInt(number) : origins.size();
+        return origins.get(Math.max(1, Math.min(line, origins.size())) - 1);
     }
 }

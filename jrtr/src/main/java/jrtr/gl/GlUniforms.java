@@ -19,7 +19,9 @@ import jrtr.GraphicsException;
 final class GlUniforms {
     private static final Pattern DECLARATION = Pattern.compile("\\buniform\\b([^;{}]*)");
     private static final Pattern WORD = Pattern.compile("\\w+");
-    private static final Map<Integer, String> NUMERIC_TYPES = Map.ofEntries(
+    private static final Map<Integer, String> TYPES = Map.ofEntries(
+            Map.entry(GL3.GL_SAMPLER_2D, "sampler2D"),
+            Map.entry(GL3.GL_SAMPLER_2D_ARRAY, "sampler2DArray"),
             Map.entry(GL3.GL_FLOAT, "float"),
             Map.entry(GL3.GL_FLOAT_VEC2, "vec2"),
             Map.entry(GL3.GL_FLOAT_VEC3, "vec3"),
@@ -34,15 +36,10 @@ final class GlUniforms {
             Map.entry(GL3.GL_FLOAT_MAT3, "mat3"),
             Map.entry(GL3.GL_FLOAT_MAT4, "mat4"));
 
-    /**
-     * Active uniform.
-     *
-     * @param name without {@code [0]}
-     * @param location OpenGL's handle for setting it
-     */
+    /** @param name without {@code [0]} */
     record Uniform(String name, int location, int type, boolean array) {
         private boolean isSampler() {
-            return !NUMERIC_TYPES.containsKey(type);
+            return samplerTarget() != 0 || !TYPES.containsKey(type);
         }
 
         /** Returns the texture target that this sampler reads, or 0 if the engine has no such textures. */
@@ -65,11 +62,7 @@ final class GlUniforms {
         }
 
         private String typeName() {
-            return switch (type) {
-                case GL3.GL_SAMPLER_2D -> "sampler2D";
-                case GL3.GL_SAMPLER_2D_ARRAY -> "sampler2DArray";
-                default -> NUMERIC_TYPES.getOrDefault(type, "type 0x" + Integer.toHexString(type));
-            };
+            return TYPES.getOrDefault(type, "type 0x" + Integer.toHexString(type));
         }
     }
 
@@ -135,7 +128,7 @@ final class GlUniforms {
         return uniform;
     }
 
-    /** Returns the uniform as {@link #find} does; throws if its type is none of the given ones. */
+    /** As {@link #find}; throws if the type is none of the given ones. */
     Uniform findOfType(String name, String value, int... types) {
         Uniform uniform = find(name);
         if (uniform == null || IntStream.of(types).anyMatch(type -> type == uniform.type)) {

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import jrtr.GraphicsException;
 import jrtr.ShaderSource;
-import jrtr.glsl.CompilerLog;
 import org.joml.Matrix3fc;
 import org.joml.Matrix4fc;
 import org.joml.Vector2fc;
@@ -69,7 +68,7 @@ public final class ShaderProgram extends Resource {
         }
         String log = ShaderUtil.getShaderInfoLog(gl, shader);
         gl.glDeleteShader(shader);
-        throw CompilerLog.failure("compiling " + source.name(), source, log);
+        throw source.failure("compiling " + source.name(), log);
     }
 
     private static int link(GL3 gl, int vertexShader, int fragmentShader, ShaderSource vertex, ShaderSource fragment) {
@@ -86,7 +85,7 @@ public final class ShaderProgram extends Resource {
         }
         String log = ShaderUtil.getProgramInfoLog(gl, program);
         gl.glDeleteProgram(program);
-        throw CompilerLog.failure("linking " + vertex.name() + " with " + fragment.name(), fragment, log);
+        throw fragment.failure("linking " + vertex.name() + " with " + fragment.name(), log);
     }
 
     void use(GL3 gl) {
@@ -97,7 +96,7 @@ public final class ShaderProgram extends Resource {
         uniforms.bind(gl, device(), textures, target);
     }
 
-    /** Sets a uniform of one of the given types, which GLSL calls {@code value}. */
+    /** @param value GLSL's name of the types, for messages */
     private void set(String uniform, String value, BiConsumer<GL3, GlUniforms.Uniform> setter, int... types) {
         GL3 gl = gl();
         gl.glUseProgram(name);
@@ -147,7 +146,7 @@ public final class ShaderProgram extends Resource {
     }
 
     /**
-     * Sets the first elements of a {@code float[]}, {@code vec2[]}, {@code vec3[]} or {@code vec4[]}, or one vector.
+     * Sets the first elements of an array of {@code float}s or vectors, or one vector.
      *
      * @param values components one after the other; elements past the array's end are ignored
      * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
@@ -156,7 +155,7 @@ public final class ShaderProgram extends Resource {
         set(uniform, "float[]", values, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
     }
 
-    /** Sets the first elements of an {@code int[]}, {@code ivec2[]}, {@code ivec3[]} or {@code ivec4[]}, or one vector, as with floats. */
+    /** As with floats. */
     public void set(String uniform, int[] values) {
         BiConsumer<GL3, GlUniforms.Uniform> setter = (gl, found) -> {
             int count = elements(found, values.length);

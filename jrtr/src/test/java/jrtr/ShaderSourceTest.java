@@ -1,13 +1,13 @@
-package jrtr.glsl;
+package jrtr;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
-import jrtr.ShaderSource;
+import jrtr.glsl.ShaderTexts;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class CompilerLogTest {
+class ShaderSourceTest {
     /** Expanded line 4 is line 2 of lens.glsl. */
     private final ShaderSource source = ShaderTexts.of(Map.of(
                     "root.glsl", "#version 330 core\nfloat a;\n#include \"lens.glsl\"\n",
@@ -34,7 +34,7 @@ class CompilerLogTest {
                 "0:2(1): warning: odd;0:2(3): error: a;0:4(1): error: b | root.glsl:2: a: `float a;` [doing, and 1 more]"
             })
     void theMessageOfEveryDriverNamesTheAuthorsLine(String log, String message) {
-        assertThat(CompilerLog.failure("doing", source, log.replace(";", "\n") + "\n\0"))
+        assertThat(source.failure("doing", log.replace(";", "\n") + "\n\0"))
                 .hasMessage(message);
     }
 }
