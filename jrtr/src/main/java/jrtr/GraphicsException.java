@@ -7,9 +7,8 @@ package jrtr;
 public class GraphicsException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
-    /** @param message what failed and how to mend it; line breaks are replaced by spaces */
     public GraphicsException(String message) {
-        super(oneLine(message));
+        this(message, null);
     }
 
     /**

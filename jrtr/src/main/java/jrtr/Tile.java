@@ -4,12 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A rectangle of pixels of an image, at a distance from the image's top left corner.
+ * A rectangle of pixels of an image, of at least one pixel.
  *
  * @param x columns to its left, at least 0
  * @param y rows above it, at least 0
- * @param width columns, at least 1
- * @param height rows, at least 1
  */
 public record Tile(int x, int y, int width, int height) {
 
@@ -24,26 +22,17 @@ public record Tile(int x, int y, int width, int height) {
         return new Tile(0, 0, width, height);
     }
 
-    /**
-     * Returns tiles that cover an image exactly once, row by row from the top left.
-     *
-     * @param side width and height of each tile, at least 1; those at the right and the bottom are cut
-     */
+    /** Returns square tiles that cover an image, as {@link #divide(int, int)}. */
     public static List<Tile> cover(int width, int height, int side) {
         return whole(width, height).divide(side);
     }
 
-    /**
-     * Returns square tiles that cover this one exactly once, row by row from the top left.
-     *
-     * @param side of each tile, at least 1; those at the right and the bottom are cut
-     */
     public List<Tile> divide(int side) {
         return divide(side, side);
     }
 
     /**
-     * Returns tiles of the given width and height that cover this one exactly once, row by row from the top left.
+     * Returns tiles that cover this one exactly once, row by row from the top left.
      *
      * @param columns width of each tile, at least 1; those at the right are cut
      * @param rows height of each tile, at least 1; those at the bottom are cut
@@ -72,7 +61,6 @@ public record Tile(int x, int y, int width, int height) {
         return (long) width * height;
     }
 
-    /** True if the whole tile lies in an image of this size. */
     public boolean fitsIn(int imageWidth, int imageHeight) {
         return (long) x + width <= imageWidth && (long) y + height <= imageHeight;
     }

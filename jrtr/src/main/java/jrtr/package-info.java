@@ -1,13 +1,6 @@
 /**
  * jrtr, a small real-time rendering engine. This package has the values that the engine's packages share; they do not depend on OpenGL.
- *
- * <p>Its packages:
- *
- * <ul>
- * <li>{@code jrtr.gl}: contexts, programs, textures and targets, on JOGL. Start at {@link jrtr.gl.RenderContext}.
- * <li>{@code jrtr.glsl}: include expansion, source maps and parsing of compiler logs. Plain string code without OpenGL.
- * <li>{@link jrtr.scene}: the scene graph (groups, shapes, lights, view); uses {@code jrtr.gl}. Start at {@link jrtr.scene.SceneGraph}.
- * </ul>
+ * Start at {@link jrtr.gl.RenderContext} and {@link jrtr.scene.SceneGraph}.
  *
  * <p>Conventions: images and rectangles are counted from the top left, row 0 is the top one; the implementation converts to OpenGL's
  * bottom-up rows. A resource belongs to the context that made it, is freed by its own {@code close()} or by the context's, and may be used

@@ -28,10 +28,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Shape of a render target.
+     * Shape of a render target, each side at least 1 pixel.
      *
-     * @param width pixels per row, at least 1
-     * @param height rows, at least 1
      * @param colors number of color images, at least 1; the fragment shader's {@code layout(location = i) out vec4} writes image i
      * @param depth whether there is a 32-bit float depth image
      */
@@ -47,7 +45,6 @@ public final class FloatTarget extends Resource {
             this(width, height, colors, depth, Format.RGBA32F);
         }
 
-        /** Returns the shape of a target with one color image of floats and no depth. */
         public static Spec color(int width, int height) {
             return new Spec(width, height, 1, false);
         }
@@ -151,11 +148,7 @@ public final class FloatTarget extends Resource {
         return spec.height() - tile.y() - tile.height();
     }
 
-    /**
-     * Sets the tile's pixels of every color image to a color, and their depth, if the target has one, to 1 (the far plane).
-     *
-     * @throws IllegalArgumentException if the tile is not inside
-     */
+    /** Sets the tile's pixels of every color image to a color, and their depth, if the target has one, to 1 (the far plane). */
     public void clear(Tile tile, float red, float green, float blue, float alpha) {
         requireInside(tile);
         GL3 gl = gl();
@@ -172,12 +165,6 @@ public final class FloatTarget extends Resource {
         device().check(gl, "clearing '" + label() + "'");
     }
 
-    /**
-     * Reads a whole image: {@code 4 * width * height} floats, RGBA interleaved, row 0 on top.
-     *
-     * @param color index of the image, from 0
-     * @throws GraphicsException if the image has more floats than a Java array can hold; read such an image tile by tile
-     */
     public float[] read(int color) {
         return read(color, Tile.whole(spec.width(), spec.height()));
     }
@@ -185,7 +172,8 @@ public final class FloatTarget extends Resource {
     /**
      * Reads part of an image: {@code 4 * tile.width * tile.height} floats, RGBA interleaved, the tile's top row first.
      *
-     * @throws IllegalArgumentException if the tile is not inside
+     * @param color index of the image, from 0
+     * @throws GraphicsException if these are more floats than a Java array can hold
      */
     public float[] read(int color, Tile tile) {
         requireColor(color);
@@ -196,12 +184,7 @@ public final class FloatTarget extends Resource {
         return pixels;
     }
 
-    /**
-     * Reads part of an image as 0xAARRGGBB pixels, each channel clamped to [0, 1] and rounded to 8 bits, the tile's top row
-     * first.
-     *
-     * @throws IllegalArgumentException if the tile is not inside
-     */
+    /** Reads part of an image as 0xAARRGGBB pixels, each channel clamped to [0, 1] and rounded to 8 bits, the tile's top row first. */
     public int[] readColors(int color, Tile tile) {
         requireColor(color);
         requireInside(tile);
@@ -250,8 +233,6 @@ public final class FloatTarget extends Resource {
     /**
      * Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row, as in {@code
      * gl_FragCoord}.
-     *
-     * @param color index of the image, from 0
      */
     public Texture texture(int color) {
         requireColor(color);
@@ -259,12 +240,7 @@ public final class FloatTarget extends Resource {
         return images.get(color);
     }
 
-    /**
-     * Returns the depth as a texture (nearest, clamped) for a later draw into another target: 0 at the near plane, 1 at the far plane and
-     * in cleared pixels.
-     *
-     * @throws IllegalStateException for a target without depth
-     */
+    /** Returns the depth as a texture like {@link #texture}: 0 at the near plane, 1 at the far plane and in cleared pixels. */
     public Texture depth() {
         requireDepth();
         gl();
@@ -281,11 +257,7 @@ public final class FloatTarget extends Resource {
         copy(from, from.spec.width() == spec.width() ? 1 : 2, GL3.GL_COLOR_BUFFER_BIT, GL3.GL_LINEAR);
     }
 
-    /**
-     * Copies the depth of another target into this one.
-     *
-     * @param from target of the same size; both have depth
-     */
+    /** @param from target of the same size; both have depth */
     public void copyDepthFrom(FloatTarget from) {
         copy(from, 1, GL3.GL_DEPTH_BUFFER_BIT, GL3.GL_NEAREST);
     }

@@ -45,14 +45,9 @@ public final class FloatTexture extends Texture {
     }
 
     /**
-     * Shape of a float texture.
+     * Shape of a float texture: texels per row, rows and layers, each at least 1.
      *
-     * @param width texels per row, at least 1
-     * @param height rows, at least 1
-     * @param layers layers, at least 1
      * @param array whether the sampler is a {@code sampler2DArray}; otherwise it is a {@code sampler2D}, and there is one layer
-     * @param format number and size of a texel's channels
-     * @param filter interpolation between texels; the static factories choose {@link Filter#NEAREST}
      */
     public record Spec(int width, int height, int layers, boolean array, Format format, Filter filter) {
         public Spec {
@@ -62,12 +57,12 @@ public final class FloatTexture extends Texture {
             }
         }
 
-        /** Returns the shape of a texture with one layer, for a {@code sampler2D}. */
+        /** For a {@code sampler2D}, with {@link Filter#NEAREST}. */
         public static Spec flat(int width, int height, Format format) {
             return new Spec(width, height, 1, false, format, Filter.NEAREST);
         }
 
-        /** Returns the shape of a texture with layers of one size, for a {@code sampler2DArray}. */
+        /** For a {@code sampler2DArray}, with {@link Filter#NEAREST}. */
         public static Spec array(int width, int height, int layers, Format format) {
             return new Spec(width, height, layers, true, format, Filter.NEAREST);
         }
@@ -106,12 +101,7 @@ public final class FloatTexture extends Texture {
         return this;
     }
 
-    /**
-     * Uploads a texture of one layer.
-     *
-     * @param texels width x height x channels floats
-     * @throws IllegalArgumentException if there are more or fewer
-     */
+    /** Uploads a texture of one layer, as {@link #uploadLayer(int, FloatBuffer)}. */
     public void upload(float[] texels) {
         uploadLayer(0, FloatBuffer.wrap(texels));
     }
@@ -129,11 +119,9 @@ public final class FloatTexture extends Texture {
     }
 
     /**
-     * Uploads one layer of a texture with floats of 16 bits.
+     * Uploads one layer as {@link #uploadLayer(int, FloatBuffer)}, from bit patterns of IEEE 754 binary16 floats.
      *
-     * @param texels width x height x channels bit patterns of IEEE 754 binary16 floats, from the buffer's position, which does not change,
-     *     to its limit
-     * @throws IllegalArgumentException if the number of floats differs, there is no such layer, or the texture has floats of 32 bits
+     * @throws IllegalArgumentException also if the texture has floats of 32 bits
      */
     public void uploadLayer(int layer, ShortBuffer texels) {
         if (spec.format().bytesPerChannel != Short.BYTES) {

@@ -19,9 +19,8 @@ import jrtr.glsl.ShaderLibrary;
  */
 public final class RenderContext implements AutoCloseable {
     private final GlDevice device;
-    /** Empty: the corners of full-screen triangles follow from the vertex number. */
+    // Empty: the corners of full-screen triangles follow from the vertex number.
     private final int[] noVertices = new int[1];
-
     private final ShaderSource fullScreenVertices = ShaderLibrary.ofEngine().load("jrtr/fullscreen.vert.glsl");
 
     /** Sides of triangles that a draw rasterizes. */
@@ -61,8 +60,7 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Compiles a fragment shader for {@link #drawFullScreen}; the engine's vertex shader has no
-     * outputs.
+     * Compiles a fragment shader for {@link #drawFullScreen}, without inputs.
      *
      * @throws GraphicsException if compilation fails, with file and line
      */
@@ -85,20 +83,12 @@ public final class RenderContext implements AutoCloseable {
         return ShaderProgram.create(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
     }
 
-    /**
-     * Uploads triangles.
-     *
-     * @throws GraphicsException if the driver has not enough memory
-     */
+    /** @throws GraphicsException if the driver has not enough memory */
     public VertexBuffer createVertexBuffer(String label, VertexData data) {
         return VertexBuffer.create(device, label, data);
     }
 
-    /**
-     * Allocates a float texture.
-     *
-     * @throws GraphicsException if the driver does not allow that size; the message names the size and the limit
-     */
+    /** @throws GraphicsException if the driver does not allow that size; the message names the size and the limit */
     public FloatTexture createFloatTexture(String label, FloatTexture.Spec spec) {
         return FloatTexture.create(device, label, spec);
     }
@@ -108,18 +98,13 @@ public final class RenderContext implements AutoCloseable {
      *
      * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
      * @throws GraphicsException if the driver does not allow that size
-     * @throws IllegalArgumentException if the sides and the number of bytes do not fit together
      */
     public ImageTexture createImageTexture(
             String label, int width, int height, byte[] rgba, ImageTexture.Encoding encoding) {
         return ImageTexture.create(device, label, width, height, rgba, encoding);
     }
 
-    /**
-     * Allocates a render target.
-     *
-     * @throws GraphicsException if the driver does not allow that size
-     */
+    /** @throws GraphicsException if the driver does not allow that size */
     public FloatTarget createFloatTarget(String label, FloatTarget.Spec spec) {
         return FloatTarget.create(device, label, spec);
     }
@@ -128,8 +113,7 @@ public final class RenderContext implements AutoCloseable {
      * Runs the fragment shader once for each pixel of the tile and for no other, without depth test and blending. {@code gl_FragCoord} is
      * relative to the whole target, so tiles that cover a target draw the same picture as one draw.
      *
-     * @param program program whose samplers are all bound
-     * @param textures textures by sampler name; names follow {@link ShaderProgram}'s rules
+     * @param textures textures by sampler name, one for each sampler; names follow {@link ShaderProgram}'s rules
      * @param tile must lie inside the target
      */
     public void drawFullScreen(ShaderProgram program, Map<String, Texture> textures, FloatTarget target, Tile tile) {
@@ -148,12 +132,10 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Draws triangles to the tile and to no other pixel, with depth test and without blending. The tile only clips, so tiles that cover a
-     * target draw the same picture as one draw, bit for bit.
+     * Draws triangles as {@link #drawFullScreen} does, with depth test.
      *
-     * @param program made by {@link #createMeshProgram}; every sampler it uses must be bound
+     * @param program made by {@link #createMeshProgram}
      * @param target target with depth
-     * @param tile must lie inside the target
      */
     public void draw(
             ShaderProgram program,
@@ -217,7 +199,7 @@ public final class RenderContext implements AutoCloseable {
         device.check(gl, "finishing");
     }
 
-    /** Frees all resources and the context; harmless when repeated. */
+    /** Frees all resources, too; harmless when repeated. */
     @Override
     public void close() {
         device.close();

@@ -3,9 +3,9 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
-import jrtr.BoundingSphere;
 import jrtr.GraphicsException;
 import jrtr.VertexData;
+import jrtr.VertexData.BoundingSphere;
 
 /** Triangle mesh in graphics memory, uploaded once by {@link RenderContext#createVertexBuffer}. */
 public final class VertexBuffer extends Resource {
@@ -75,7 +75,6 @@ public final class VertexBuffer extends Resource {
         gl.glDeleteBuffers(buffers.length, buffers, 0);
     }
 
-    /** Returns a sphere that encloses all vertices. */
     public BoundingSphere bounds() {
         return bounds;
     }

@@ -27,11 +27,6 @@ public interface ShaderLibrary {
      */
     Optional<String> text(String name);
 
-    /**
-     * Loads a file without defines.
-     *
-     * @throws GraphicsException as in {@link #load(String, Map)}
-     */
     default ShaderSource load(String name) {
         return load(name, Map.of());
     }
@@ -39,9 +34,7 @@ public interface ShaderLibrary {
     /**
      * Returns the file with its includes expanded.
      *
-     * @param name of the root file
-     * @param defines values by name, in any order; they become {@code #define NAME value} lines after {@code #version}, which are sorted by
-     *     name, so that equal defines give equal text
+     * @param defines values by name; they become {@code #define NAME value} lines after {@code #version}, sorted by name
      * @throws GraphicsException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
      */
     default ShaderSource load(String name, Map<String, String> defines) {
@@ -53,11 +46,7 @@ public interface ShaderLibrary {
         return name -> text(name).or(() -> other.text(name));
     }
 
-    /**
-     * Returns a library of files (UTF-8) on the class path.
-     *
-     * @param folder root, such as {@code sunbeam/shaders}
-     */
+    /** Returns a library of files (UTF-8) in a folder of the class path, such as {@code sunbeam/shaders}. */
     static ShaderLibrary ofClassPath(ClassLoader loader, String folder) {
         return name -> {
             try (InputStream stream = loader.getResourceAsStream(folder + "/" + name)) {
@@ -71,8 +60,8 @@ public interface ShaderLibrary {
     }
 
     /**
-     * Returns the shader files that come with the engine; their names begin with {@code jrtr/}. An application appends them to its own with
-     * {@link #orElse}. Fragment shaders of meshes may include {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
+     * Returns the shader files that come with the engine; their names begin with {@code jrtr/}. Fragment shaders of meshes may include
+     * {@code jrtr/surface.glsl} and {@code jrtr/tangent_frame.glsl}.
      */
     static ShaderLibrary ofEngine() {
         String prefix = "jrtr/";

@@ -1,5 +1,2 @@
-/**
- * Preparation of shader text for the driver: libraries of named files, include expansion with the origin of every line, the
- * prologue of defines, parsing of compiler logs. Plain string code that needs no graphics.
- */
+/** Preparation of shader text for the driver: libraries, include expansion with the origin of every line, defines. Needs no graphics. */
 package jrtr.glsl;

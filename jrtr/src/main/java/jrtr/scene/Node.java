@@ -17,7 +17,6 @@ public sealed interface Node {
      * Group of nodes with a transformation.
      *
      * @param toParent matrix M from the children's coordinates v to the parent's, {@code M * v}; affine; copied
-     * @param children child nodes; copied
      */
     record Group(Matrix4fc toParent, List<Node> children) implements Node {
         /** @throws IllegalArgumentException if the transformation is not affine, not finite or flattens space */
@@ -45,8 +44,6 @@ public sealed interface Node {
      * jrtr/surface.glsl) are set by {@link SceneGraph#draw}; the shape sets all others, for example those of {@link #tangentsTurned}.
      *
      * @param program from {@link RenderContext#createMeshProgram}; several shapes may share it
-     * @param textures by sampler name
-     * @param uniforms {@code float}s by name
      */
     record Shape(
             VertexBuffer vertices,
@@ -73,7 +70,7 @@ public sealed interface Node {
     /**
      * A directional light: parallel rays, as from the sun. Parent groups transform its direction.
      *
-     * @param towards unit vector from the scene to the light; normalized by the constructor
+     * @param towards direction from the scene to the light; normalized
      * @param radiance linear color in the unit of the application's shaders; copied
      */
     record Light(Vector3fc towards, Vector3fc radiance) implements Node {
@@ -90,7 +87,6 @@ public sealed interface Node {
             radiance = new Vector3f(radiance);
         }
 
-        /** Returns this light with its direction transformed by the matrix's linear part. */
         public Light transformed(Matrix4fc transformation) {
             return new Light(transformation.transformDirection(towards, new Vector3f()), radiance);
         }

@@ -3,8 +3,8 @@ package jrtr.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import jrtr.BoundingSphere;
 import jrtr.Tile;
+import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
@@ -19,17 +19,13 @@ public record SceneGraph(Node root, View view) {
     /** Factor on bounding radii, because the frustum's planes from float matrices err by a few 1e-6. */
     private static final float CULLING_RADIUS_FACTOR = 1.001f;
 
-    /**
-     * Shape with its transformation to world space.
-     *
-     * @param modelToWorld affine, copied
-     */
+    /** @param modelToWorld affine, copied */
     record ShapeInstance(Node.Shape shape, Matrix4fc modelToWorld) {
         ShapeInstance {
             modelToWorld = new Matrix4f(modelToWorld);
         }
 
-        /** Returns a sphere in world space that encloses the shape. */
+        /** In world space. */
         BoundingSphere bounds() {
             return shape.vertices().bounds().transformed(modelToWorld);
         }
@@ -62,13 +58,11 @@ public record SceneGraph(Node root, View view) {
 
     /**
      * Clears the tile to zeros and draws the scene there; no pixel outside is touched. Tiles that cover the target give the same picture as
-     * one draw, bit for bit. Pixels without a shape stay zero, so a shader that writes alpha 1 marks the covered pixels.
+     * one draw, bit for bit. Pixels without a shape stay zero.
      *
      * @param area part of the picture that the target shows; it has the target's size in pixels
      * @param target target with depth
-     * @param tile tile inside the target
-     * @throws IllegalArgumentException if the scene has more than {@link Node.Light#MOST} lights, or target, area and tile do not fit
-     *     together
+     * @throws IllegalArgumentException if the scene has more than {@link Node.Light#MOST} lights
      */
     public void draw(RenderContext context, View.Area area, FloatTarget target, Tile tile) {
         if (area.part().width() != target.spec().width()

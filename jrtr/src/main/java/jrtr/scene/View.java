@@ -4,6 +4,7 @@ import jrtr.Tile;
 import jrtr.gl.ShaderProgram;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
+import org.joml.Vector3fc;
 
 /**
  * Perspective view from a camera.
@@ -27,7 +28,6 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         }
     }
 
-    /** View with the same vertical angle for every aspect. */
     public View(Camera camera, float verticalFieldOfView, float near, float far) {
         this(camera, verticalFieldOfView, 0, near, far);
     }
@@ -45,7 +45,6 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         return area.isWhole() ? whole : area.wholeToPart().mul(whole);
     }
 
-    /** Returns the matrix from world space to clip space for a picture or a part of it. */
     public Matrix4f worldToClip(Area area) {
         return cameraToClip(area).mul(camera.worldToCamera());
     }
@@ -79,8 +78,6 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
     /**
      * Part of a picture that a target shows. Pictures larger than the driver's largest target are drawn in parts.
      *
-     * @param pictureWidth pixels per row of the whole picture
-     * @param pictureHeight rows of the whole picture
      * @param part rectangle of the picture, of the target's size
      */
     public record Area(int pictureWidth, int pictureHeight, Tile part) {
@@ -100,7 +97,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
             return part.width() == pictureWidth && part.height() == pictureHeight;
         }
 
-        /** Returns the part of the picture that a tile of the target shows. */
+        /** @param tile tile of the target */
         Area within(Tile tile) {
             return new Area(pictureWidth, pictureHeight, part.part(tile));
         }
@@ -112,6 +109,43 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
             double moveX = (pictureWidth - 2.0 * part.x() - part.width()) / part.width();
             double moveY = (pictureHeight - 2 * bottom - part.height()) / part.height();
             return new Matrix4f().translation((float) moveX, (float) moveY, 0).scale((float) scaleX, (float) scaleY, 1);
+        }
+    }
+
+    /**
+     * Position and orientation of a camera in world space, in meters; vectors are copied.
+     *
+     * @param centerOfProjection the eye
+     * @param lookAtPoint point shown at the picture's center
+     * @param up points upwards in the picture; any length above 0, not along the line of sight
+     */
+    public record Camera(Vector3fc centerOfProjection, Vector3fc lookAtPoint, Vector3fc up) {
+
+        public Camera {
+            centerOfProjection = new Vector3f(centerOfProjection);
+            lookAtPoint = new Vector3f(lookAtPoint);
+            up = new Vector3f(up);
+            Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
+            float across = sight.cross(up, new Vector3f()).length();
+            // In float32, at an angle of 1e-5 between the line of sight and up, only two digits of the picture's x axis
+            // are
+            // correct.
+            if (!(across > 1e-5f * sight.length() * up.length()) || Float.isInfinite(across)) {
+                throw new IllegalArgumentException("camera at " + numbers(centerOfProjection) + " looking at "
+                        + numbers(lookAtPoint) + " with up " + numbers(up)
+                        + " has no picture: eye and point must differ and up must not lie along the line of sight");
+            }
+        }
+
+        private static String numbers(Vector3fc vector) {
+            return "(" + vector.x() + ", " + vector.y() + ", " + vector.z() + ")";
+        }
+
+        /**
+         * Returns the matrix from world to camera space, where the eye is at the origin and looks along -z, with y upwards and x to the right.
+         */
+        public Matrix4f worldToCamera() {
+            return new Matrix4f().lookAt(centerOfProjection, lookAtPoint, up);
         }
     }
 }

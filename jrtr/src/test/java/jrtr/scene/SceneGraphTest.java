@@ -15,6 +15,7 @@ import jrtr.gl.ShaderProgram;
 import jrtr.scene.Node.Group;
 import jrtr.scene.Node.Light;
 import jrtr.scene.Node.Shape;
+import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.BeforeAll;

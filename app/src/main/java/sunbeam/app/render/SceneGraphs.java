@@ -2,11 +2,11 @@ package sunbeam.app.render;
 
 import java.util.List;
 import java.util.stream.Stream;
-import jrtr.BoundingSphere;
-import jrtr.scene.Camera;
+import jrtr.VertexData.BoundingSphere;
 import jrtr.scene.Node;
 import jrtr.scene.SceneGraph;
 import jrtr.scene.View;
+import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;

@@ -1,6 +1,6 @@
 package sunbeam.app.scene;
 
-import jrtr.scene.Camera;
+import jrtr.scene.View.Camera;
 
 /**
  * Camera and field of view of a scene.

@@ -3,7 +3,7 @@ package sunbeam.app.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
-import jrtr.BoundingSphere;
+import jrtr.VertexData.BoundingSphere;
 import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;

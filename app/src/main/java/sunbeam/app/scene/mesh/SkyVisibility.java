@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import jrtr.BoundingSphere;
+import jrtr.VertexData.BoundingSphere;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import sunbeam.app.files.cache.BlobCache;

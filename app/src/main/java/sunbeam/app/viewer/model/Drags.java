@@ -1,7 +1,7 @@
 package sunbeam.app.viewer.model;
 
-import jrtr.BoundingSphere;
-import jrtr.scene.Camera;
+import jrtr.VertexData.BoundingSphere;
+import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
