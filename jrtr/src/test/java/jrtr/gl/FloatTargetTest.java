@@ -112,8 +112,7 @@ class FloatTargetTest extends InARendering {
 
         assertThatThrownBy(() -> rendering.target(side, 1))
                 .isInstanceOf(GraphicsException.class)
-                .hasMessageContaining("needs " + side + " x 1 pixels")
-                .hasMessageContaining("at most");
+                .hasMessageContainingAll("needs " + side + " x 1 pixels", "at most");
         assertThatThrownBy(() -> rendering.context.createFloatTarget("many", new FloatTarget.Spec(1, 1, 1000, false)))
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("1000 images");

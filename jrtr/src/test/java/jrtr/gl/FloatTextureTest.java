@@ -102,13 +102,11 @@ class FloatTextureTest extends InARendering {
         assertThatThrownBy(() -> rendering.context.createFloatTexture(
                         "too wide", FloatTexture.Spec.flat(side, 1, FloatTexture.Format.R32F)))
                 .isInstanceOf(GraphicsException.class)
-                .hasMessageContaining("'too wide' needs " + side + " x 1 texels")
-                .hasMessageContaining("at most " + limits.textureSize());
+                .hasMessageContainingAll("'too wide' needs " + side + " x 1 texels", "at most " + limits.textureSize());
         assertThatThrownBy(() -> rendering.context.createFloatTexture(
                         "too deep", FloatTexture.Spec.array(1, 1, limits.arrayLayers() + 1, FloatTexture.Format.R32F)))
                 .isInstanceOf(GraphicsException.class)
-                .hasMessageContaining((limits.arrayLayers() + 1) + " layers")
-                .hasMessageContaining("at most " + limits.arrayLayers());
+                .hasMessageContainingAll((limits.arrayLayers() + 1) + " layers", "at most " + limits.arrayLayers());
     }
 
     @Test
@@ -125,8 +123,7 @@ class FloatTextureTest extends InARendering {
                 .hasMessageContaining("no texture is bound to sampler 't'");
         assertThatThrownBy(() -> rendering.drawn(program, 1, 1, Map.of("t", array)))
                 .isInstanceOf(GraphicsException.class)
-                .hasMessageContaining("'table' is an array")
-                .hasMessageContaining("sampler2D t");
+                .hasMessageContainingAll("'table' is an array", "sampler2D t");
         assertThatThrownBy(() -> rendering.drawn(program, 1, 1, Map.of("u", flat)))
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageContaining("no uniform 'u'");

@@ -29,8 +29,7 @@ class ShaderProgramTest extends InARendering {
         assertThatThrownBy(() -> rendering.context.createFullScreenProgram(broken))
                 .isInstanceOf(GraphicsException.class)
                 .hasMessageStartingWith("lens.glsl:3: ")
-                .hasMessageContaining("distanze")
-                .hasMessageContaining("`return distanze;`")
+                .hasMessageContainingAll("distanze", "`return distanze;`")
                 .hasMessageEndingWith("]")
                 .hasMessageNotContaining("\n");
         // The driver's own report of the failure must not be mistaken for a later call's.
@@ -44,8 +43,7 @@ class ShaderProgramTest extends InARendering {
 
         assertThatThrownBy(() -> rendering.context.createFullScreenProgram(fragment))
                 .isInstanceOf(GraphicsException.class)
-                .hasMessageContaining("linking jrtr/fullscreen.vert.glsl with test.frag.glsl")
-                .hasMessageContaining("missing");
+                .hasMessageContainingAll("linking jrtr/fullscreen.vert.glsl with test.frag.glsl", "missing");
         rendering.context.finish();
     }
 
@@ -81,8 +79,7 @@ class ShaderProgramTest extends InARendering {
 
         assertThatThrownBy(() -> program.set("gian", 1f))
                 .isInstanceOf(GraphicsException.class)
-                .hasMessageContaining("no uniform 'gian'")
-                .hasMessageContaining("float gain, vec3 light");
+                .hasMessageContainingAll("no uniform 'gian'", "float gain, vec3 light");
     }
 
     @Test

@@ -163,7 +163,6 @@ class FillLightsTest extends InAContext {
                         + " }");
         assertThatThrownBy(() -> SceneReader.read(file))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining(words)
-                .hasMessageContaining("fillLights");
+                .hasMessageContainingAll(words, "fillLights");
     }
 }

@@ -180,8 +180,7 @@ class OrientationMapTest extends InAContext {
 
         assertThatThrownBy(() -> PlaneScenes.load(mapped(PlaneScenes.blaze(), map, 0), folder))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining(map)
-                .hasMessageContaining(complaint);
+                .hasMessageContainingAll(map, complaint);
     }
 
     @Test

@@ -157,8 +157,8 @@ class PatchAtlasTest extends InAContext {
 
         assertThatThrownBy(() -> loader().parts(scene(map, red, blue)))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining(map)
-                .hasMessageContaining("has #7f007f in column 0, row 1, which has no patch; known are #0000ff, #ff0000");
+                .hasMessageContainingAll(
+                        map, "has #7f007f in column 0, row 1, which has no patch; known are #0000ff, #ff0000");
         assertThatThrownBy(() -> loader().parts(scene(map, red, blue, mean, region(0x00ff00, "blaze"))))
                 .hasMessageContaining("has nowhere #00ff00");
         assertThatThrownBy(() -> loader().parts(scene(folder + "/none.png", red)))
@@ -187,8 +187,7 @@ class PatchAtlasTest extends InAContext {
 
         assertThatThrownBy(() -> SceneReader.read(file))
                 .isInstanceOf(RuntimeException.class)
-                .hasMessageContaining("scene.json, line 1")
-                .hasMessageContaining(complaint)
+                .hasMessageContainingAll("scene.json, line 1", complaint)
                 .satisfies(failure -> assertThat(failure.getMessage().lines()).hasSize(1));
     }
 

@@ -20,8 +20,7 @@ final class ByteSizeTest {
                 new String[] {"", "1", "GB", "-1GB", "1,5GB", "1e3MB", "1 GBit", "1KiB", "2000000TB", "1..5GB"}) {
             assertThatThrownBy(() -> ByteSize.parse(wrong))
                     .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("'" + wrong + "'")
-                    .hasMessageContaining("give");
+                    .hasMessageContainingAll("'" + wrong + "'", "give");
         }
     }
 

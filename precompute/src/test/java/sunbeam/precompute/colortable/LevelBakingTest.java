@@ -2,17 +2,24 @@ package sunbeam.precompute.colortable;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.plan.GaussianArea;
 
+/** Tiles of a level: their baking, the interpolation between their texels, and the numbers that they store. */
 class LevelBakingTest {
     private static final TableDesign DESIGN = new TableDesign(0.02, 5);
     private static final TileGrid GRID = grid(Interpolation.CUBIC);
@@ -75,7 +82,7 @@ class LevelBakingTest {
                 BitSet one = new BitSet();
                 one.set(key);
                 List<byte[]> tiles = new LevelBaking(grid, NumberFormat.FLOAT).bake(one, WAVES, ColorBaker.Token.NONE);
-                return NumberFormatTest.decoded(tiles.get(0), NumberFormat.FLOAT);
+                return decoded(tiles.get(0), NumberFormat.FLOAT);
             });
             return tile[index];
         });
@@ -172,5 +179,101 @@ class LevelBakingTest {
                 }
             }
         }
+    }
+
+    /** By the standard's definition. */
+    static double value(short half) {
+        int exponent = (half >> 10) & 0x1f;
+        int fraction = half & 0x3ff;
+        double magnitude =
+                exponent == 0 ? Math.scalb((double) fraction, -24) : Math.scalb(1024.0 + fraction, exponent - 25);
+        return half < 0 ? -magnitude : magnitude;
+    }
+
+    /** Coefficients as the shader takes them. */
+    static float[] decoded(byte[] tile, NumberFormat numbers) {
+        ByteBuffer bytes = ByteBuffer.wrap(tile).order(ByteOrder.nativeOrder());
+        float[] values = new float[tile.length / numbers.bytes()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = numbers == NumberFormat.FLOAT
+                    ? bytes.getFloat(Float.BYTES * i)
+                    : (float) (value(bytes.getShort(Short.BYTES * i)) / numbers.scale());
+        }
+        return values;
+    }
+
+    @Test
+    void roundsToTheNearestHalfAndTiesToEven() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int bits = 0; bits < 0x7bff; bits++) {
+            double low = value((short) bits);
+            double high = value((short) (bits + 1));
+            assertThat(NumberFormat.half((float) low)).isEqualTo((short) bits);
+            float middle = (float) (0.5 * (low + high));
+            assertThat(NumberFormat.half(middle)).isEqualTo((short) (bits + (bits & 1)));
+            assertThat(NumberFormat.half(Math.nextDown(middle))).isEqualTo((short) bits);
+            assertThat(NumberFormat.half(Math.nextUp(middle))).isEqualTo((short) (bits + 1));
+            float some = (float) (low + (high - low) * random.nextDouble(0.51, 1));
+            assertThat(NumberFormat.half(-some)).isEqualTo((short) (0x8000 | (bits + 1)));
+        }
+    }
+
+    @Test
+    void largerNumbersBecomeTheLargestHalf() {
+        for (float large : new float[] {65504, 65519, 65520, 1e6f, Float.MAX_VALUE, Float.POSITIVE_INFINITY}) {
+            assertThat(value(NumberFormat.half(large))).isEqualTo(65504);
+            assertThat(value(NumberFormat.half(-large))).isEqualTo(-65504);
+        }
+    }
+
+    @Test
+    void rootsOfPowersFarBelowAMirrorsKeepElevenBits() {
+        for (double power = 1; power > 4e-14; power *= 0.37) {
+            float root = (float) Math.sqrt(power);
+            float[] kept = decoded(NumberFormat.HALF.encoded(new float[] {root, -root}), NumberFormat.HALF);
+            assertThat(Math.abs(kept[0] / root - 1)).isLessThanOrEqualTo(0x1p-11f);
+            assertThat(kept[1]).isEqualTo(-kept[0]);
+        }
+    }
+
+    // Float32 coefficients, at most six times as large as the values.
+    private static final double ROUNDING = 1e-6;
+
+    /** The spline at a sample: a sixth of each neighbor, mirrored at the ends. */
+    private static double at(float[] c, int i) {
+        int last = c.length - 1;
+        double before = c[i == 0 ? 1 : i - 1];
+        double after = c[i == last ? last - 1 : i + 1];
+        return (before + 4 * c[i] + after) / 6;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {11, 17, 100})
+    void goesThroughAllSamples(int count) {
+        Random random = new Random(count);
+        float[] samples = new float[count];
+        for (int i = 0; i < count; i++) {
+            samples[i] = random.nextFloat();
+        }
+        float[] coefficients = samples.clone();
+        Interpolation.CUBIC.toCoefficients(coefficients, count, 1);
+        for (int i = 0; i < count; i++) {
+            assertThat(at(coefficients, i)).as("sample %d", i).isCloseTo(samples[i], within(ROUNDING));
+        }
+    }
+
+    /** Tiles of an older filter of the same name are not taken for those of the present one. */
+    @Test
+    void keysContainTheFiltersImpulseResponse() {
+        for (Interpolation filter : Interpolation.values()) {
+            float[] impulse = new float[16];
+            impulse[8] = 1;
+            filter.toCoefficients(impulse, 16, 1);
+
+            for (float coefficient : impulse) {
+                assertThat(filter.key()).contains(String.valueOf(coefficient));
+            }
+        }
+        assertThat(Interpolation.CUBIC.key()).isNotEqualTo(Interpolation.SHIFTED_LINES.key());
     }
 }

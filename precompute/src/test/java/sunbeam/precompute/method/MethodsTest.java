@@ -2,6 +2,7 @@ package sunbeam.precompute.method;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static sunbeam.precompute.plan.MethodSettings.ANCHOR;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
@@ -13,11 +14,17 @@ import static sunbeam.precompute.plan.MethodSettings.TERMS;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.ErrorBudget;
@@ -28,8 +35,10 @@ import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
 import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
 /** Choices to methods: settings without a meaning for the method are refused. */
@@ -119,5 +128,58 @@ class MethodsTest {
                 .hasMessageStartingWith("window origin centre belongs to the Gaussian window, which replicas");
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(AVERAGE, Average.ENSEMBLE)))
                 .hasMessageStartingWith("average ensemble is not for replicas");
+    }
+
+    private final CieTable cie = CieTable.load();
+
+    @Test
+    void aNarrowOrderHasTheWidthOfItsGaussianInWavelength() {
+        double wavelength = 550.5e-9;
+        double width = 1e3;
+        double[] weight = NmmMethod.weight(cie, 1 / wavelength, width);
+        double expected =
+                Math.sqrt(Math.PI) * wavelength * wavelength * width * cie.at(wavelength, 1) / cie.integralOfY();
+        // 0.3 nm wide: S ybar is a straight line there, and lambda^2 bends by 1e-6.
+        assertThat(weight[1]).isCloseTo(expected, within(1e-5 * expected));
+    }
+
+    @Test
+    void ordersThatTileTheBandAddUpToWhite() {
+        double[] sum = new double[3];
+        double width = 2e4;
+        double step = width / 2;
+        for (double place = 1e6; place < 3e6; place += step) {
+            double[] piece = NmmMethod.weight(cie, place, width);
+            for (int c = 0; c < 3; c++) {
+                sum[c] += piece[c] * step / (Math.sqrt(Math.PI) * width);
+            }
+        }
+        // Gaussians half a width apart add up to 1 within 2 exp(-(pi / 0.5)^2) = 1e-17; the rest is that a quarter of a
+        // width, 1 to 3 nm, steps across the corners of the 1 nm table.
+        assertThat(sum[1]).isCloseTo(1, within(1e-3));
+    }
+
+    private static final TableMethod METHOD = new TableMethod(1e-2, GaussianArea.STANDARD);
+
+    private static String key(List<DirectionPair> pairs) {
+        HeightMap map = BuiltInPatches.generate("blaze");
+        Surface surface = new Surface(map, "blaze", "digest", CieTable.load());
+        return METHOD.plan(surface, VisibleRange.of(pairs)).key(MethodUse.COLOR);
+    }
+
+    private static List<DirectionPair> pairs(double middle) {
+        Direction light = new Direction(0, 0, 1);
+        return List.of(
+                new DirectionPair(light, Direction.ofDegrees(40, 0)),
+                new DirectionPair(light, Direction.ofDegrees(middle, 200)),
+                new DirectionPair(light, Direction.ofDegrees(40, 180)),
+                new DirectionPair(light, Direction.ofDegrees(40, 90)),
+                new DirectionPair(light, Direction.ofDegrees(40, 270)));
+    }
+
+    /** Both use texels of the coarsest table, but refined tables contain only one list's tiles. */
+    @Test
+    void listsThatDifferByLessThanATexelHaveTablesOfTheirOwn() {
+        assertThat(key(pairs(20))).isEqualTo(key(pairs(20))).isNotEqualTo(key(pairs(20.001)));
     }
 }

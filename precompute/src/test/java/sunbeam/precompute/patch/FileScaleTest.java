@@ -81,8 +81,7 @@ class FileScaleTest {
         Path file = file(HEADER + NUMBERS);
         assertThatThrownBy(() -> load(file, setting(key), word))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("contradicts")
-                .hasMessageContaining(complaint);
+                .hasMessageContainingAll("contradicts", complaint);
     }
 
     @ParameterizedTest
@@ -130,8 +129,7 @@ class FileScaleTest {
 
         assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("--columns is missing")
-                .hasMessageContaining("12 numbers in one row");
+                .hasMessageContainingAll("--columns is missing", "12 numbers in one row");
         HeightMap map =
                 load(file, WIDTH, "4um", HEIGHT_UNIT, "nm", COLUMNS, "4").heights();
         assertThat(map.rows()).isEqualTo(3);
@@ -148,8 +146,9 @@ class FileScaleTest {
 
         assertThatThrownBy(() -> load(file, WIDTH, "4um", MAX_HEIGHT, "534nm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--max-height 534 nm makes a relief of 0.285156 pm")
-                .hasMessageContaining("less than a hundredth of an atom; check both units");
+                .hasMessageContainingAll(
+                        "--max-height 534 nm makes a relief of 0.285156 pm",
+                        "less than a hundredth of an atom; check both units");
         HeightMap map = load(file, WIDTH, "4um", HEIGHT_UNIT, "m").heights();
         // Seven digits of a float.
         assertThat(map.relief()).isCloseTo(534e-9, within(5e-14));
@@ -187,7 +186,6 @@ class FileScaleTest {
 
         assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--height-unit nm is for numbers without unit")
-                .hasMessageContaining("--max-height");
+                .hasMessageContainingAll("--height-unit nm is for numbers without unit", "--max-height");
     }
 }

@@ -2,6 +2,7 @@ package sunbeam.precompute.patch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
 import static sunbeam.precompute.patch.PatchSettings.HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.LEVEL;
@@ -12,11 +13,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 
@@ -147,5 +150,46 @@ class PatchLoaderTest {
         assertThat(patch.heights().relief()).isLessThan(1e-21);
         assertThat(Arrays.stream(patch.heights().heights()).average().orElseThrow())
                 .isBetween(-1e-21, 1e-21);
+    }
+
+    /** Relative to the module's folder, in which tests run. */
+    private static final Path PATCHES = Path.of("..", "..", "shared", "patches");
+
+    private static Patch measured(String name) {
+        Path file = PATCHES.resolve(name + ".json");
+        assumeTrue(Files.exists(file), () -> "the measured patches are not there: " + file);
+        return PatchRequests.load(file);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // Full scale and the lowest and highest of 255 levels.
+        "elaphe, 1332, 65e-6, 375e-9, 0, 255",
+        "xenopeltis, 1332, 65e-6, 818.69e-9, 0, 252",
+        "blaze, 100, 2.5e-6, 250e-9, 0, 255"
+    })
+    void haveTheSizesAndHeightsOfTheThesis(
+            String name, int side, double width, double fullScale, int lowest, int highest) {
+        Patch patch = measured(name);
+        HeightMap heights = patch.heights();
+
+        assertThat(patch.name()).isEqualTo(name);
+        assertThat(heights.columns()).isEqualTo(side);
+        assertThat(heights.rows()).isEqualTo(side);
+        // One division and one multiplication.
+        assertThat(heights.width() / width - 1).isBetween(-3e-16, 3e-16);
+        assertThat(heights.pitchY()).isEqualTo(heights.pitchX());
+        // A few roundings of heights below 1 um.
+        assertThat(heights.relief() - fullScale * (highest - lowest) / 255).isBetween(-1e-21, 1e-21);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"elaphe, 8.2 %", "xenopeltis, 21.6 %"})
+    void snakeSkinsAreSteeperThanScalarTheoryLikesAndDoNotTile(String name, String share) {
+        List<String> warnings = measured(name).warnings();
+        assertThat(warnings).hasSize(2);
+        assertThat(warnings.get(0))
+                .startsWith("the scan's repetition has a step that draws a cross: opposite borders differ by");
+        assertThat(warnings.get(1)).startsWith("slopes too steep for scalar theory: " + share);
     }
 }

@@ -2,9 +2,14 @@ package sunbeam.precompute.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -13,6 +18,7 @@ import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
@@ -59,8 +65,7 @@ class PlannerTest {
     void aWindowNeedsSamples() {
         assertThatThrownBy(() -> plan(400e-9, request(120e-9)))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("coherence length 120 nm")
-                .hasMessageContaining("give 200 nm or more");
+                .hasMessageContainingAll("coherence length 120 nm", "give 200 nm or more");
         // Samples so far apart show no structure.
         HeightMap wide = new HeightMap(16, 16, 78e-6, 78e-6, new double[256]);
         assertThatThrownBy(() -> planner(wide).plan(STANDARD.table(), STANDARD.area(), MAP))
@@ -76,8 +81,7 @@ class PlannerTest {
                 .isBetween(16, 24);
         assertThatThrownBy(() -> plan(2e-6, request(taylor, 0, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("taylor reaches only")
-                .hasMessageContaining("use lowrank");
+                .hasMessageContainingAll("taylor reaches only", "use lowrank");
         assertThatThrownBy(() -> plan(5e-6, request(taylor, 37, 65e-6, 0)))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("taylor with 37 terms leaves the range of float32");
@@ -91,9 +95,10 @@ class PlannerTest {
 
         assertThatThrownBy(() -> planner.plan(STANDARD.table(), STANDARD.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("coherence length 65 um and")
-                .hasMessageContaining("MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB")
-                .hasMessageContaining("SUNBEAM_JAVA_OPTIONS=-Xmx");
+                .hasMessageContainingAll(
+                        "coherence length 65 um and",
+                        "MB of memory, but Java's heap may take " + Math.round(heap * 1e-6) + " MB",
+                        "SUNBEAM_JAVA_OPTIONS=-Xmx");
     }
 
     @Test
@@ -191,8 +196,7 @@ class PlannerTest {
 
         assertThatThrownBy(() -> planner(400e-9).plan(asked.table(), asked.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining("steps a pixel")
-                .hasMessageContaining("more than 60,000");
+                .hasMessageContainingAll("steps a pixel", "more than 60,000");
         // Shaders do not sum colors along rays.
         Planner ofTables = planner(400e-9).ofTables(Average.ENSEMBLE);
         SpectrumPlan plan = ofTables.plan(asked.table(), asked.area().with(Average.ENSEMBLE), VisibleRange.all());
@@ -236,5 +240,49 @@ class PlannerTest {
                 wavelengthStep == 0 ? Optional.empty() : Optional.of(wavelengthStep));
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
         return new Request(table, GaussianArea.STANDARD.with(window));
+    }
+
+    private static final int SIDE = 64;
+    private static final double WIDTH = 12e-6;
+    private static final double PERIOD = 1e-6;
+    private static final double RELIEF = 100e-9;
+
+    @Test
+    void roughSurfacesAreMeasuredInAllDirections() {
+        SplittableRandom random = new SplittableRandom(8);
+        Roughness roughness = measured(RELIEF, sample -> random.nextGaussian(), WIDTH);
+        assertTrue(roughness.isRough() && !roughness.areOrdersIsolated());
+        // White noise of a phase of radians scatters everywhere; grazing directions, with small w, leave more in the
+        // mirror direction.
+        assertTrue(roughness.bright() > 0.95 && roughness.diffracted() > 0.2, roughness.toString());
+        assertTrue(roughness.dark() < roughness.mean());
+    }
+
+    @Test
+    void betweenTheOrdersOfAGratingItIsDark() {
+        Roughness grating =
+                measured(RELIEF, sample -> Math.sin(2 * Math.PI * (sample % SIDE) * WIDTH / SIDE / PERIOD), WIDTH);
+        assertTrue(grating.areOrdersIsolated() && !grating.isRough(), grating.toString());
+    }
+
+    @Test
+    void windowsOfFewDeviationsHaveNoRoughness() {
+        SplittableRandom random = new SplittableRandom(8);
+        Roughness narrow = measured(RELIEF, sample -> random.nextGaussian(), WIDTH / 4);
+        assertEquals(Roughness.NONE, narrow);
+        assertFalse(narrow.isRough());
+    }
+
+    private static Roughness measured(double relief, IntToDoubleFunction shape, double coherenceLength) {
+        double[] heights = new double[SIDE * SIDE];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = relief * shape.applyAsDouble(i);
+        }
+        return Roughness.measure(
+                new HeightMap(SIDE, SIDE, WIDTH / SIDE, WIDTH / SIDE, heights),
+                CoherenceWindow.ofCoherenceLength(coherenceLength),
+                WindowOrigin.CENTRE,
+                VisibleRange.all(),
+                Roughness.Cache.NONE);
     }
 }

@@ -3,18 +3,26 @@ package sunbeam.precompute.reference;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.reference.AxisWeights.Axis;
+import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
+/** Symmetries of the reference, and its ensemble average as a mean over positions of the window. */
 class ReferenceEvaluatorTest {
     private static final double WAVELENGTH = 500e-9;
+
+    private final SplittableRandom random = new SplittableRandom(5);
 
     /** Windows smaller and larger than the patch, the latter with folded replicas. */
     @ParameterizedTest
@@ -41,5 +49,191 @@ class ReferenceEvaluatorTest {
         DirectionPair normal = new DirectionPair(new Direction(0, 0, 1), new Direction(0, 0, 1));
         assertThat(reference.sample(normal, WAVELENGTH).specular()).isLessThan(1e-28);
         assertThat(reference.sample(normal, WAVELENGTH / 2).specular()).isCloseTo(1, within(1e-14));
+    }
+
+    private static final CoherenceWindow WINDOW = new CoherenceWindow(1e-6);
+    private static final HeightMap SURFACE = Surfaces.random(14, 9, 90e-9, 500e-9, 11);
+
+    private final ReferenceEvaluator reference = new ReferenceEvaluator(SURFACE, WINDOW, WindowOrigin.CENTRE);
+
+    private double wavelength() {
+        return 380e-9 + 400e-9 * random.nextDouble();
+    }
+
+    @Test
+    void lightAndViewMayChangePlaces() {
+        for (int i = 0; i < 50; i++) {
+            DirectionPair there = DirectionPairs.random(random);
+            DirectionPair back = new DirectionPair(there.wr(), there.wi());
+            double wavelength = wavelength();
+            double brdf = Gain.brdf(there, WINDOW, wavelength);
+            assertThat(Gain.brdf(back, WINDOW, wavelength)).isCloseTo(brdf, within(1e-9 * brdf));
+            assertSame(reference.powers(there, wavelength), reference.powers(back, wavelength));
+        }
+    }
+
+    @Test
+    void powerStaysWhenUvwChangesItsSign() {
+        for (int i = 0; i < 50; i++) {
+            DirectionPair pair = DirectionPairs.random(random);
+            double wavelength = wavelength();
+            assertSame(reference.powers(pair, wavelength), reference.powers(DirectionPairs.opposite(pair), wavelength));
+        }
+    }
+
+    @Test
+    void heightOffsetsChangeNothing() {
+        // Heights at a millimeter have a rounding of 1e-19 m: phases move by 2 pi 1e-19 / lambda.
+        ReferenceEvaluator raised =
+                new ReferenceEvaluator(SURFACE.map(height -> height + 1e-3), WINDOW, WindowOrigin.CENTRE);
+        for (int i = 0; i < 50; i++) {
+            DirectionPair pair = DirectionPairs.random(random);
+            double wavelength = wavelength();
+            assertSame(reference.powers(pair, wavelength), raised.powers(pair, wavelength));
+        }
+    }
+
+    private static void assertSame(Power a, Power b) {
+        // Powers of this surface are above 1e-5: its rounding is 1e-12 of them.
+        assertThat(b.coherent()).isCloseTo(a.coherent(), within(1e-9 * a.coherent() + 1e-15));
+        assertThat(b.ensemble()).isCloseTo(a.ensemble(), within(1e-9 * a.ensemble() + 1e-15));
+    }
+
+    private static final int COLUMNS = 13;
+    private static final int ROWS = 8;
+    // A window as wide as half of the patch: its position matters.
+    private static final CoherenceWindow NARROW = new CoherenceWindow(0.25e-6);
+    private static final HeightMap ROUGH = Surfaces.random(COLUMNS, ROWS, 100e-9, 400e-9, 3);
+
+    private static double coherent(int right, int down, DirectionPair pair) {
+        double[] heights = new double[COLUMNS * ROWS];
+        for (int row = 0; row < ROWS; row++) {
+            for (int column = 0; column < COLUMNS; column++) {
+                heights[row * COLUMNS + column] =
+                        ROUGH.at(Math.floorMod(column - right, COLUMNS), Math.floorMod(row - down, ROWS));
+            }
+        }
+        HeightMap shifted = new HeightMap(COLUMNS, ROWS, ROUGH.pitchX(), ROUGH.pitchY(), heights);
+        return new ReferenceEvaluator(shifted, NARROW, WindowOrigin.CENTRE).coherent(pair, WAVELENGTH);
+    }
+
+    private static double ensemble(DirectionPair pair) {
+        return new ReferenceEvaluator(ROUGH, NARROW, WindowOrigin.CENTRE)
+                .powers(pair, WAVELENGTH)
+                .ensemble();
+    }
+
+    @Test
+    void meanOverAllPositionsIsTheEnsembleAverage() {
+        for (int i = 0; i < 20; i++) {
+            DirectionPair pair = DirectionPairs.random(random);
+            double sum = 0;
+            for (int right = 0; right < COLUMNS; right++) {
+                for (int down = 0; down < ROWS; down++) {
+                    sum += coherent(right, down, pair);
+                }
+            }
+            double expected = ensemble(pair);
+            // Cross terms of different bins cancel over whole periods.
+            assertThat(sum / (COLUMNS * ROWS)).isCloseTo(expected, within(1e-9 * expected));
+        }
+    }
+
+    /** |sum g(x - center) p exp(2 pi i f x)|^2 over all samples of the periodic patch, by the square of the window's integral. */
+    private static double windowedAt(HeightMap map, double sigma, double cx, double cy, DirectionPair pair) {
+        double real = 0;
+        double imaginary = 0;
+        double pitch = map.pitchX();
+        int reach = (int) Math.ceil(9 * sigma / pitch) + 1;
+        for (int i = (int) (cx / pitch) - reach; i <= cx / pitch + reach; i++) {
+            for (int j = (int) (cy / pitch) - reach; j <= cy / pitch + reach; j++) {
+                double x = i * pitch;
+                double y = j * pitch;
+                double gauss = Math.exp(-0.5 * (Math.pow(x - cx, 2) + Math.pow(y - cy, 2)) / (sigma * sigma));
+                // Rows run downwards.
+                double height = map.at(Math.floorMod(i, map.columns()), Math.floorMod(-j, map.rows()));
+                double phase = 2 * Math.PI / WAVELENGTH * (pair.w() * height + pair.u() * x + pair.v() * y);
+                real += gauss * Math.cos(phase);
+                imaginary += gauss * Math.sin(phase);
+            }
+        }
+        double integral = 2 * Math.PI * Math.pow(sigma / pitch, 2);
+        return (real * real + imaginary * imaginary) / (integral * integral);
+    }
+
+    /** A window of 2.8 samples: with positions between samples the definition is exact. */
+    @Test
+    void theEnsembleOfACoarseWindowIsTheMeanOverPositionsBetweenTheSamplesToo() {
+        double pitch = 350e-9;
+        HeightMap map = Surfaces.random(5, 4, pitch, 300e-9, 9);
+        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(2.8 * pitch);
+        // A trigonometric polynomial over the period; the window's spectrum is negligible at 8 steps a sample.
+        int perSample = 8;
+        double largest = 0;
+        for (int n = 0; n < 4; n++) {
+            DirectionPair pair = DirectionPairs.random(random);
+            double all = 0;
+            double onSamples = 0;
+            for (int i = 0; i < 5 * perSample; i++) {
+                for (int j = 0; j < 4 * perSample; j++) {
+                    double power =
+                            windowedAt(map, window.sigmaMeters(), i * pitch / perSample, j * pitch / perSample, pair);
+                    all += power / (20 * perSample * perSample);
+                    onSamples += i % perSample == 0 && j % perSample == 0 ? power / 20 : 0;
+                }
+            }
+            double expected = new ReferenceEvaluator(map, window, WindowOrigin.CENTRE)
+                    .powers(pair, WAVELENGTH)
+                    .ensemble();
+            assertThat(all).isCloseTo(expected, within(1e-9 * expected));
+            largest = Math.max(largest, Math.abs(onSamples / expected - 1));
+        }
+        // Over positions at samples alone it is another mean.
+        assertThat(largest).isGreaterThan(1e-3);
+    }
+
+    private static final double REACH = 9;
+
+    /** Windows narrower than the patch, as wide, and wider; both ends and the middle as origin; both signs of y. */
+    @ParameterizedTest
+    @CsvSource({
+        "64, 1e-7, 32, 3e-7, 2.0e6",
+        "64, -1e-7, 0, 3e-7, -2.0e6",
+        "37, 1e-7, 18, 4e-6, 1.3e6",
+        "37, -1e-7, 36, 4e-6, 5.1e6",
+        "16, 1.5e-7, 8, 16.25e-6, 5.2e6",
+        "1, 2e-7, 0, 1e-6, 4.9e6"
+    })
+    void foldedReplicasAreTheSumOverEverySampleUnderTheWindow(
+            int count, double step, int origin, double sigma, double frequency) {
+        Axis axis = new Axis(count, step, origin);
+        AxisWeights folded = AxisWeights.ofWindow(frequency, axis, axis.window(sigma, REACH));
+
+        double[][] expected = sampleBySample(count, step, origin, sigma, frequency);
+
+        for (int i = 0; i < count; i++) {
+            // Weights sum to at most 1; the phase of the farthest sample, 2e3 radians, has a rounding of 2e3 * 2^-53.
+            assertThat(folded.real()[i]).as("sample %d", i).isCloseTo(expected[0][i], within(1e-13));
+            assertThat(folded.imaginary()[i]).as("sample %d", i).isCloseTo(expected[1][i], within(1e-13));
+        }
+    }
+
+    private static double[][] sampleBySample(int count, double step, int origin, double sigma, double frequency) {
+        double[][] weights = new double[2][count];
+        double total = 0;
+        int extent = (int) Math.floor(REACH * sigma / Math.abs(step));
+        for (int offset = -extent; offset <= extent; offset++) {
+            double position = offset * step;
+            double gauss = Math.exp(-position * position / (2 * sigma * sigma));
+            int sample = Math.floorMod(origin + offset, count);
+            weights[0][sample] += gauss * Math.cos(2 * Math.PI * frequency * position);
+            weights[1][sample] += gauss * Math.sin(2 * Math.PI * frequency * position);
+            total += gauss;
+        }
+        for (int i = 0; i < count; i++) {
+            weights[0][i] /= total;
+            weights[1][i] /= total;
+        }
+        return weights;
     }
 }

@@ -11,7 +11,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 
 class KernelPolynomialsTest {
-
     @ParameterizedTest
     @ValueSource(ints = {3, 4, 5, 6, 7, 8, 9, 10})
     void weightsAreTheKernelsEverywhere(int taps) {

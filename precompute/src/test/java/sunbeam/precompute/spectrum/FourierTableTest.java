@@ -13,7 +13,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 class FourierTableTest {
-
     @ParameterizedTest
     @CsvSource({
         "12, 10, 5, 0",

@@ -36,8 +36,7 @@ class UnitsTest {
     void asksForTheUnitOfABareNumber(String text) {
         assertThatThrownBy(() -> Lengths.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining('"' + text + '"')
-                .hasMessageContaining("no unit");
+                .hasMessageContainingAll('"' + text + '"', "no unit");
     }
 
     @ParameterizedTest
@@ -45,8 +44,7 @@ class UnitsTest {
     void namesAnUnknownUnit(String text) {
         assertThatThrownBy(() -> Lengths.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining(text)
-                .hasMessageContaining("pm, nm, um, mm, cm or m");
+                .hasMessageContainingAll(text, "pm, nm, um, mm, cm or m");
     }
 
     @ParameterizedTest
@@ -124,8 +122,7 @@ class UnitsTest {
     void anythingElseIsNoAngle(String text) {
         assertThatThrownBy(() -> Angles.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining('"' + text + '"')
-                .hasMessageContaining("as in 30deg");
+                .hasMessageContainingAll('"' + text + '"', "as in 30deg");
     }
 
     @ParameterizedTest

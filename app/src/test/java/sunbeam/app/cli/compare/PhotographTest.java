@@ -289,7 +289,7 @@ class PhotographTest {
         try {
             assertThat(whole().picture().rgba()).doesNotContain(Float.NaN);
         } catch (InputException complaint) {
-            assertThat(complaint).hasMessageContaining("photograph " + file).hasMessageContaining("profile");
+            assertThat(complaint).hasMessageContainingAll("photograph " + file, "profile");
         }
     }
 

@@ -134,8 +134,7 @@ class TableMethodTest {
         VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
         assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "10mm"))
                 .isInstanceOf(SettingException.class)
-                .hasMessageContaining(" layers, more than ")
-                .hasMessageContaining("coarser --tolerance");
+                .hasMessageContainingAll(" layers, more than ", "coarser --tolerance");
         assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "600um"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageMatching("(?s).*need a texture of [0-9.]+ GB, more than .*");

@@ -59,9 +59,7 @@ final class DirectionListTest {
         assertRefused(HEADER + "\n1,,0,0\n").hasMessageContaining("line 2, column phi_i: ''");
         assertRefused(HEADER + "\nnan,1,0,0\n").hasMessageContaining("line 2, column theta_i: 'nan'");
         assertRefused(HEADER + "\n1e999,1,0,0\n").hasMessageContaining("finite");
-        assertRefused("theta_i,psi\n1,2\n")
-                .hasMessageContaining("no column phi_i")
-                .hasMessageContaining("theta_i,psi");
+        assertRefused("theta_i,psi\n1,2\n").hasMessageContainingAll("no column phi_i", "theta_i,psi");
         assertRefused(HEADER.replace(",", ";") + "\n1;2;0;0\n").hasMessageContaining("by commas");
         assertRefused(HEADER + ",phi_i\n1,2,0,0,3\n").hasMessageContaining("two columns phi_i");
         assertRefused(HEADER + "\n1,2,0,0\n1\n").hasMessageContaining("line 3: 1 fields, but the header has 4");

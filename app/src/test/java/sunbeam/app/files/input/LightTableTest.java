@@ -68,8 +68,7 @@ class LightTableTest {
     void invalidSpectraAreRefusedInOneLine(String text, String problem) {
         assertThatThrownBy(() -> table(text == null ? "" : text))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("lamp.csv")
-                .hasMessageContaining(problem)
+                .hasMessageContainingAll("lamp.csv", problem)
                 .message()
                 .doesNotContain("\n");
     }

@@ -63,8 +63,7 @@ final class AtomicFileTest {
                     throw new IOException("No space left on device");
                 }))
                 .isInstanceOf(OutputException.class)
-                .hasMessageContaining(target.toString())
-                .hasMessageContaining("No space left on device; free some space");
+                .hasMessageContainingAll(target.toString(), "No space left on device; free some space");
         assertThat(target).hasContent("old");
         assertThat(names()).containsExactly("out.txt");
     }

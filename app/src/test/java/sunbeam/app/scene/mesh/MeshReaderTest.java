@@ -154,15 +154,13 @@ class MeshReaderTest extends MeshReading {
 
     @Test
     void messagesNameWrongLines() {
-        assertRefused("v 0 0 0\nv 1 NaN 0\n")
-                .hasMessageContaining("line 2")
-                .hasMessageContaining("NaN is no finite number");
-        assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContaining("line 2").hasMessageContaining("1.0E99");
+        assertRefused("v 0 0 0\nv 1 NaN 0\n").hasMessageContainingAll("line 2", "NaN is no finite number");
+        assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContainingAll("line 2", "1.0E99");
         assertRefused("vn 0 -Infinity 0\n").hasMessageContaining("line 1");
         assertRefused("v 0 zero 0\n").hasMessageContaining("\"zero\" is no number");
         assertRefused("v 0 0\n").hasMessageContaining("position needs 3 numbers, not 2");
-        assertRefused(SQUARE + "f 1 2\n").hasMessageContaining("line 5").hasMessageContaining("2 corners");
-        assertRefused(SQUARE + "f 1 2 5\n").hasMessageContaining("position 5").hasMessageContaining("line 5");
+        assertRefused(SQUARE + "f 1 2\n").hasMessageContainingAll("line 5", "2 corners");
+        assertRefused(SQUARE + "f 1 2 5\n").hasMessageContainingAll("position 5", "line 5");
         assertRefused(SQUARE + "f 1 2 0\n").hasMessageContaining("\"0\"");
         assertRefused(SQUARE + "f 1 2 99999999999\n").hasMessageContaining("99999999999");
         for (String corner :

@@ -3,7 +3,9 @@ package sunbeam.precompute.patch.builtin;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -11,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.analysis.HeightSpectrum;
 import sunbeam.precompute.optics.HeightMap;
 
 class BuiltInPatchesTest {
@@ -99,5 +102,172 @@ class BuiltInPatchesTest {
                 .count();
         assertThat(ridge).isEqualTo(lamellar.columns() / 2);
         assertThat(new Spectrum(lamellar).meanSquare((p, q) -> p % 2 == 0)).isLessThan(ROUNDING);
+    }
+
+    private static final double HALF_DEPTH = -55e-9;
+    private static final int TRACKS = 32;
+    private static final HeightMap DISC = BuiltInPatches.generate("disc");
+
+    @Test
+    void tracksAre1600NanometersApart() {
+        assertThat(DISC.width() / TRACKS).isCloseTo(1.6e-6, within(1e-18));
+        double[] orders = new Spectrum(DISC).byP((p, q) -> q == 0);
+        for (int p = 1; p < 2 * TRACKS; p++) {
+            if (p != TRACKS) {
+                // Tracks with different numbers of pits leave a little power at all frequencies.
+                assertThat(orders[p]).isLessThan(orders[TRACKS] / 100);
+            }
+        }
+    }
+
+    @Test
+    void pitsAre110NanometersDeep() {
+        assertThat(DISC.maximum()).isZero();
+        assertThat(DISC.relief()).isCloseTo(110e-9, within(1e-20));
+    }
+
+    @Test
+    void pitsAndLandsLast3To11Bits() {
+        double bit = DISC.height() / 184;
+        assertThat(bit).isBetween(277e-9, 324e-9); // 1.2 to 1.4 m/s at 4.3218 MHz
+        for (int track = 0; track < TRACKS; track++) {
+            for (int samples : runs(center(track))) {
+                double bits = samples * DISC.pitchY() / bit;
+                // Both ends of a run are known to one sample of 50 nm, 0.18 bits.
+                assertThat(bits).isBetween(3 - 0.2, 11 + 0.2);
+                assertThat(Math.abs(bits - Math.round(bits))).isLessThan(0.2);
+            }
+        }
+    }
+
+    private static int center(int track) {
+        return track * (DISC.columns() / TRACKS) + DISC.columns() / TRACKS / 2;
+    }
+
+    /** Lengths in samples of the pits and lands round the whole column. */
+    private static List<Integer> runs(int column) {
+        int start = 0;
+        while (isPit(column, start) == isPit(column, start - 1)) {
+            start++;
+        }
+        List<Integer> runs = new ArrayList<>();
+        int length = 0;
+        for (int i = 0; i < DISC.rows(); i++) {
+            length++;
+            if (isPit(column, start + i) != isPit(column, start + i + 1)) {
+                runs.add(length);
+                length = 0;
+            }
+        }
+        return runs;
+    }
+
+    private static boolean isPit(int column, int row) {
+        return DISC.at(column, Math.floorMod(row, DISC.rows())) < HALF_DEPTH;
+    }
+
+    private static final Spectrum ELAPHE = new Spectrum(BuiltInPatches.generate("elaphe-like"));
+    private static final Spectrum XENOPELTIS = new Spectrum(BuiltInPatches.generate("xenopeltis-like"));
+
+    /** Gaps between fingers differ by 15 %, so that orders are some bins wide; rows are known to a bin or two. */
+    @Test
+    void fingersAndRowsAreAsFarApartAsOnTheSnakes() {
+        double[][] elaphePowers = {ELAPHE.byP((p, q) -> Math.abs(q) < 10), ELAPHE.byQ((p, q) -> Math.abs(p) > 26)};
+        assertThat(dominantPeriod(elaphePowers[0], 40, 3)).isCloseTo(1.03e-6, within(0.06e-6));
+        assertThat(dominantPeriod(elaphePowers[1], 14, 1)).isCloseTo(3.1e-6, within(0.3e-6));
+        double[][] xenopeltisPowers = {XENOPELTIS.byP((p, q) -> true), XENOPELTIS.byQ((p, q) -> Math.abs(p) < 30)};
+        assertThat(dominantPeriod(xenopeltisPowers[0], 60, 3)).isCloseTo(0.55e-6, within(0.03e-6));
+        assertThat(dominantPeriod(xenopeltisPowers[1], 25, 1)).isCloseTo(1.55e-6, within(0.08e-6));
+    }
+
+    /** Period in meters of the strongest frequency from {@code first} on, smoothed over a window of bins. */
+    private static double dominantPeriod(double[] powers, int first, int reach) {
+        int best = first;
+        double most = 0;
+        for (int bin = first; bin + reach < powers.length; bin++) {
+            double power = 0;
+            for (int i = bin - reach; i <= bin + reach; i++) {
+                power += powers[i];
+            }
+            if (power > most) {
+                most = power;
+                best = bin;
+            }
+        }
+        return 65e-6 / best;
+    }
+
+    @Test
+    void elapheDiffractsAlongXOnly() {
+        // Periods from 0.8 to 4.3 um, within 15 degrees of either axis; the scan has 30 times as much along x.
+        double along = ELAPHE.meanSquare((p, q) -> isOrder(p, q) && Math.abs(q) < 0.27 * Math.abs(p));
+        double across = ELAPHE.meanSquare((p, q) -> isOrder(p, q) && Math.abs(p) < 0.27 * Math.abs(q));
+        assertThat(along).isGreaterThan(15 * across);
+    }
+
+    @Test
+    void xenopeltisDiffractsMostlyAboutY() {
+        double along = XENOPELTIS.meanSquare((p, q) -> isOrder(p, q) && Math.abs(q) < Math.abs(p));
+        double across = XENOPELTIS.meanSquare((p, q) -> isOrder(p, q) && Math.abs(p) < Math.abs(q));
+        // The scan: 2.9 times as much on the steep side of the diagonals.
+        assertThat(across).isGreaterThan(2.5 * along);
+        // The rows meander: their order is an arc, with most of its power off the axis (scan: 0.37 near it).
+        double arc = XENOPELTIS.meanSquare((p, q) -> Math.abs(Math.abs(q) - 42) < 5 && Math.abs(p) < 40);
+        double axis = XENOPELTIS.meanSquare((p, q) -> Math.abs(Math.abs(q) - 42) < 5 && Math.abs(p) < 5);
+        assertThat(axis).isBetween(0.25 * arc, 0.5 * arc);
+    }
+
+    private static boolean isOrder(int p, int q) {
+        double radius = Math.hypot(p, q);
+        return radius >= 15 && radius < 80;
+    }
+
+    /** Power spectrum of a patch's heights without their mean, up to the finest that diffract light. */
+    private static final class Spectrum {
+        private final HeightSpectrum spectrum;
+
+        Spectrum(HeightMap patch) {
+            spectrum = HeightSpectrum.of(patch, HeightSpectrum.Edges.PERIODIC);
+        }
+
+        /** Selects bins by their signed numbers of periods across the patch, q upwards. */
+        interface Bins {
+            boolean contains(int p, int q);
+        }
+
+        private interface Visitor {
+            void visit(int p, int q, double meanSquare);
+        }
+
+        private void forEach(Bins bins, Visitor visitor) {
+            for (int q = spectrum.bandY().first(); q <= spectrum.bandY().last(); q++) {
+                for (int p = spectrum.bandX().first(); p <= spectrum.bandX().last(); p++) {
+                    if (bins.contains(p, q)) {
+                        visitor.visit(p, q, spectrum.at(p, q));
+                    }
+                }
+            }
+        }
+
+        /** Mean square of the heights in these bins. */
+        double meanSquare(Bins bins) {
+            double[] sum = new double[1];
+            forEach(bins, (p, q, meanSquare) -> sum[0] += meanSquare);
+            return sum[0];
+        }
+
+        /** Mean squares of these bins by their absolute number of periods along x. */
+        double[] byP(Bins bins) {
+            double[] sums = new double[spectrum.bandX().last() + 1];
+            forEach(bins, (p, q, meanSquare) -> sums[Math.abs(p)] += meanSquare);
+            return sums;
+        }
+
+        /** Mean squares of these bins by their absolute number of periods along y. */
+        double[] byQ(Bins bins) {
+            double[] sums = new double[spectrum.bandY().last() + 1];
+            forEach(bins, (p, q, meanSquare) -> sums[Math.abs(q)] += meanSquare);
+            return sums;
+        }
     }
 }
