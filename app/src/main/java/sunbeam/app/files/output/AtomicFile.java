@@ -14,7 +14,6 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
 import sunbeam.app.terminal.ByteSize;
@@ -32,29 +31,20 @@ public final class AtomicFile implements AutoCloseable {
     /** Bytes written to check for room: one block of usual file systems, which a full disk does not take. */
     private static final int PROBE_BYTES = 4096;
 
-    private enum State {
-        OPEN,
-        COMMITTED,
-        CLOSED
-    }
-
     private final Path target;
     private final Overwrite overwrite;
-    private final boolean direct;
+    private final boolean isDirect;
     private final ShutdownHook hook;
-    /** A temporary file, or the target itself. */
+    // A temporary file, or the target itself.
     private Path contentPath;
-    /** Name reserved before the commit, or null. */
+    // Name reserved before the commit, or null.
     private Path claimedName;
-    /** False if the reserved name is an empty file instead of a link to the content. */
-    private boolean isClaimedByLink;
-
-    private State state = State.OPEN;
+    private boolean isOpen = true;
 
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
-        this.direct = !StandardOutput.isMeant(target) && OutputFolder.isDevice(target);
+        this.isDirect = !StandardOutput.isMeant(target) && OutputFolder.isDevice(target);
         this.contentPath = target;
         hook = new ShutdownHook(this::discard);
     }
@@ -86,11 +76,15 @@ public final class AtomicFile implements AutoCloseable {
             return;
         }
         try (AtomicFile probe = create(target, overwrite)) {
-            if (!probe.direct && !StandardOutput.isMeant(target)) {
+            if (probe.isRenamed()) {
                 OutputFolder.sweep(OutputFolder.of(target));
                 probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
         }
+    }
+
+    private boolean isRenamed() {
+        return !isDirect && !StandardOutput.isMeant(target);
     }
 
     /**
@@ -108,10 +102,10 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Writes the whole target through a buffered stream. An {@link IOException} of the content is reported as a failure to write the
-     * target.
+     * Writes the whole target through a buffered stream.
      *
      * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
+     * @throws OutputException also for an {@link IOException} of the content
      */
     public static Path write(Path target, Overwrite overwrite, StreamContent content) {
         try (AtomicFile file = create(target, overwrite)) {
@@ -123,18 +117,8 @@ public final class AtomicFile implements AutoCloseable {
     /** Writes the whole target like {@link #write}, for libraries that open the file themselves. */
     public static Path writeFile(Path target, Overwrite overwrite, FileContent content) {
         try (AtomicFile file = create(target, overwrite)) {
-            file.reportingTarget(content);
+            file.fillFile(content);
             return file.commit();
-        }
-    }
-
-    private void reportingTarget(FileContent content) {
-        try {
-            content.writeTo(path());
-        } catch (IOException failure) {
-            throw OutputException.of(target, failure);
-        } catch (UncheckedIOException failure) {
-            throw OutputException.of(target, failure.getCause());
         }
     }
 
@@ -158,22 +142,20 @@ public final class AtomicFile implements AutoCloseable {
     /** Creates the temporary file. It is not done in the constructor, so that the shutdown hook sees either no file or its name. */
     private synchronized void begin() throws IOException {
         requireOpen();
-        if (!direct) {
-            contentPath = StandardOutput.isMeant(target)
-                    ? Files.createTempFile("sunbeam-", ".part")
-                    : OutputFolder.createTemporary(OutputFolder.of(target));
+        if (!isDirect) {
+            contentPath = isRenamed()
+                    ? OutputFolder.createTemporary(OutputFolder.of(target))
+                    : Files.createTempFile("sunbeam-", ".part");
             if (overwrite == Overwrite.REPLACE) {
                 OutputFolder.copyMode(target, contentPath);
             }
         }
     }
 
+    /** The end of the process closes the file, too. */
     private synchronized void requireOpen() {
-        if (state == State.CLOSED) {
+        if (!isOpen) {
             throw new CancelledException();
-        }
-        if (state == State.COMMITTED) {
-            throw new IllegalStateException(target + " was committed before");
         }
     }
 
@@ -183,17 +165,27 @@ public final class AtomicFile implements AutoCloseable {
      * @throws OutputException if the file cannot be written, or the content throws an {@link IOException}
      */
     public void fill(StreamContent content) {
-        reportingTarget(path -> {
+        fillFile(path -> {
             try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
                 content.writeTo(stream);
             }
         });
     }
 
+    private void fillFile(FileContent content) {
+        try {
+            content.writeTo(path());
+        } catch (IOException failure) {
+            throw OutputException.of(target, failure);
+        } catch (UncheckedIOException failure) {
+            throw OutputException.of(target, failure.getCause());
+        }
+    }
+
     /** Opens the temporary file without creating it: if the end of the process has removed it, it must stay removed. */
     private OutputStream open() throws IOException {
         try {
-            return direct
+            return isDirect
                     ? Files.newOutputStream(target, StandardOpenOption.WRITE)
                     : Files.newOutputStream(path(), StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
         } catch (NoSuchFileException removed) {
@@ -234,9 +226,9 @@ public final class AtomicFile implements AutoCloseable {
         while (!claimAll(files, names.apply(number), number)) {
             number++;
         }
-        List<Path> places = new ArrayList<>();
+        List<Path> places = names.apply(number);
         for (int i = 0; i < files.size(); i++) {
-            places.add(files.get(i).keep(names.apply(number).get(i)));
+            files.get(i).appear(places.get(i));
         }
         return places;
     }
@@ -263,60 +255,53 @@ public final class AtomicFile implements AutoCloseable {
      */
     private synchronized void claim(Path name) throws IOException {
         requireOpen();
-        if (direct || StandardOutput.isMeant(target)) {
+        if (!isRenamed()) {
             return;
         }
-        force(contentPath);
+        force(contentPath, StandardOpenOption.WRITE);
         if (overwrite == Overwrite.REPLACE) {
             return;
         }
         try {
             Files.createLink(name, contentPath);
-            isClaimedByLink = true;
         } catch (FileAlreadyExistsException taken) {
             throw taken;
         } catch (UnsupportedOperationException | FileSystemException noLinks) {
             // File systems without hard links (FAT, some network ones): an empty file reserves the name.
             Files.createFile(name);
-            isClaimedByLink = false;
         }
         claimedName = name;
     }
 
-    private synchronized Path keep(Path name) throws IOException {
+    private synchronized void appear(Path name) throws IOException {
         requireOpen();
-        if (StandardOutput.isMeant(target)) {
-            StandardOutput.copy(contentPath);
-        } else if (!direct && !isClaimedByLink) {
+        if (isRenamed()) {
+            // rename(2) changes nothing if the name is a link to the content.
             Files.move(contentPath, name, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } else if (!isDirect) {
+            StandardOutput.copy(contentPath);
         }
-        state = State.COMMITTED;
-        deleteTemporary();
-        // Forces the folder's entries to disk, against power failures. Some systems cannot do so; the file is whole
-        // nevertheless.
-        try (FileChannel folder = FileChannel.open(OutputFolder.of(name), StandardOpenOption.READ)) {
-            folder.force(true);
-        } catch (IOException unable) {
-            return name;
-        }
-        return name;
-    }
-
-    private void deleteTemporary() {
-        if (!direct) {
+        isOpen = false;
+        if (!isDirect) {
             // If this fails, a later sweep removes the file like those of killed processes.
             contentPath.toFile().delete();
         }
+        try {
+            // Against power failures. Some systems cannot force a folder; the file is whole nevertheless.
+            force(OutputFolder.of(name), StandardOpenOption.READ);
+        } catch (IOException unable) {
+            return;
+        }
     }
 
-    private static void force(Path file) throws IOException {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+    private static void force(Path file, StandardOpenOption access) throws IOException {
+        try (FileChannel channel = FileChannel.open(file, access)) {
             channel.force(true);
         }
     }
 
     private synchronized void release() throws IOException {
-        if (state == State.OPEN && claimedName != null) {
+        if (isOpen && claimedName != null) {
             Files.deleteIfExists(claimedName);
             claimedName = null;
         }
@@ -333,15 +318,12 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     private synchronized void discard() {
-        if (state != State.OPEN) {
-            return;
-        }
         try {
             release();
-            state = State.CLOSED;
-            if (!direct && !contentPath.equals(target)) {
+            if (isOpen && !contentPath.equals(target)) {
                 Files.deleteIfExists(contentPath);
             }
+            isOpen = false;
         } catch (IOException failure) {
             throw new OutputException(
                     "cannot remove the temporary file " + contentPath + "; remove it by hand", failure);
