@@ -13,7 +13,7 @@ public final class ByteSize {
     private static final Pattern WRITTEN =
             Pattern.compile("([0-9]{1,15}(?:\\.[0-9]{1,9})?) ?([KMGT]?)B", Pattern.CASE_INSENSITIVE);
     private static final List<String> UNITS = List.of("", "K", "M", "G", "T");
-    /** Upper limit, in bytes: more than any disk has, and far from overflow. */
+    // In bytes: more than any disk has, and far from overflow.
     private static final BigDecimal MOST = new BigDecimal(1L << 60);
 
     private ByteSize() {}

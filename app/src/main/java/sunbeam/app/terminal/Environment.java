@@ -12,7 +12,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
     /** Variable that, set to 1, makes the program print stack traces as {@code --debug} does. */
     public static final String DEBUG_VARIABLE = "SUNBEAM_DEBUG";
 
-    /** Resource that the build writes. */
     private static final String VERSION = "version.properties";
 
     public Environment {
@@ -33,7 +32,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         return variables.getOrDefault(name, "");
     }
 
-    /** True if {@link #DEBUG_VARIABLE} is set, so that stack traces are printed. */
     public boolean debug() {
         return variable(DEBUG_VARIABLE).equals("1");
     }

@@ -3,13 +3,16 @@ package sunbeam.app.terminal;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.util.regex.Pattern;
 
 /**
  * Writer to a terminal that replaces characters which control it, since names of files and fields of tables may hold any. Control
  * characters other than line breaks and tabs, and those that change the direction of text, become {@code ?}.
  */
 public class HarmlessWriter extends Writer {
-    private static final char REPLACEMENT = '?';
+    // C0 but for breaks and tabs, DEL, C1; then marks of direction, line and paragraph separators.
+    private static final Pattern CONTROLLING = Pattern.compile(
+            "[\\x00-\\x1f\\x7f-\\x9f&&[^\n\r\t]]|[\\u061c\\u200e\\u200f\\u2028-\\u202e\\u2066-\\u2069]");
 
     private final Writer out;
 
@@ -51,11 +54,7 @@ public class HarmlessWriter extends Writer {
 
     @Override
     public void write(char[] text, int offset, int length) throws IOException {
-        char[] shown = new char[length];
-        for (int i = 0; i < length; i++) {
-            shown[i] = harmless(text[offset + i]);
-        }
-        out.write(shown, 0, length);
+        out.write(CONTROLLING.matcher(new String(text, offset, length)).replaceAll("?"));
     }
 
     @Override
@@ -66,22 +65,5 @@ public class HarmlessWriter extends Writer {
     @Override
     public void close() throws IOException {
         out.close();
-    }
-
-    private static char harmless(char character) {
-        if (character == '\n' || character == '\r' || character == '\t') {
-            return character;
-        }
-        return isControlling(character) ? REPLACEMENT : character;
-    }
-
-    /** True for controls (C0, DEL, C1), line and paragraph separators, and characters that change the direction of text. */
-    private static boolean isControlling(char character) {
-        boolean direction = character == '\u061c'
-                || character == '\u200e'
-                || character == '\u200f'
-                || (character >= '\u202a' && character <= '\u202e')
-                || (character >= '\u2066' && character <= '\u2069');
-        return direction || Character.isISOControl(character) || character == '\u2028' || character == '\u2029';
     }
 }

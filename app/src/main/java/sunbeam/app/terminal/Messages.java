@@ -8,7 +8,7 @@ import sunbeam.precompute.patch.Patch;
 
 /** Formats messages on standard error: one line that begins with the program's name. */
 public final class Messages {
-    /** Maximum length of a message in characters: the name of a file alone may have 4096 bytes. */
+    // In characters: the name of a file alone may have 4096 bytes.
     private static final int LONGEST = 6000;
 
     private static final int LONGEST_WARNING = 200;
@@ -22,17 +22,15 @@ public final class Messages {
         return line.startsWith(ERROR) && !line.startsWith(WARNING) && !line.startsWith(NOTE);
     }
 
-    /** Returns {@code sunbeam: message}, with blanks for line breaks. */
+    /** Returns {@code sunbeam: message}, with blanks for line breaks, as {@link #warning} and {@link #note} do. */
     public static String error(String message) {
         return ERROR + oneLine(message);
     }
 
-    /** Returns {@code sunbeam: warning: message}, with blanks for line breaks. */
     public static String warning(String message) {
         return WARNING + oneLine(message);
     }
 
-    /** Returns {@code sunbeam: note: message}, with blanks for line breaks. */
     public static String note(String message) {
         return NOTE + oneLine(message);
     }

@@ -11,9 +11,8 @@ import sunbeam.precompute.colortable.ColorBaker;
 /** Progress of one long task. {@link ProgressDisplay} starts it; the task closes it at its end. Thread-safe. */
 public final class Progress implements ColorBaker.Token {
     static final Duration DELAY = Duration.ofSeconds(2);
-    /** Share of the steps done from which the time left is estimated. */
+    // Share of the steps done from which the time left is estimated.
     private static final double LEAST_DONE = 0.02;
-
     private static final int REDRAW_MILLISECONDS = 200;
 
     private final ProgressDisplay.Line line;
@@ -44,7 +43,6 @@ public final class Progress implements ColorBaker.Token {
         return new Progress(line, bar, hook);
     }
 
-    /** Estimates the time left from the steps so far; unknown at the start. */
     private static Optional<Duration> timeLeft(ProgressState state) {
         double done = state.getNormalizedProgress();
         Duration elapsed = state.getElapsedAfterStart();

@@ -22,8 +22,8 @@ public final class ProgressDisplay {
     /** Least time between printed lines if standard error is no terminal. */
     static final Duration INTERVAL = Duration.ofSeconds(10);
 
-    // Width of the narrowest terminals in use, in characters.
-    private static final int COLUMNS = 80;
+    // One character less than the narrowest terminals in use have: some wrap in the last column.
+    private static final int COLUMNS = 79;
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
 
     private final PrintStream stream;
@@ -42,17 +42,13 @@ public final class ProgressDisplay {
         this.lastPrinted = new AtomicLong(nanoseconds.getAsLong());
     }
 
-    /**
-     * Creates a display on standard error.
-     *
-     * @param variables environment variables, of which {@code TERM} says whether lines can be erased
-     */
+    /** @param variables environment variables, of which {@code TERM} says whether lines can be erased */
     static ProgressDisplay ofStandardError(Map<String, String> variables) {
         boolean dumb = variables.getOrDefault("TERM", "dumb").equals("dumb");
         return new ProgressDisplay(System.err, !dumb && isErrorTerminal(), System::nanoTime);
     }
 
-    /** Finds out from Linux whether standard error is a terminal; Java's {@code Console} tells this only of input and output together. */
+    /** Linux only; Java's {@code Console} tells this only of input and output together. */
     private static boolean isErrorTerminal() {
         try {
             String device = STANDARD_ERROR.toRealPath().toString();
@@ -70,8 +66,6 @@ public final class ProgressDisplay {
     }
 
     /**
-     * Starts a task.
-     *
      * @param label name of the task, for example {@code rendering}
      * @param total number of steps, at least 0
      */
@@ -107,10 +101,9 @@ public final class ProgressDisplay {
             open.addLast(this);
         }
 
-        /** Returns one character less than the terminal is wide: some terminals wrap in the last column. */
         @Override
         public int getMaxRenderedLength() {
-            return COLUMNS - 1;
+            return COLUMNS;
         }
 
         @Override
@@ -127,7 +120,7 @@ public final class ProgressDisplay {
                 }
                 return;
             }
-            String fitting = text.substring(0, Math.min(text.length(), getMaxRenderedLength()));
+            String fitting = text.substring(0, Math.min(text.length(), COLUMNS));
             print("\r" + fitting + " ".repeat(Math.max(0, drawn - fitting.length())));
             drawn = fitting.length();
         }

@@ -24,9 +24,7 @@ public final class ShutdownHook implements AutoCloseable {
             Runtime.getRuntime().addShutdownHook(thread);
             OPEN.add(this);
         } catch (IllegalStateException shuttingDown) {
-            CancelledException cancelled = new CancelledException();
-            cancelled.addSuppressed(shuttingDown);
-            throw cancelled;
+            throw new CancelledException(shuttingDown);
         }
     }
 
@@ -59,7 +57,11 @@ public final class ShutdownHook implements AutoCloseable {
     /** Thrown when the user ends the process; work stops without a message. */
     public static final class CancelledException extends RuntimeException {
         public CancelledException() {
-            super("interrupted");
+            this(null);
+        }
+
+        private CancelledException(IllegalStateException cause) {
+            super("interrupted", cause);
         }
     }
 }

@@ -10,7 +10,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
@@ -33,8 +32,7 @@ import sunbeam.precompute.optics.Direction;
 public final class GraphicsStage implements Stage {
     // Longest wait, after the window closes, for a running evaluation of table colors.
     private static final long PATIENCE_MILLISECONDS = 5000;
-    // Time budget for the diffracted light of a preview by a method without tables, while something moves; the body
-    // takes about as long.
+    // Time budget for the diffracted light of a moving preview without tables; the body takes about as long.
     private static final long MOVING_NANOSECONDS = 400_000_000;
     // Sample stride, in pixels, of the last coarse picture before the final one.
     private static final int FINEST_STRIDE = 4;
@@ -116,16 +114,18 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public double requestedShare() {
-        return average(VirtualTexture::requestedShare);
+        return current.colors()
+                .mapToDouble(VirtualTexture::requestedShare)
+                .average()
+                .orElse(1);
     }
 
     @Override
     public double coarsestShare() {
-        return average(VirtualTexture::coarsestShare);
-    }
-
-    private double average(ToDoubleFunction<VirtualTexture> share) {
-        return current.colors().mapToDouble(share).average().orElse(1);
+        return current.colors()
+                .mapToDouble(VirtualTexture::coarsestShare)
+                .average()
+                .orElse(1);
     }
 
     @Override
@@ -134,10 +134,7 @@ public final class GraphicsStage implements Stage {
         current.colors().forEach(VirtualTexture::prefetch);
     }
 
-    /**
-     * True if previews read a color table. The sum of several tables (patches, Fresnel components) is previewed like a method without
-     * tables.
-     */
+    /** The sum of several tables (patches, Fresnel components) is previewed like a method without tables. */
     private boolean isByTable() {
         return current.parts().size() == 1 && current.colors().findAny().isPresent();
     }
@@ -205,10 +202,7 @@ public final class GraphicsStage implements Stage {
         return metered.isPresent();
     }
 
-    /**
-     * Returns the known exposure. A scene by tables is metered when the coarsest level is resident; before the first metering, a white
-     * body that faces the light is displayed as white, as built-in scenes always do.
-     */
+    /** Before the first metering, a white body that faces the light is displayed as white, as built-in scenes always do. */
     private double exposureSoFar() {
         return exposures.known(state.firstPart()).orElseGet(() -> exposureOfWhite(scene()));
     }
@@ -247,12 +241,12 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn) {
-        int width = state.width();
-        int height = state.height();
-        PixelSamples samples = samples();
         if (!meter(interrupted)) {
             return Optional.empty();
         }
+        int width = state.width();
+        int height = state.height();
+        PixelSamples samples = samples();
         double exposure = metered.getAsDouble();
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();

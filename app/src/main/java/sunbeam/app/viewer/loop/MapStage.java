@@ -1,6 +1,7 @@
 package sunbeam.app.viewer.loop;
 
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -37,12 +38,14 @@ final class MapStage {
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
     private CancellationToken newest = new CancellationToken();
-    // Inputs of the displayed coarse map; null before the first and after {@link #draw} or {@link #drawLater} replaces
-    // it.
+    // Inputs of the displayed coarse map; null if another map is displayed.
     private Coarse coarse;
     private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
 
     private record Coarse(List<Optional<VirtualTexture>> colors, Direction light) {}
+
+    /** @param colors powers by (u, v, w) */
+    private record Part(SceneData data, UnaryOperator<float[]> colors) {}
 
     MapStage(RenderContext context) {
         this.context = context;
@@ -81,17 +84,10 @@ final class MapStage {
         }
         coarse = wanted;
         coarseDrawn = now;
-        DiscDirections directions = new DiscDirections(PREVIEW_SIZE, light);
-        float[] xyz = new float[3 * PREVIEW_SIZE * PREVIEW_SIZE];
-        Arrays.fill(xyz, Float.NaN);
-        int[] covered = IntStream.range(0, PREVIEW_SIZE * PREVIEW_SIZE)
-                .filter(directions::covers)
-                .toArray();
-        for (SceneSession part : parts) {
-            VirtualTexture colors = part.virtualTexture().orElseThrow();
-            add(directions, covered, part.data(), colors::coarseColors, xyz);
-        }
-        drawn.accept(shown(new LinearPicture(PREVIEW_SIZE, PREVIEW_SIZE, xyz)), false);
+        List<Part> coarsely = parts.stream()
+                .map(part -> new Part(part.data(), part.virtualTexture().orElseThrow()::coarseColors))
+                .toList();
+        drawn.accept(map(coarsely, light, PREVIEW_SIZE), false);
     }
 
     /** Queues a map that is drawn when the picture's tiles are baked; it evaluates colors exactly, without the tables' interpolation. */
@@ -99,23 +95,19 @@ final class MapStage {
         CancellationToken token = new CancellationToken();
         newest = token;
         coarse = null;
-        List<SceneData> data = parts.stream().map(SceneSession::data).toList();
-        List<VirtualTexture> colors =
-                parts.stream().map(part -> part.virtualTexture().orElseThrow()).toList();
-        colors.get(0).whenIdle(token, () -> {
+        List<Part> exactly = new ArrayList<>();
+        for (SceneSession part : parts) {
+            VirtualTexture colors = part.virtualTexture().orElseThrow();
+            exactly.add(new Part(part.data(), points -> colors.evaluatePoints(points, token)));
+        }
+        parts.get(0).virtualTexture().orElseThrow().whenIdle(token, () -> {
             for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
-                draw(data, colors, light, size, drawn, token);
+                drawn.accept(map(exactly, light, size), size == SIZE);
             }
         });
     }
 
-    private void draw(
-            List<SceneData> parts,
-            List<VirtualTexture> colors,
-            Direction light,
-            int size,
-            BiConsumer<BufferedImage, Boolean> drawn,
-            CancellationToken token) {
+    private static BufferedImage map(List<Part> parts, Direction light, int size) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] xyz = new float[3 * size * size];
         Arrays.fill(xyz, Float.NaN);
@@ -123,16 +115,12 @@ final class MapStage {
                 IntStream.range(0, size * size).filter(directions::covers).toArray();
         for (int first = 0; first < covered.length; first += BATCH) {
             int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + BATCH));
-            for (int part = 0; part < parts.size(); part++) {
-                VirtualTexture source = colors.get(part);
-                add(directions, pixels, parts.get(part), points -> source.evaluatePoints(points, token), xyz);
-            }
+            parts.forEach(part -> add(directions, pixels, part, xyz));
         }
-        drawn.accept(shown(new LinearPicture(size, size, xyz)), size == SIZE);
+        return shown(new LinearPicture(size, size, xyz));
     }
 
-    private static void add(
-            DiscDirections directions, int[] pixels, SceneData data, UnaryOperator<float[]> colors, float[] xyz) {
+    private static void add(DiscDirections directions, int[] pixels, Part part, float[] xyz) {
         float[] points = new float[3 * pixels.length];
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
@@ -140,11 +128,12 @@ final class MapStage {
             points[3 * i + 1] = (float) pair.v();
             points[3 * i + 2] = (float) pair.w();
         }
-        float[] power = colors.apply(points);
+        float[] power = part.colors.apply(points);
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
-            double gain = data.reflectanceComponent()
-                    .map(part -> part.reflection().gain(pair))
+            double gain = part.data
+                    .reflectanceComponent()
+                    .map(component -> component.reflection().gain(pair))
                     .orElseGet(() -> Gain.relativeRadiance(pair));
             for (int c = 0; c < 3; c++) {
                 int at = 3 * pixels[i] + c;

@@ -21,9 +21,32 @@ public final class RenderLoop implements AutoCloseable {
     /** Time without a new state after which the scene counts as still; longer than pauses within a drag. */
     static final long STILL_NANOSECONDS = 150_000_000;
 
+    /** Listener of the render thread. Images passed to it do not change afterwards. */
+    public interface Listener {
+        void opened(ContextInfo info);
+
+        /** Drawing has ended for good, for the reason given in one line. */
+        void failed(String message);
+
+        /** A state could not be drawn; the picture on screen stays, and drawing continues. */
+        void refused(String message);
+
+        void body(BufferedImage image);
+
+        void preview(ViewState state, Stage.Preview preview);
+
+        void complete(ViewState state, Stage.Final picture, long nanoseconds);
+
+        /** @param share resident share of the final picture's tiles, 0 to 1 */
+        void waiting(double share);
+
+        void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
+
+        void map(ViewState state, BufferedImage image, boolean isFinal);
+    }
+
     /** Phase of the picture on screen. */
     enum Phase {
-        /** No state to draw. */
         EMPTY,
         /** Drawing previews while something moves, or until the coarsest tiles are resident. */
         MOVING,
@@ -36,12 +59,12 @@ public final class RenderLoop implements AutoCloseable {
 
     private final Inbox inbox = new Inbox();
     private final Supplier<? extends Stage> opening;
-    private final Consumer<Consumer<RenderListener>> news;
+    private final Consumer<Consumer<Listener>> news;
     private final LongSupplier clock;
     private final Thread thread;
     private Phase phase = Phase.EMPTY;
     private ViewState state;
-    // Clock time after the newest state's first preview, in nanoseconds.
+    // In nanoseconds of the clock.
     private long previewEnd;
     // Last final picture of the scene's own method (false) and of the comparison method (true).
     private final Map<Boolean, Finished> finished = new HashMap<>();
@@ -52,12 +75,11 @@ public final class RenderLoop implements AutoCloseable {
      * @param opening creates the stage, on the render thread
      * @param news passes notifications to the listener, perhaps on another thread
      */
-    public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<RenderListener>> news) {
+    public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news) {
         this(opening, news, System::nanoTime);
     }
 
-    /** @param clock time in nanoseconds */
-    RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<RenderListener>> news, LongSupplier clock) {
+    RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news, LongSupplier clock) {
         this.opening = opening;
         this.news = news;
         this.clock = clock;
@@ -73,11 +95,7 @@ public final class RenderLoop implements AutoCloseable {
         inbox.show(next);
     }
 
-    /**
-     * Shows the body of the first scene, unless a state comes before it.
-     *
-     * @param shape waits for the shape
-     */
+    /** Shows the body of the first scene, once its shape is loaded, unless a state comes before it. */
     public void showBody(Scene scene, Supplier<SceneShape> shape, int width, int height) {
         submit(stage -> {
             SceneShape loaded = shape.get();
@@ -88,12 +106,12 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    /** Queues a small task for the render thread, which runs it after the current part of a picture. */
+    /** Queues a small task, which runs after the current part of a picture. */
     public void submit(Consumer<Stage> task) {
         inbox.submit(task);
     }
 
-    /** Requests the end after the current part of a picture; does not wait for it. */
+    /** Requests the end; does not wait for it. */
     @Override
     public void close() {
         inbox.close();

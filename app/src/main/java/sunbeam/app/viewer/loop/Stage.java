@@ -13,9 +13,6 @@ import sunbeam.app.scene.Scene;
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
     /**
-     * Preview of the whole picture.
-     *
-     * @param image picture, possibly with fewer pixels than the window
      * @param divisor factor by which columns and rows are reduced, or (without color tables) the distance of diffraction samples in pixels
      * @param hasColors true if the picture shows diffracted light, not only the body
      * @param exposure factor by which XYZ was multiplied for display
@@ -23,16 +20,11 @@ public interface Stage extends AutoCloseable {
      */
     record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure, double secondsToFinal) {}
 
-    /**
-     * Final picture, equal to the picture of {@code render}.
-     *
-     * @param exposure factor by which XYZ was multiplied for display
-     */
+    /** Final picture, equal to the picture of {@code render}. */
     record Final(BufferedImage image, double exposure) {}
 
-    /** Listener for tiles of the final picture. */
     interface PartListener {
-        /** Receives the picture of a tile and the share of all pixels that are done, 0 to 1. */
+        /** @param shareDone share of all pixels, 0 to 1 */
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 
@@ -57,7 +49,7 @@ public interface Stage extends AutoCloseable {
     /** Draws a preview in the best quality that a frame's time budget allows; empty if interrupted. */
     Optional<Preview> moving(BooleanSupplier interrupted);
 
-    /** Draws a full-resolution picture from the resident tiles; empty without color table and until the coarsest level is resident. */
+    /** Draws full resolution from the resident tiles; empty without color table and until the coarsest level is resident. */
     Optional<Preview> byTiles();
 
     /** Draws the next finer preview of a method without tables; empty if only the final picture is finer, or if interrupted. */
@@ -79,9 +71,7 @@ public interface Stage extends AutoCloseable {
      * Draws or queues the BRDF map of the state if the map is visible; replaces an unfinished map.
      *
      * @param isFinal false for a small preview only; it is omitted if it would delay the picture
-     * @param interrupted polled between tiles of a map that is drawn before this method returns
-     * @param drawn receives each map and true if it is final, on any thread; maps of scenes with color tables arrive after this method
-     *     returns
+     * @param drawn receives each map and true if it is final, on any thread; with color tables, after this method returns
      */
     void map(ViewState state, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn);
 
@@ -90,7 +80,7 @@ public interface Stage extends AutoCloseable {
 
     Optional<Pick> pick(int x, int y, int width, int height);
 
-    /** Draws the nanostructure's orientation as strokes on a transparent image; see {@link sunbeam.app.render.PatchStrokes}. */
+    /** Returns {@link sunbeam.app.render.PatchStrokes} on a transparent image. */
     BufferedImage strokes(int width, int height);
 
     @Override

@@ -6,11 +6,8 @@ import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * Immutable description of the picture and map that the window shows.
+ * Description of the picture and map that the window shows.
  *
- * @param scene scene with its tables
- * @param width pixels per row
- * @param height rows of the picture
  * @param mapLight direction to the light of the BRDF map, tangent frame; empty if no map is visible
  * @param mapRegion index of the map's patch among the scene's patches
  * @param isOther true for the comparison method, which has no map

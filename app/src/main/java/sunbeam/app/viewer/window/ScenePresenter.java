@@ -13,7 +13,6 @@ import sunbeam.app.render.LightCone;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.loop.RenderListener;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
@@ -24,7 +23,7 @@ import sunbeam.app.viewer.pick.PointInspector;
 import sunbeam.precompute.plan.MethodSettings;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
-public final class ScenePresenter implements ViewerModel.Listener, RenderListener {
+public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
     private final ViewerModel model;
     private final ViewerWindow window;
     private final RenderLoop loop;

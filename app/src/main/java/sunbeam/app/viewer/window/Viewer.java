@@ -18,7 +18,6 @@ import jrtr.GraphicsException;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.loop.GraphicsStage;
-import sunbeam.app.viewer.loop.RenderListener;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
@@ -106,7 +105,7 @@ public final class Viewer {
         presenter.show();
     }
 
-    private void tell(Consumer<RenderListener> news) {
+    private void tell(Consumer<RenderLoop.Listener> news) {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 

@@ -63,7 +63,7 @@ final class RenderLoopTest {
 
     /** One sequence of states, tasks, tiles, failures and the end. */
     @SuppressWarnings("ReferenceEquality") // the same request, not an equal one
-    private static final class Sequence implements Stage, RenderListener {
+    private static final class Sequence implements Stage, RenderLoop.Listener {
         private final SplittableRandom random;
         private final boolean isByTable;
         private final RenderLoop loop;
