@@ -51,6 +51,7 @@ import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -92,7 +93,7 @@ public abstract class ViewerInAWindow {
             viewer.window().showPanel(true);
             viewer.window().picture().hideHint();
             viewer.window().setBounds(0, 0, 620, 420);
-            viewer.presenter().toggleMap();
+            viewer.presenter().toggle(Overlay.MAP);
         });
         awaitFinal();
     }

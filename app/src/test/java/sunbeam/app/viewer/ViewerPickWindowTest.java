@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.render.Pick;
 import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.pick.SpectrumPlot;
+import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
@@ -54,7 +55,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
 
     private void assertTheNumbersFitAWindowThatIsJustOpened() throws Exception {
         onEvents(() -> {
-            viewer.presenter().toggleMap();
+            viewer.presenter().toggle(Overlay.MAP);
             viewer.window().setSize(1180, 880);
             viewer.window().validate();
             JComponent panel = viewer.window().pick();

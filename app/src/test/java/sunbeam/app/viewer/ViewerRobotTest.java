@@ -19,6 +19,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
@@ -88,7 +89,7 @@ final class ViewerRobotTest extends ViewerInAWindow {
                 onEvents(() -> {
                     viewer.inspector().pick(x, x, false);
                     if (x % 4 == 0) {
-                        viewer.presenter().toggleMap();
+                        viewer.presenter().toggle(Overlay.MAP);
                     }
                 });
             }

@@ -11,6 +11,7 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.app.viewer.window.Viewer;
 
 /** A window that is made small, hidden, minimized and large again. */
@@ -77,7 +78,7 @@ final class ViewerSizesWindowTest extends ViewerInAWindow {
     }
 
     private void toggleStrokes() throws Exception {
-        onEvents(() -> viewer.presenter().toggleStrokes());
+        onEvents(() -> viewer.presenter().toggle(Overlay.STROKES));
     }
 
     private void resize(int width, int height) throws Exception {

@@ -18,6 +18,7 @@ import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.picture.Divider;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.FileActions.Kind;
+import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.app.viewer.window.Viewer;
 
 /** Key actions. Menus, key bindings, help and the table in docs/viewer.md derive from this enum. */
@@ -102,20 +103,20 @@ enum Action {
             Group.VIEW,
             "show or hide the light's cone",
             "C",
-            viewer -> viewer.presenter().toggleCone(),
-            viewer -> viewer.presenter().isConeShown()),
+            viewer -> viewer.presenter().toggle(Overlay.CONE),
+            viewer -> viewer.presenter().shows(Overlay.CONE)),
     STROKES(
             Group.VIEW,
             "show or hide how the nanostructure lies",
             "N",
-            viewer -> viewer.presenter().toggleStrokes(),
-            viewer -> viewer.presenter().areStrokesShown()),
+            viewer -> viewer.presenter().toggle(Overlay.STROKES),
+            viewer -> viewer.presenter().shows(Overlay.STROKES)),
     MAP(
             Group.VIEW,
             "show or hide the BRDF map",
             "M",
-            viewer -> viewer.presenter().toggleMap(),
-            viewer -> viewer.presenter().isMapShown()),
+            viewer -> viewer.presenter().toggle(Overlay.MAP),
+            viewer -> viewer.presenter().shows(Overlay.MAP)),
     HELP(Group.HELP, "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
 
     private static final String ARROWS = "arrows";

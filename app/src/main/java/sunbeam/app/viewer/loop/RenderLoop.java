@@ -35,7 +35,7 @@ public final class RenderLoop implements AutoCloseable {
 
         void preview(ViewState state, Stage.Preview preview);
 
-        void complete(ViewState state, Stage.Final picture, long nanoseconds);
+        void complete(Finished finished);
 
         /** @param share resident share of the final picture's tiles, 0 to 1 */
         void waiting(double share);
@@ -69,7 +69,8 @@ public final class RenderLoop implements AutoCloseable {
     // Last final picture of the scene's own method (false) and of the comparison method (true).
     private final Map<Boolean, Finished> finished = new HashMap<>();
 
-    private record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
+    /** @param nanoseconds time since all tiles were resident */
+    public record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
     /**
      * @param opening creates the stage, on the render thread
@@ -194,9 +195,8 @@ public final class RenderLoop implements AutoCloseable {
         stage.update(next, () -> inbox.submit(ignored -> {}));
         state = next;
         if (isFinished) {
-            phase = Phase.COMPLETE;
             stage.interactive(false);
-            complete(stage);
+            complete(stage, last.picture(), last.nanoseconds());
         } else if (!isSame) {
             phase = Phase.MOVING;
             stage.interactive(true);
@@ -252,11 +252,7 @@ public final class RenderLoop implements AutoCloseable {
         stage.refine(
                         interrupted,
                         (tile, part, share) -> news.accept(to -> to.tile(begun, part, tile.x(), tile.y(), share)))
-                .ifPresent(picture -> {
-                    finished.put(state.isOther(), new Finished(state, picture, clock.getAsLong() - start));
-                    phase = Phase.COMPLETE;
-                    complete(stage);
-                });
+                .ifPresent(picture -> complete(stage, picture, clock.getAsLong() - start));
     }
 
     /** Does waiting tasks and takes over a newer state of the same picture. Returns true if a newer state needs another picture. */
@@ -269,10 +265,11 @@ public final class RenderLoop implements AutoCloseable {
         return inbox.isInterrupted();
     }
 
-    private void complete(Stage stage) {
-        ViewState shown = state;
-        Finished last = finished.get(shown.isOther());
-        news.accept(to -> to.complete(shown, last.picture(), last.nanoseconds()));
+    private void complete(Stage stage, Stage.Final picture, long nanoseconds) {
+        phase = Phase.COMPLETE;
+        Finished whole = new Finished(state, picture, nanoseconds);
+        finished.put(state.isOther(), whole);
+        news.accept(to -> to.complete(whole));
         map(stage, true);
         stage.prefetch();
     }

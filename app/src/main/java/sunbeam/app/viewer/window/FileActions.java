@@ -12,7 +12,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Executors;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
@@ -32,12 +31,11 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.format.MeshFormat;
-import sunbeam.app.viewer.model.Background;
+import sunbeam.app.viewer.loop.Stage;
+import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.Drags;
-import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.ControlOrigin;
-import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
@@ -75,28 +73,18 @@ public final class FileActions {
         }
     }
 
+    private final Viewer viewer;
     private final ViewerWindow window;
     private final ViewerModel model;
-    private final Background background;
-    private final BiConsumer<Scene, Runnable> opening;
     private final RecentFiles recent;
     private Path folder = Path.of("").toAbsolutePath();
     private Path pictureWaiting;
-    private LoadedScene drawn;
-    private double drawnExposure;
-    private String renderer = "";
 
-    FileActions(
-            ViewerWindow window,
-            ViewerModel model,
-            Background background,
-            BiConsumer<Scene, Runnable> opening,
-            RecentFiles recent) {
-        this.window = window;
-        this.model = model;
-        this.background = background;
-        this.opening = opening;
+    FileActions(Viewer viewer, RecentFiles recent) {
+        this.viewer = viewer;
         this.recent = recent;
+        window = viewer.window();
+        model = viewer.model();
         window.getRootPane().setTransferHandler(new Drop());
     }
 
@@ -124,10 +112,10 @@ public final class FileActions {
     private void loadScene(Path file) {
         run(
                 () -> SceneReader.read(file),
-                scene -> opening.accept(scene, () -> window.status().message("loaded " + file.getFileName())));
+                scene -> viewer.open(scene, () -> window.status().message("loaded " + file.getFileName())));
     }
 
-    /** Loads a scene, mesh or patch; the name (meshes) or the content decides which. */
+    /** Loads a scene, mesh or patch, by name (meshes) or content. */
     public void load(Path file) {
         if (MeshFormat.isNamed(file)) {
             load(Kind.MESH, file);
@@ -162,8 +150,7 @@ public final class FileActions {
     }
 
     /**
-     * Returns the patch of a file; empty if the user cancels. Descriptors and scans contain their width and height scale; for an image, a
-     * dialog asks the user.
+     * Returns the patch of a file; empty if the user cancels. A dialog asks for the scales of an image; other files contain theirs.
      */
     private Optional<PatchRequest> patch(Path file) {
         Choices named = Choices.at(ControlOrigin.INSTANCE)
@@ -211,33 +198,21 @@ public final class FileActions {
         writeWaiting();
     }
 
-    void drawnBy(String name) {
-        renderer = name;
-    }
-
-    void pictureIsFinal(LoadedScene loaded, double exposure) {
-        drawn = loaded;
-        drawnExposure = exposure;
-        writeWaiting();
-    }
-
-    private void writeWaiting() {
-        PictureView view = window.picture();
-        if (pictureWaiting == null || !view.isFinal() || view.picture().isEmpty()) {
+    /** Writes the picture that the user has saved, if it is final. */
+    void writeWaiting() {
+        if (pictureWaiting == null || !window.picture().isFinal()) {
             return;
         }
         Path file = pictureWaiting;
         pictureWaiting = null;
-        var image = view.picture().get();
-        LoadedScene loaded = drawn;
-        double exposure = drawnExposure;
-        int width = image.getWidth();
-        int height = image.getHeight();
+        ViewState state = viewer.presenter().completed().state();
+        Stage.Final picture = viewer.presenter().completed().picture();
+        String renderer = viewer.presenter().renderer();
         save(file, () -> {
-            Scene scene = loaded.firstPart().scene();
-            PixelSamples samples = PixelSamples.inWindow(scene.method(), width, height);
-            FrameText text = new FrameText(loaded.parts(), width, height, samples, "");
-            PngWriter.write(file, Overwrite.REPLACE, image, text.of(scene, exposure, renderer));
+            Scene scene = state.firstPart().scene();
+            PixelSamples samples = PixelSamples.inWindow(scene.method(), state.width(), state.height());
+            FrameText text = new FrameText(state.scene().parts(), state.width(), state.height(), samples, "");
+            PngWriter.write(file, Overwrite.REPLACE, picture.image(), text.of(scene, picture.exposure(), renderer));
         });
     }
 
@@ -246,7 +221,7 @@ public final class FileActions {
     }
 
     private <T> void run(Callable<T> work, Consumer<T> done) {
-        background.run(work, done, window.status()::message);
+        viewer.writing().run(work, done, window.status()::message);
     }
 
     private Optional<Path> ask(Kind kind, int dialog) {

@@ -1,16 +1,14 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.image.BufferedImage;
-import java.io.File;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.EnumSet;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.SwingUtilities;
 import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import sunbeam.app.render.LightCone;
-import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderLoop;
@@ -18,48 +16,42 @@ import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.panel.MethodChoice;
-import sunbeam.app.viewer.pick.PointInspector;
-import sunbeam.precompute.plan.MethodSettings;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
+    /** Additions to the picture that the user shows and hides. */
+    public enum Overlay {
+        /** The light's direction and size. */
+        CONE,
+        /** The nanostructure's orientation, over the final picture. */
+        STROKES,
+        /** The BRDF map beside the picture. */
+        MAP
+    }
+
+    private final Viewer viewer;
     private final ViewerModel model;
     private final ViewerWindow window;
-    private final RenderLoop loop;
-    private final FileActions files;
-    private final PointInspector inspector;
-    private final StartJournal journal;
     private final SplitViewPresenter splitView;
     private final MapPresenter map;
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
+    private final Set<Overlay> overlays = EnumSet.of(Overlay.MAP);
     private Optional<ViewMeasurement> measurement = Optional.empty();
-    private final StrokesPresenter strokes;
-    private boolean coneShown;
+    // Number of the newest request for strokes; results of older requests are discarded.
+    private long newestStrokes;
     private volatile boolean failed;
+    private String renderer = "";
     private ViewState requested;
     private ViewState shown;
-    private ViewState completed;
+    private RenderLoop.Finished completed;
     private double loadedShare;
 
-    ScenePresenter(
-            ViewerModel model,
-            ViewerWindow window,
-            RenderLoop loop,
-            FileActions files,
-            PointInspector inspector,
-            StartJournal journal,
-            SplitViewPresenter splitView,
-            MapPresenter map) {
-        this.model = model;
-        this.window = window;
-        this.loop = loop;
-        this.files = files;
-        this.inspector = inspector;
-        this.journal = journal;
-        this.splitView = splitView;
-        this.map = map;
-        this.strokes = new StrokesPresenter(window.picture(), loop);
+    ScenePresenter(Viewer viewer, ViewerModel.Loading loading) {
+        this.viewer = viewer;
+        model = viewer.model();
+        window = viewer.window();
+        splitView = new SplitViewPresenter(viewer, loading);
+        map = new MapPresenter(viewer);
     }
 
     /** Returns a future that completes with the first picture, or exceptionally if there will be none. */
@@ -78,38 +70,66 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     /** True if the newest requested state's final picture is on screen. */
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public boolean isSettled() {
-        return requested == completed;
+        return completed != null && completed.state() == requested;
     }
 
-    /** True if drawing has ended for good. Callable on any thread. */
+    /** Callable on any thread. */
     boolean hasFailed() {
         return failed;
     }
 
-    public void toggleCone() {
-        coneShown = !coneShown;
-        followLight();
+    /** Returns the last final picture, or null. */
+    RenderLoop.Finished completed() {
+        return completed;
     }
 
-    public boolean isConeShown() {
-        return coneShown;
+    String renderer() {
+        return renderer;
     }
 
-    public void toggleStrokes() {
-        strokes.toggle(isSettled());
+    public boolean shows(Overlay overlay) {
+        return overlays.contains(overlay);
     }
 
-    public boolean areStrokesShown() {
-        return strokes.areShown();
+    public void toggle(Overlay overlay) {
+        if (!overlays.remove(overlay)) {
+            overlays.add(overlay);
+        }
+        switch (overlay) {
+            case CONE -> followLight();
+            case STROKES -> {
+                removeStrokes();
+                if (isSettled()) {
+                    requestStrokes();
+                }
+            }
+            case MAP -> {
+                window.map().setVisible(shows(Overlay.MAP));
+                show();
+            }
+        }
     }
 
-    public void toggleMap() {
-        map.toggle();
-        show();
+    private void removeStrokes() {
+        newestStrokes++;
+        window.picture().showStrokes(Optional.empty());
     }
 
-    public boolean isMapShown() {
-        return map.isShown();
+    private void requestStrokes() {
+        if (!shows(Overlay.STROKES)) {
+            return;
+        }
+        long number = ++newestStrokes;
+        int width = window.picture().pictureWidth();
+        int height = window.picture().pictureHeight();
+        viewer.loop().submit(stage -> {
+            BufferedImage strokes = stage.strokes(width, height);
+            SwingUtilities.invokeLater(() -> {
+                if (number == newestStrokes) {
+                    window.picture().showStrokes(Optional.of(strokes));
+                }
+            });
+        });
     }
 
     static String title(Scene scene) {
@@ -118,7 +138,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     void show() {
-        inspector.follow(model.scene());
+        viewer.inspector().follow(model.scene());
         followLight();
         int width = window.picture().pictureWidth();
         int height = window.picture().pictureHeight();
@@ -126,16 +146,17 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             return;
         }
         LoadedScene loaded = model.loaded().get();
-        requested = new ViewState(loaded, width, height, map.follow(), map.region(), false);
+        requested = new ViewState(
+                loaded, width, height, shows(Overlay.MAP) ? map.follow() : Optional.empty(), map.region(), false);
         splitView.outdated();
         window.picture().outdated();
-        strokes.outdated();
+        removeStrokes();
         window.status().outdated();
         measurement.ifPresent(measured -> measured.requested(requested));
-        loop.show(requested);
+        viewer.loop().show(requested);
     }
 
-    /** Dims the picture and shows the name of the loading part while the newest scene's mesh, patches or method are not on screen. */
+    /** Dims the picture and shows what loads while the newest scene's mesh, patches or method are not on screen. */
     private void followLoad() {
         if (failed) {
             return;
@@ -143,34 +164,27 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         boolean old = shown == null || !shown.firstPart().suits(model.scene());
         window.picture().dim(old && shown != null);
         if (old) {
-            window.status().loading(wantedPart(), loadedShare);
+            window.status()
+                    .loading(
+                            Optional.ofNullable(shown)
+                                    .map(state -> state.firstPart().scene()),
+                            model.scene(),
+                            loadedShare);
         } else {
             window.status().loaded();
         }
     }
 
-    /** Returns the name of the loading part: the mesh, patch or method in which the newest scene differs from the one on screen. */
-    private String wantedPart() {
-        Scene wanted = model.scene();
-        Scene old = shown == null ? wanted : shown.firstPart().scene();
-        if (!old.mesh().equals(wanted.mesh())) {
-            return new File(wanted.mesh().name()).getName();
-        }
-        return shown == null || !old.patches().equals(wanted.patches())
-                ? new File(wanted.patch().patch()).getName()
-                : "method " + wanted.method().type().label();
-    }
-
     private void followLight() {
-        window.picture().showCone(coneShown ? Optional.of(LightCone.of(model.scene())) : Optional.empty());
-        inspector.showAngles(model.scene().light().towards());
+        window.picture().showCone(shows(Overlay.CONE) ? Optional.of(LightCone.of(model.scene())) : Optional.empty());
+        viewer.inspector().showAngles(model.scene().light().towards());
     }
 
     @Override
     public void changed() {
         window.controls().follow();
         window.setTitle(title(model.scene()));
-        model.loaded().ifPresent(loaded -> journal.reached(StartJournal.Stage.LOADED));
+        model.loaded().ifPresent(loaded -> viewer.journal().reached(StartJournal.Stage.LOADED));
         show();
         followLoad();
     }
@@ -195,9 +209,8 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     @Override
     public void opened(ContextInfo info) {
-        journal.reached(StartJournal.Stage.CONTEXT);
-        files.drawnBy(info.renderer());
-        window.status().renderer(info.renderer());
+        viewer.journal().reached(StartJournal.Stage.CONTEXT);
+        renderer = info.renderer();
     }
 
     @Override
@@ -227,7 +240,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     public void body(BufferedImage image) {
         if (!firstPicture.isDone()) {
             window.picture().showPicture(image, image.getWidth(), image.getHeight(), false);
-            journal.reached(StartJournal.Stage.BODY);
+            viewer.journal().reached(StartJournal.Stage.BODY);
         }
     }
 
@@ -242,7 +255,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         double divisor = preview.divisor();
         boolean hasColors = preview.hasColors();
         show(state, preview.image(), false, hasColors, preview.exposure());
-        journal.reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
+        viewer.journal().reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
         if (isNew) {
             window.status().moving(divisor);
         } else {
@@ -259,46 +272,36 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     @Override
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
-    public void complete(ViewState state, Stage.Final picture, long nanoseconds) {
+    public void complete(RenderLoop.Finished finished) {
+        ViewState state = finished.state();
+        Stage.Final picture = finished.picture();
         if (state.isOther()) {
             splitView.complete(state, picture);
             return;
         }
         show(state, picture.image(), state == requested, true, picture.exposure());
-        journal.reached(StartJournal.Stage.FINAL);
-        completed = state;
+        viewer.journal().reached(StartJournal.Stage.FINAL);
+        completed = finished;
+        viewer.files().writeWaiting();
+        viewer.inspector().measure();
         if (state == requested) {
-            window.status().complete(nanoseconds);
-            strokes.request();
-        }
-        files.pictureIsFinal(state.scene(), picture.exposure());
-        inspector.measure();
-        if (state == requested) {
+            window.status().complete(finished.nanoseconds());
+            requestStrokes();
             splitView.begin(state, picture.exposure());
         }
     }
 
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
         firstPicture.complete(null);
-        showMethod(state.firstPart());
+        if (shown == null || shown.firstPart().method() != state.firstPart().method()) {
+            window.status().method(state.firstPart(), renderer);
+        }
         shown = state;
         followLoad();
         window.picture().showPicture(image, state.width(), state.height(), isFinal);
         if (hasColors) {
             window.controls().exposureInUse(exposure);
-        }
-    }
-
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
-    private void showMethod(SceneData data) {
-        if (shown == null || shown.firstPart().method() != data.method()) {
-            MethodChoice choice = MethodChoice.of(data.scene());
-            String tolerance = choice.hasTolerance()
-                    ? ", tolerance " + data.scene().choices().written(MethodSettings.TOLERANCE)
-                    : "";
-            List<String> details = new ArrayList<>(List.of(data.method().summary()));
-            details.addAll(data.method().reasons());
-            window.status().method(choice + tolerance, details);
         }
     }
 

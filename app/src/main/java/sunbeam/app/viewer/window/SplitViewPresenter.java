@@ -4,14 +4,13 @@ import java.awt.image.BufferedImage;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
-import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.ControlOrigin;
 import sunbeam.app.viewer.panel.MethodChoice;
+import sunbeam.app.viewer.picture.Divider;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 
@@ -20,11 +19,11 @@ import sunbeam.precompute.text.Text;
  * newer state ends that request. Used on the event thread only.
  */
 final class SplitViewPresenter {
+    private final Viewer viewer;
     private final ViewerWindow window;
-    private final RenderLoop loop;
+    private final Divider divider;
     private final ViewerModel.Loading loading;
-    private final Background background;
-    // State of the final picture by the scene's own method, and its exposure; the state is null if outdated.
+    // Final picture by the scene's own method, and its exposure; null if outdated.
     private ViewState own;
     private double exposure;
     private ViewState requested;
@@ -32,17 +31,17 @@ final class SplitViewPresenter {
     private LoadedScene loaded;
     private Scene preparing;
 
-    SplitViewPresenter(ViewerWindow window, RenderLoop loop, ViewerModel.Loading loading, Background background) {
-        this.window = window;
-        this.loop = loop;
+    SplitViewPresenter(Viewer viewer, ViewerModel.Loading loading) {
+        this.viewer = viewer;
         this.loading = loading;
-        this.background = background;
+        window = viewer.window();
+        divider = window.picture().divider();
     }
 
     void outdated() {
         own = null;
         requested = null;
-        window.picture().divider().hide();
+        divider.hide();
     }
 
     /** Requests the comparison's picture; called when the newest state's own picture is final. */
@@ -72,27 +71,28 @@ final class SplitViewPresenter {
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
             requested = own.by(loaded);
-            window.picture().divider().show(null, ownWords(), words() + ", being drawn", false);
-            loop.show(requested);
+            divider.show(null, ownWords(), words() + ", being drawn", false);
+            viewer.loop().show(requested);
             return;
         }
-        window.picture().divider().show(null, ownWords(), MethodChoice.of(scene) + " is being prepared", false);
+        divider.show(null, ownWords(), MethodChoice.of(scene) + " is being prepared", false);
         if (preparing != null && preparing.sharesParts(scene)) {
             return;
         }
         preparing = scene;
         LoadedScene previous = own.scene();
-        background.run(
-                () -> loading.load(scene, previous, share -> {}),
-                result -> {
-                    preparing = null;
-                    loaded = result;
-                    requestPicture();
-                },
-                problem -> {
-                    preparing = null;
-                    refused(problem);
-                });
+        viewer.loading()
+                .run(
+                        () -> loading.load(scene, previous, share -> {}),
+                        result -> {
+                            preparing = null;
+                            loaded = result;
+                            requestPicture();
+                        },
+                        problem -> {
+                            preparing = null;
+                            refused(problem);
+                        });
     }
 
     private String ownWords() {
@@ -109,7 +109,7 @@ final class SplitViewPresenter {
 
     void refused(String problem) {
         requested = null;
-        window.picture().divider().hide();
+        divider.hide();
         window.status().message(problem);
     }
 
@@ -120,7 +120,7 @@ final class SplitViewPresenter {
             String words = Text.format(
                     "%s, preview%s, final in about %.0f s",
                     words(), StatusLine.scale(preview.divisor()), Math.ceil(preview.secondsToFinal()));
-            window.picture().divider().show(preview.image(), ownWords(), words, false);
+            divider.show(preview.image(), ownWords(), words, false);
         }
     }
 
@@ -129,14 +129,14 @@ final class SplitViewPresenter {
         if (state == requested) {
             String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone))
                     + StatusLine.remaining(previewed, shareDone);
-            window.picture().divider().showTile(image, x, y, words() + done);
+            divider.showTile(image, x, y, words() + done);
         }
     }
 
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void complete(ViewState state, Stage.Final picture) {
         if (state == requested) {
-            window.picture().divider().show(picture.image(), ownWords(), words(), true);
+            divider.show(picture.image(), ownWords(), words(), true);
         }
     }
 }

@@ -3,12 +3,19 @@ package sunbeam.app.viewer.window;
 import java.awt.BorderLayout;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.io.File;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
+import sunbeam.app.render.SceneData;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.panel.MethodChoice;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
@@ -19,7 +26,6 @@ public final class StatusLine extends JPanel {
 
     private final JLabel picture = new JLabel("Loading");
     private final JLabel method = new JLabel(" ", SwingConstants.TRAILING);
-    private String renderer = "";
     private final JTextArea message = new JTextArea();
     // Frames since the last text about a moving picture; time of that text, 0 while nothing moves; frame rate as text.
     private int frames;
@@ -53,7 +59,6 @@ public final class StatusLine extends JPanel {
             }
         });
         message("");
-        // Both are labels, which cut a long text with an ellipsis.
         add(picture);
         add(method, BorderLayout.EAST);
     }
@@ -98,7 +103,7 @@ public final class StatusLine extends JPanel {
         show(Text.format(pattern, Math.floor(100 * share)) + remaining(progressStart, share));
     }
 
-    /** Returns words about the remaining time of work, given its start and the share done; empty until that can be estimated. */
+    /** Returns words about the remaining time of work; empty until that can be estimated. */
     static String remaining(long start, double share) {
         double seconds = (System.nanoTime() - start) * 1e-9;
         return seconds > 1 && share > 0.05 && share < 1
@@ -121,7 +126,14 @@ public final class StatusLine extends JPanel {
         report("No picture of this scene");
     }
 
-    void loading(String name, double share) {
+    /** Names the mesh, patch or method in which the newest scene differs from the one on screen. */
+    void loading(Optional<Scene> shown, Scene newest, double share) {
+        Scene old = shown.orElse(newest);
+        String name = !old.mesh().equals(newest.mesh())
+                ? new File(newest.mesh().name()).getName()
+                : shown.isEmpty() || !old.patches().equals(newest.patches())
+                        ? new File(newest.patch().patch()).getName()
+                        : "method " + newest.method().type().label();
         loading = "Loading " + name + (share > 0 ? Text.format(", %.0f %%", 100 * share) : "");
         picture.setText(loading);
     }
@@ -142,17 +154,19 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    void renderer(String name) {
-        renderer = name;
-    }
-
     /** Shows the method and tolerance of the picture, with the lines of the method's plan as tooltip. */
-    void method(String words, List<String> details) {
-        method.setText(words);
-        method.setToolTipText("<html>" + String.join("<br>", details) + "<br>drawn by " + renderer);
+    void method(SceneData data, String renderer) {
+        MethodChoice choice = MethodChoice.of(data.scene());
+        String tolerance =
+                choice.hasTolerance() ? ", tolerance " + data.scene().choices().written(MethodSettings.TOLERANCE) : "";
+        method.setText(choice + tolerance);
+        List<String> details = new ArrayList<>(data.method().reasons());
+        details.add(0, data.method().summary());
+        details.add("drawn by " + renderer);
+        method.setToolTipText("<html>" + String.join("<br>", details));
     }
 
-    /** Shows a message until the next one or a click; a blank one clears it. */
+    /** Until the next message or a click; a blank one clears it. */
     final void message(String text) {
         message.setText(text);
         message.setVisible(!text.isBlank());

@@ -45,13 +45,9 @@ public final class Viewer {
     private Scene sceneAsOpened;
 
     /**
-     * Creates all parts and opens OpenGL; the window is not visible yet.
+     * Creates all parts; the window is not visible yet.
      *
-     * @param scene first scene
-     * @param loader loader of scenes
      * @param opening opens OpenGL, on the render thread
-     * @param journal receives the times of the start's stages
-     * @param recent list of the files loaded last
      */
     public Viewer(
             Scene scene,
@@ -70,16 +66,8 @@ public final class Viewer {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
             inspector = new PointInspector(
                     window.picture(), window.pick(), model, loop, measuring, window.status()::message, this::show);
-            files = new FileActions(window, model, writing, this::open, recent);
-            presenter = new ScenePresenter(
-                    model,
-                    window,
-                    loop,
-                    files,
-                    inspector,
-                    journal,
-                    new SplitViewPresenter(window, loop, loader, loading),
-                    new MapPresenter(model, window, inspector, measuring));
+            files = new FileActions(this, recent);
+            presenter = new ScenePresenter(this, loader);
             window.controls().onComparison(presenter::show);
             Toolkit.getDefaultToolkit().addAWTEventListener(dragListener, AWTEvent.MOUSE_EVENT_MASK);
             model.setListener(presenter);
@@ -110,8 +98,9 @@ public final class Viewer {
     }
 
     /**
-     * Shows the window, with a picture of the given size if there is one, and then the scene.
+     * Shows the window, then the scene.
      *
+     * @param pictureSize in screen pixels, or null
      * @param shape waits for the first scene's shape
      */
     public void start(Dimension pictureSize, Supplier<SceneShape> shape) {
@@ -128,6 +117,22 @@ public final class Viewer {
                 window.picture().pictureWidth(),
                 window.picture().pictureHeight());
         model.start();
+    }
+
+    RenderLoop loop() {
+        return loop;
+    }
+
+    Background loading() {
+        return loading;
+    }
+
+    Background writing() {
+        return writing;
+    }
+
+    Background measuring() {
+        return measuring;
     }
 
     public ViewerWindow window() {
@@ -172,10 +177,10 @@ public final class Viewer {
     }
 
     /**
-     * Waits until the window is closed, running saves are done and the OpenGL context is closed; a save that waits for a final picture is
-     * dropped. Must not be called on the event thread.
+     * Waits until the window is closed, then for running saves and for the end of OpenGL. A save that waits for a final picture is dropped.
+     * Must not be called on the event thread.
      *
-     * @param patience longest wait for saves, and again for the OpenGL context, in milliseconds
+     * @param patience longest wait for saves, and again for OpenGL, in milliseconds
      * @return true if the OpenGL context is closed
      */
     public boolean awaitEnd(long patience) throws InterruptedException {
@@ -228,7 +233,6 @@ public final class Viewer {
         model.change(scene -> Drags.zoomed(scene, factor, 0, 0, 1, 1));
     }
 
-    /** Returns the scene that was opened last, without later changes. */
     public Scene sceneAsOpened() {
         return sceneAsOpened;
     }
@@ -244,7 +248,7 @@ public final class Viewer {
         });
     }
 
-    /** Shows one line from the loader, such as a warning about a patch. Callable on any thread. */
+    /** Callable on any thread. */
     public void message(String line) {
         SwingUtilities.invokeLater(() -> window.status().message(line));
     }

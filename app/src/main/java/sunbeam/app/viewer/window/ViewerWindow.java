@@ -149,10 +149,6 @@ public final class ViewerWindow extends JFrame {
         return status;
     }
 
-    void showMap(boolean shown) {
-        map.setVisible(shown);
-    }
-
     /** Panel beside the picture that scrolls vertically if it needs more height, never horizontally. */
     private static final class SidePanel extends JPanel implements Scrollable {
         private static final int UNIT = 16;

@@ -339,10 +339,10 @@ final class RenderLoopTest {
         }
 
         @Override
-        public void complete(ViewState state, Final picture, long nanoseconds) {
+        public void complete(RenderLoop.Finished finished) {
             // A state requested meanwhile shows the same picture, or is drawn next.
-            shown = state;
-            isFinal = state == asked;
+            shown = finished.state();
+            isFinal = shown == asked;
         }
 
         @Override
