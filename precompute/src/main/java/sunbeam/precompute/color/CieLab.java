@@ -4,10 +4,8 @@ package sunbeam.precompute.color;
 public record CieLab(double lightness, double a, double b) {
     /** X, Y, Z of D65 for the 2-degree observer (CIE 15:2018, table 3), Y = 1. */
     private static final double[] WHITE = {0.95047, 1, 1.08883};
-
     // Cube root of the ratio to white below which the response is linear.
     private static final double DELTA = 6.0 / 29;
-
     private static final double POWER_25_TO_7 = Math.pow(25, 7);
 
     public static CieLab ofXyz(double x, double y, double z) {

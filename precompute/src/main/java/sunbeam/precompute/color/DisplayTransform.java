@@ -93,7 +93,6 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
         GAMMA(Float.MAX_VALUE);
 
         private static final double PROGRAM_GAMMA = 2.4 / 2.5;
-
         // Light at a hundred times white loses a third of its saturation.
         private static final double DESATURATION = 0.005;
         private static final double BRIGHTEST_SHOWN = Srgb.linear(254);

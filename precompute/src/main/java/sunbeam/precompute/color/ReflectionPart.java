@@ -14,7 +14,6 @@ import sunbeam.precompute.optics.RefractiveIndex;
  * @param constant constant term of the directional factor, constant + schlick s
  */
 public record ReflectionPart(CieTable cie, double constant, double schlick) {
-
     /** Returns the components of a material's light, relative to a flat mirror of the same material seen along the normal. */
     public static List<ReflectionPart> of(RefractiveIndex index, CieTable cie) {
         double mirror = mirror(index, cie);

@@ -15,7 +15,6 @@ import sunbeam.precompute.numerics.Lagrange;
 public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     /** Relative change of X, Y, Z at which halving ends. At half the step, polynomials of degree 11 err a thousand times less. */
     private static final double CONVERGED = 3e-8;
-
     // Amplitudes are sums of total magnitude 1 with errors near 1e-15. A power p errs by this times sqrt(p).
     private static final double AMPLITUDE_ROUNDING = 1e-14;
     private static final int MOST_HALVINGS = 6;

@@ -32,10 +32,8 @@ public record ColorTable(
     private static final double RATIO = Math.sqrt(2);
     // Standard deviation in (u, v): in a wider level a fifth of the hemisphere would have one color.
     private static final double WIDEST_SIGMA = 0.06;
-
     // Smallest |w| at which the finest level of a table with slopes is not too wide.
     private static final double SHALLOWEST = 0.5;
-
     // Standard deviation: tan 1 degree. Power spectra of smaller slopes take more than 1 GB.
     private static final double LEAST_SLOPES = 0.01745;
 
@@ -45,18 +43,14 @@ public record ColorTable(
     // Smallest tolerance at which levels for footprints use linear filters, which err by a tenth on flanks of isolated
     // orders.
     private static final double LINES_TOLERANCE = 5e-3;
-
     // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means grow.
     private static final double LINES_STEP = 1.5;
-
     // Factor of the step if orders are isolated, since splines ring in the dark between them: at tolerance 1e-2 the
     // 95th percentile of the errors of patch blaze is 2 % with it, 4 % without.
     private static final double ISOLATED_STEP = 0.85;
-
     // Factor of the number of slices from LINES_TOLERANCE on: at a |w| where an order has no power, the remaining power
     // is smaller than the error of interpolation between slices.
     private static final double SLICE_FACTOR = 1.5;
-
     // For 16-bit floats, which round a color's square root by at most 2^-11, so the color by 1e-3.
     private static final double HALF_TOLERANCE = 1e-3;
 

@@ -28,7 +28,6 @@ public record TableDesign(double step, int slices) {
     // Exponents of the steps in the errors: between 4 and 6 for cubic B-splines of square roots.
     private static final double STEP_ORDER = 5;
     private static final double SLICE_ORDER = 4;
-
     // Exponent of the coherence length for coherent averages, whose roots have kinks at the zeros between speckles;
     // under long windows these are filled, since each wavelength has them elsewhere.
     private static final double COHERENT_ORDER = 0.15;

@@ -4,7 +4,6 @@ import sunbeam.precompute.optics.Direction;
 
 /** Coordinates (x, y) in which colors vary no faster than in u and v, so that the steps of a {@link TableDesign} suffice. */
 public sealed interface TableSpace {
-
     double[] place(double u, double v, double w);
 
     /** Returns u, v, w at coordinates, in the slice of this |w| if the space has slices. */

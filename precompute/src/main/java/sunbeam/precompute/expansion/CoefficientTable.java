@@ -9,7 +9,6 @@ import sunbeam.precompute.numerics.Lagrange;
  * Shaders interpolate them by parabolas through the nearest three samples.
  */
 public record CoefficientTable(double minimumPhase, double maximumPhase, double[][] values) {
-
     // Error of the parabolas for functions of bandwidth and magnitude 1, per radian of phases: a third of float32's
     // rounding, since weak orders are small differences of large terms.
     private static final double LARGEST_ERROR = 2e-8;

@@ -12,7 +12,6 @@ import sunbeam.precompute.setting.ValueKind;
  * with s the scaled height ({@link HeightScale}), zeta = k |w| halfRange (w is never positive) and real c_n.
  */
 public interface Expansion {
-
     enum Kind {
         /** Powers of the height: the thesis's choice (eq. 2.44). Its terms reach e^phase before they shrink. */
         TAYLOR,

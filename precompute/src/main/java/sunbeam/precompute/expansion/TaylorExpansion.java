@@ -4,7 +4,6 @@ import java.util.Arrays;
 
 /** Taylor series: T_n = s^n, c_n = zeta^n / n! (thesis eq. 2.44), with heights scaled to [-1, 1]. */
 public record TaylorExpansion(HeightScale scale, int terms, double maximumPhase) implements Expansion {
-
     /** Returns the fewest terms whose remainder at the largest phase is within a tolerance. */
     public static TaylorExpansion within(HeightScale scale, double maximumPhase, double tolerance) {
         int terms = 1;

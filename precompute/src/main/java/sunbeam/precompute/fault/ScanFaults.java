@@ -174,7 +174,6 @@ public final class ScanFaults {
      */
     public record ScanFault(
             String words, Optional<Crop> part, Optional<Leveling> leveling, double unmeasured, String remedy) {
-
         public String line() {
             return words + (remedy.isEmpty() ? "" : "; " + remedy);
         }

@@ -2,7 +2,6 @@ package sunbeam.precompute.fourier;
 
 /** Vector of complex numbers, whose two arrays of equal length are not copied, since transforms work in place. */
 public record ComplexVector(double[] real, double[] imaginary) {
-
     public ComplexVector {
         if (real.length != imaginary.length) {
             throw new IllegalArgumentException(

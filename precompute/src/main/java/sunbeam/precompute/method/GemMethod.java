@@ -35,7 +35,6 @@ public record GemMethod(
         Optional<Double> spacing, Optional<Integer> orders, GemForm form, CoherenceWindow window, FresnelFactor fresnel)
         implements Method {
     private static final int STAM_ORDERS = 8;
-
     // Widest patch that may be one period of a grating with visible colors, meters.
     private static final double WIDEST_PERIOD = 10e-6;
 

@@ -31,7 +31,6 @@ public record MethodPlan(
         Set<MethodUse> uses,
         Supplier<String> identity,
         BiFunction<MethodUse, TableSources, ShaderTables> maker) {
-
     public List<String> reasons() {
         return explanation.get();
     }

@@ -25,7 +25,6 @@ import sunbeam.precompute.units.Lengths;
 public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fresnel) implements Method {
     // Meters, for directions so close to the specular one that an order covers the visible band.
     private static final double WAVELENGTH_STEP = 5e-9;
-
     // In 1 / meter of 1 / lambda: at 500 nm a deviation of 12 nm, a third of the narrowest color matching function's.
     private static final double WIDEST_ORDER = 7e4;
     private static final double LARGEST_UV = 2;
@@ -33,7 +32,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     private static final double FAINTEST = 1e-3;
     // Deviation of the window's spectrum, in bins; above, neighbors interfere by more than exp(-1 / (4 sigma^2)).
     private static final double OVERLAP_SIGMA_BINS = 0.2;
-
     // The step is 0.7 nm at 500 nm; color matching functions bend over tens of nanometers.
     private static final int CENTERS = 768;
     private static final int WIDTHS = 24;

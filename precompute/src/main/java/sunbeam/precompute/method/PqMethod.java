@@ -58,7 +58,6 @@ public record PqMethod(
         implements Method {
     // Wavelength steps in meters; the coarsest is the thesis's.
     private static final double COARSEST_STEP = 5e-9;
-
     private static final double FINEST_STEP = 0.05e-9;
     private static final int TERMS_PER_TEXEL = 2;
     private static final String TERMS = "periodTerms";

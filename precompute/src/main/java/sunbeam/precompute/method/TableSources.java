@@ -9,7 +9,6 @@ import sunbeam.precompute.spectrum.FourierTable;
 
 /** Source of a surface's tables, which makes them or reads them from caches. */
 public interface TableSources {
-
     FourierTable fourier(SpectrumPlan plan);
 
     ShaderTables tables(MethodPlan plan);

@@ -2,7 +2,6 @@ package sunbeam.precompute.optics;
 
 /** Unit vector in the tangent frame (x tangent, y bitangent, z normal) that points away from the surface. */
 public record Direction(double x, double y, double z) {
-
     /** Returns the direction with an angle to the normal, 0..90, and an azimuth counter-clockwise from +x, in degrees. */
     public static Direction ofDegrees(double thetaDegrees, double phiDegrees) {
         double theta = Math.toRadians(thetaDegrees);

@@ -5,7 +5,6 @@ package sunbeam.precompute.optics;
  * wr), so w is at most 0 (Stam 1999, section 4).
  */
 public record DirectionPair(Direction wi, Direction wr) {
-
     public double u() {
         return -(wi.x() + wr.x());
     }

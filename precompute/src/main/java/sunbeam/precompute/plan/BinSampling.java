@@ -25,7 +25,6 @@ import sunbeam.precompute.text.Text;
  */
 public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths, boolean planned) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;
-
     // Most bins of a neighborhood whose shader sums terms in the outer loop and bins in the inner one.
     private static final int FEW_BINS = 81;
     private static final String TERMS = "tableTerms";

@@ -35,14 +35,12 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     private static final double EXPANSION_SHARE = 0.4;
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;
-
     // Skirts (of the specular spot or of orders) that show above a rough patch's light, in standard deviations.
     private static final double ROUGH_SKIRT = 3.5;
     // Errors of interpolation and of the rule over wavelengths average out on rough patches; measured.
     private static final double ROUGH_AVERAGING = 8;
     // One direction in ten is darker than Roughness.dark, and there 3 t is promised.
     private static final double AT_DARK_DIRECTIONS = 2;
-
     private static final double PANEL_ERROR = 105 * Math.pow(24, 4) / (9 * Math.pow(40320, 3)) / Math.sqrt(2 * Math.PI);
     private static final double CUT_ERROR = 3.0 / 160 * 3 / Math.sqrt(2 * Math.PI);
     private static final double LARGEST_PANEL = 3.5;

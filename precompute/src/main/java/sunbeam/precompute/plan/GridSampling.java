@@ -36,7 +36,6 @@ public record GridSampling(
         boolean apart,
         ErrorBudget budget)
         implements Sampling {
-
     GridSampling withColumnsCloser(int times) {
         return with(interpolation, nodeStep / times, apart);
     }

@@ -18,7 +18,6 @@ import sunbeam.precompute.spectrum.FourierTable;
  */
 public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> resolved, BandRule band)
         implements Sampling {
-
     /**
      * Wavelengths around the middle of an order; lengths are standard deviations of the order's power unless stated.
      *

@@ -27,10 +27,8 @@ final class PlanChecks {
     // Per coherence length. A Gaussian of deviation s sampled at a pitch p has replicas of its spectrum at distance 1 /
     // p; the first adds exp(-2 pi^2 s^2 / p^2), 3e-9 at s = p, to a coherent power's normalization.
     private static final double FEWEST_SAMPLES = 4;
-
     // Meters: the first order of a period of two samples is then 3 degrees from the mirror direction at 550 nm.
     private static final double COARSEST_PITCH = 5e-6;
-
     // Radians; the time to find an expansion's basis, half a minute here, grows with the third power.
     private static final double LARGEST_PHASE = 800;
 

@@ -9,7 +9,6 @@ import sunbeam.precompute.spectrum.FourierTable;
 
 /** Rule for evaluating the windowed spectrum: the bins or grids to read, and the wavelengths. */
 public sealed interface Sampling permits BinSampling, GridSampling, OrderSampling {
-
     String summary(VisibleRange range);
 
     /** Formats a range of numbers: "60 to 166", or one number. */

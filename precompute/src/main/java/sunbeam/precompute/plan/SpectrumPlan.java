@@ -37,10 +37,8 @@ public record SpectrumPlan(
         Sampling sampling) {
     // In units in the last place: a fifth of the largest, as measured.
     private static final double TYPICAL_ROUNDING = 0.1;
-
     // Error at the 95th percentile of power per radian of the largest phase; measured.
     private static final double PHASE_ROUNDING = 3e-7;
-
     /** Margin of bins for shorter windows, in their sigma_f. */
     private static final double SHORT_WINDOW_REACH = 4;
 

@@ -24,7 +24,6 @@ public record VisibleRange(
         double maximumW,
         Optional<Direction> light,
         List<DirectionPair> pairs) {
-
     public VisibleRange {
         pairs = List.copyOf(pairs);
     }

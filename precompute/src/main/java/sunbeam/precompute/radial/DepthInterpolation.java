@@ -8,12 +8,10 @@ import java.util.stream.IntStream;
 /** Lagrange interpolation of colors along w, between slices in which |w| is constant. Immutable. */
 final class DepthInterpolation {
     private static final int TAPS = 6;
-
     private static final int COORDINATES = 3;
     private static final double DEEPEST = 2;
     /** Periods of the fastest wave along w in one slice step of the color table (TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
-
     private static final double ERROR = 5e-5;
 
     private final double[] depths;

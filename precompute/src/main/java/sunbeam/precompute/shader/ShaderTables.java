@@ -27,7 +27,6 @@ public record ShaderTables(
         double windowSigma,
         double specularReach,
         String trial) {
-
     public ShaderTables {
         defines = Collections.unmodifiableMap(new TreeMap<>(defines));
         reals = Collections.unmodifiableMap(new TreeMap<>(reals));

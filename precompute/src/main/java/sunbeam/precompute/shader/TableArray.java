@@ -5,7 +5,6 @@ import java.util.function.IntFunction;
 
 /** Array that a shader reads. Layers, of {@link ArrayLayout#floatsPerLayer()} floats, may be computed when read, to save memory. */
 public record TableArray(ArrayLayout layout, IntFunction<FloatBuffer> layers) {
-
     public static TableArray of(ArrayLayout layout, float[] values) {
         return new TableArray(layout, layer -> FloatBuffer.wrap(values));
     }

@@ -23,7 +23,6 @@ import sunbeam.precompute.patch.HeightLevels;
  */
 public record FourierTable(
         HeightMap map, Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {
-
     /** Transforms the terms within bands; the consumer receives the number of terms finished by each transform. */
     public static FourierTable of(
             HeightLevels heights, Expansion expansion, Band bandX, Band bandY, IntConsumer progress) {

@@ -12,7 +12,6 @@ public record GridResampler(Axis alongX, Axis alongY) {
      * reach, from {@code firstBin} on.
      */
     public record Axis(int bins, int[] firstBin, double[][] weights) {
-
         /**
          * Returns weights for later interpolation: the Gaussian with the kernel divided out of its transform. The step is in cycles per
          * meter.

@@ -21,7 +21,6 @@ import sunbeam.precompute.numerics.KaiserBessel;
 public record InterpolationDesign(double deviation, int taps, double beta, double error) {
     private static final int FEWEST_TAPS = 3;
     private static final int MOST_TAPS = 10;
-
     // On finer grids the Gaussian bends less between samples, which makes its skirts exact.
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
     // These err least of 1.5 to 3.2, both in the middle and on the skirts.
