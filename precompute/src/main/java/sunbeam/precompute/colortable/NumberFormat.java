@@ -7,32 +7,8 @@ import java.nio.FloatBuffer;
 /** Format of a tile's coefficients in caches and on the graphics card, in native byte order. */
 public enum NumberFormat {
     /** Binary16 of 256 times the root of power, to 2^-11. Powers below 6e-14 lose digits, below 5e-20 become 0. */
-    HALF(Short.BYTES, 256) {
-        @Override
-        void put(float[] values, ByteBuffer bytes) {
-            short[] halves = new short[values.length];
-            for (int i = 0; i < values.length; i++) {
-                halves[i] = half(256 * values[i]);
-            }
-            bytes.asShortBuffer().put(halves);
-        }
-
-        @Override
-        float decoded(ByteBuffer encoded, int index) {
-            return ofHalf(encoded.getShort(index * Short.BYTES));
-        }
-    },
-    FLOAT(Float.BYTES, 1) {
-        @Override
-        void put(float[] values, ByteBuffer bytes) {
-            bytes.asFloatBuffer().put(values);
-        }
-
-        @Override
-        float decoded(ByteBuffer encoded, int index) {
-            return encoded.getFloat(index * Float.BYTES);
-        }
-    };
+    HALF(Short.BYTES, 256),
+    FLOAT(Float.BYTES, 1);
 
     private static final int SIGN = 0x8000;
     private static final int LARGEST = 0x7bff;
@@ -65,11 +41,18 @@ public enum NumberFormat {
     }
 
     byte[] encoded(float[] values) {
-        byte[] encoded = new byte[values.length * bytes];
-        put(values, ByteBuffer.wrap(encoded).order(ByteOrder.nativeOrder()));
-        return encoded;
+        ByteBuffer encoded = ByteBuffer.allocate(values.length * bytes).order(ByteOrder.nativeOrder());
+        for (float value : values) {
+            if (this == HALF) {
+                encoded.putShort(half(scale * value));
+            } else {
+                encoded.putFloat(value);
+            }
+        }
+        return encoded.array();
     }
 
+    /** Decodes all values, without dividing by {@link #scale()}. */
     FloatBuffer floats(ByteBuffer encoded) {
         if (this == FLOAT) {
             return encoded.asFloatBuffer();
@@ -81,9 +64,9 @@ public enum NumberFormat {
         return FloatBuffer.wrap(floats);
     }
 
-    abstract void put(float[] values, ByteBuffer target);
-
-    abstract float decoded(ByteBuffer encoded, int index);
+    float decoded(ByteBuffer encoded, int index) {
+        return this == HALF ? ofHalf(encoded.getShort(index * bytes)) : encoded.getFloat(index * bytes);
+    }
 
     public static float ofHalf(short bits) {
         int magnitude = bits & Short.MAX_VALUE;

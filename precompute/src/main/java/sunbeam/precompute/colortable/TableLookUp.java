@@ -4,7 +4,7 @@ import java.util.List;
 import sunbeam.precompute.numerics.Lagrange;
 
 /** Look-up of colors in tiles, as in shaders/include/color_table.glsl, in double precision. */
-public final class TableLookUp {
+public record TableLookUp(List<TileGrid> grids, NumberFormat numbers, Tiles tiles) {
     private static final int SIDE = TileGrid.SIDE;
     private static final int STORED_SIDE = TileGrid.STORED_SIDE;
     private static final int CHANNELS = 4;
@@ -12,20 +12,10 @@ public final class TableLookUp {
     // From the last tile's edge, in texels, as in the shader.
     private static final double EDGE_MARGIN = 0.01;
 
-    private final List<TileGrid> grids;
-    private final NumberFormat numbers;
-    private final Tiles tiles;
-
     @FunctionalInterface
     public interface Tiles {
         /** Returns a coefficient of an existing tile, times {@link NumberFormat#scale()}, by its index in the tile. */
         float coefficient(int level, int tile, int index);
-    }
-
-    public TableLookUp(List<TileGrid> grids, NumberFormat numbers, Tiles tiles) {
-        this.grids = List.copyOf(grids);
-        this.numbers = numbers;
-        this.tiles = tiles;
     }
 
     /** Returns X, Y, Z of power, not yet multiplied by the level's scale. The tiles must exist. */

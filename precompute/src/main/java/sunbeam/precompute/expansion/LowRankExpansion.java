@@ -9,69 +9,67 @@ import org.apache.commons.math3.special.BesselJ;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), sampled at Gauss-Legendre nodes of the
- * phases that a scene needs and at the heights of a {@link HeightRule}, weighted by their number of samples (Eckart and Young 1936). The
- * c_n are real and orthonormal over the phases; T_n, the mean over zeta of c_n(zeta) exp(-i zeta s), is stored as a Chebyshev series.
+ * Expansion with the fewest terms for one patch: singular vectors of the kernel exp(-i zeta s), sampled at Gauss-Legendre nodes of the phases
+ * that a scene needs and at the heights of a {@link HeightRule}, weighted by their number of samples (Eckart and Young 1936). The c_n are
+ * real and orthonormal over the phases, {@code functions[n][node]}; T_n, the mean over zeta of c_n(zeta) exp(-i zeta s), is the Chebyshev
+ * series {@code series[n]}.
  */
-public final class LowRankExpansion implements Expansion {
+public record LowRankExpansion(
+        HeightScale scale, PhaseNodes nodes, int terms, double error, double[][] functions, double[][] series)
+        implements Expansion {
     // Relative to the largest coefficient of all terms: a hundredth of a double's rounding.
     private static final double SMALLEST_SIGNIFICANT = 1e-18;
 
-    private final HeightScale scale;
-    private final PhaseNodes nodes;
-    private final int terms;
-    private final double error;
-    private final double[][] functions;
-    // [term][degree]
-    private final double[][] series;
-
-    private LowRankExpansion(
+    private static LowRankExpansion of(
             HeightLevels heights,
             HeightScale scale,
             double minimumPhase,
             double maximumPhase,
             double tolerance,
             int mostTerms) {
-        this.scale = scale;
         // The bandwidth is 1, since |s| is at most 1.
-        this.nodes = new PhaseNodes(minimumPhase, maximumPhase, 1);
-        // Its Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9 count. The
+        PhaseNodes nodes = new PhaseNodes(minimumPhase, maximumPhase, 1);
+        // A Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9 count. The
         // triangular QR factor has few rows and the same singular values and right vectors.
-        RealMatrix triangle = new QRDecomposition(kernel(HeightRule.of(heights, scale, maximumPhase))).getR();
+        RealMatrix triangle = new QRDecomposition(kernel(HeightRule.of(heights, scale, maximumPhase), nodes)).getR();
         int last = nodes.count() - 1;
         SingularValueDecomposition decomposition =
                 new SingularValueDecomposition(triangle.getSubMatrix(0, last, 0, last));
         double[] errors = errors(decomposition.getSingularValues());
-        int count = 1;
-        while (count < Math.min(mostTerms, last + 1) && errors[count] > tolerance) {
-            count++;
+        int terms = 1;
+        while (terms < Math.min(mostTerms, last + 1) && errors[terms] > tolerance) {
+            terms++;
         }
-        this.terms = count;
-        this.error = errors[count];
-        this.functions = new double[terms][nodes.count()];
+        double[][] functions = new double[terms][nodes.count()];
         for (int n = 0; n < terms; n++) {
             for (int q = 0; q < nodes.count(); q++) {
                 functions[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
             }
         }
-        double[][] full = chebyshevSeries();
-        int length = significantLength(full);
-        this.series = Arrays.stream(full).map(one -> Arrays.copyOf(one, length)).toArray(double[][]::new);
+        double[][] series = chebyshevSeries(functions, nodes);
+        int length = significantLength(series);
+        return new LowRankExpansion(
+                scale,
+                nodes,
+                terms,
+                errors[terms],
+                functions,
+                Arrays.stream(series).map(one -> Arrays.copyOf(one, length)).toArray(double[][]::new));
     }
 
     /** Returns the fewest terms whose root mean square error over heights and phases is within a tolerance. */
     public static LowRankExpansion within(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, double tolerance) {
-        return new LowRankExpansion(heights, scale, minimumPhase, maximumPhase, tolerance, Integer.MAX_VALUE);
+        return of(heights, scale, minimumPhase, maximumPhase, tolerance, Integer.MAX_VALUE);
     }
 
     public static LowRankExpansion ofTerms(
             HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
-        return new LowRankExpansion(heights, scale, minimumPhase, maximumPhase, Double.NEGATIVE_INFINITY, terms);
+        return of(heights, scale, minimumPhase, maximumPhase, Double.NEGATIVE_INFINITY, terms);
     }
 
     /** Real and imaginary parts of exp(-i zeta s) are separate rows, so that the functions of the phase are real. */
-    private RealMatrix kernel(HeightRule rule) {
+    private static RealMatrix kernel(HeightRule rule, PhaseNodes nodes) {
         int heights = rule.heights().length;
         // A QR decomposition needs at least as many rows as columns.
         double[][] matrix = new double[Math.max(2 * heights, nodes.count())][nodes.count()];
@@ -98,17 +96,17 @@ public final class LowRankExpansion implements Expansion {
     }
 
     /** {@code [n][k]} multiplies the Chebyshev polynomial of degree k; even k belong to the real part of T_n, odd k to the imaginary. */
-    private double[][] chebyshevSeries() {
+    private static double[][] chebyshevSeries(double[][] functions, PhaseNodes nodes) {
         // Beyond n = zeta, J_n(zeta) falls faster than exponentially; 12 zeta^(1/3) orders later it is below 1e-17.
-        int length = (int) Math.ceil(maximumPhase() + 12 * Math.cbrt(maximumPhase()) + 12);
-        double[][] series = new double[terms][length];
+        int length = (int) Math.ceil(nodes.maximum() + 12 * Math.cbrt(nodes.maximum()) + 12);
+        double[][] series = new double[functions.length][length];
         for (int q = 0; q < nodes.count(); q++) {
             double[] coefficients = bessel(length, nodes.node(q));
             for (int k = 0; k < length; k++) {
                 // (-i)^k is 1, -i, -1, i.
                 double sign = k % 4 == 0 || k % 4 == 3 ? 1 : -1;
                 double bessel = sign * nodes.weight(q) * coefficients[k];
-                for (int n = 0; n < terms; n++) {
+                for (int n = 0; n < functions.length; n++) {
                     series[n][k] += bessel * functions[n][q];
                 }
             }
@@ -150,16 +148,6 @@ public final class LowRankExpansion implements Expansion {
         return Kind.LOWRANK;
     }
 
-    @Override
-    public int terms() {
-        return terms;
-    }
-
-    @Override
-    public HeightScale scale() {
-        return scale;
-    }
-
     /** Sums the even polynomials (Jacobi-Anger): with s = cos x, C_2j(s) = cos 2jx = C_j(y), y = 2 s^2 - 1. */
     @Override
     public double realBasis(int n, double s) {
@@ -199,10 +187,5 @@ public final class LowRankExpansion implements Expansion {
     @Override
     public double maximumPhase() {
         return nodes.maximum();
-    }
-
-    @Override
-    public double error() {
-        return error;
     }
 }

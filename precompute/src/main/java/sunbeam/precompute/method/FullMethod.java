@@ -7,7 +7,6 @@ import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
@@ -41,11 +40,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     @Override
     public MethodType type() {
         return TYPE;
-    }
-
-    @Override
-    public ReferenceMethod referenceMethod(HeightMap map) {
-        return new ReferenceMethod(area);
     }
 
     @Override

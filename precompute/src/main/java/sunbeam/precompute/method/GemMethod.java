@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -60,8 +59,8 @@ public record GemMethod(
     }
 
     @Override
-    public ReferenceMethod referenceMethod(HeightMap map) {
-        return new ReferenceMethod(GaussianArea.STANDARD.with(window));
+    public GaussianArea area() {
+        return GaussianArea.STANDARD.with(window);
     }
 
     @Override

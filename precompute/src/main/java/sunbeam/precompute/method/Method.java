@@ -2,6 +2,7 @@ package sunbeam.precompute.method;
 
 import java.util.Optional;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Setting.Sentence;
 
@@ -9,11 +10,15 @@ import sunbeam.precompute.setting.Setting.Sentence;
 public interface Method {
     MethodType type();
 
+    GaussianArea area();
+
     /** Plans the method for the directions that can occur; throws SettingException if a setting does not suit the surface. */
     MethodPlan plan(Surface surface, VisibleRange range);
 
     /** Returns the exact method that this one approximates and is compared with. */
-    ReferenceMethod referenceMethod(HeightMap map);
+    default ReferenceMethod referenceMethod(HeightMap map) {
+        return new ReferenceMethod(area());
+    }
 
     /** Describes the error that no tolerance bounds, with the remedy; empty if the tolerance holds. */
     default Optional<Sentence> approximation() {

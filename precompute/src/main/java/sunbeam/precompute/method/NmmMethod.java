@@ -52,11 +52,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     }
 
     @Override
-    public ReferenceMethod referenceMethod(HeightMap map) {
-        return new ReferenceMethod(area);
-    }
-
-    @Override
     public Optional<Sentence> approximation() {
         return Optional.of(Sentence.of("one wavelength represents a whole order; give ", Methods.METHOD, " full"));
     }

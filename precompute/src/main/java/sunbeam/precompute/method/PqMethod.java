@@ -19,7 +19,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.plan.MethodSettings;
@@ -93,6 +92,11 @@ public record PqMethod(
         return TYPE;
     }
 
+    @Override
+    public GaussianArea area() {
+        return GaussianArea.STANDARD.with(window);
+    }
+
     private Replicas replicas(HeightMap map) {
         return replicas.map(count -> new Replicas(count, count))
                 .orElseGet(() -> Replicas.filling(window, map.width(), map.height()));
@@ -100,7 +104,7 @@ public record PqMethod(
 
     @Override
     public ReferenceMethod referenceMethod(HeightMap map) {
-        return new ReferenceMethod(new CoherenceArea.Replicated(replicas(map)));
+        return new ReferenceMethod(replicas(map));
     }
 
     @Override

@@ -8,7 +8,6 @@ import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 import java.util.List;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
@@ -39,11 +38,6 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
     @Override
     public MethodType type() {
         return TYPE;
-    }
-
-    @Override
-    public ReferenceMethod referenceMethod(HeightMap map) {
-        return new ReferenceMethod(area);
     }
 
     @Override

@@ -17,7 +17,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /** Coherence area with a Gaussian window, and the average over positions of the window. */
-public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average average) implements CoherenceArea {
+public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average average) {
     public static final GaussianArea STANDARD = new GaussianArea(
             CoherenceWindow.ofCoherenceLength(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH),
             WindowOrigin.CENTRE,
@@ -40,7 +40,7 @@ public record GaussianArea(CoherenceWindow window, WindowOrigin origin, Average 
         return CoherenceWindow.ofCoherenceLength(choices.get(COHERENCE_LENGTH));
     }
 
-    @Override
+    /** Returns the exact diffracted light of a patch, evaluated by direct sums. */
     public ExactLight over(HeightMap map, CieTable cie) {
         return new WindowLight(new ReferenceEvaluator(map, window, origin), cie, average == Average.ENSEMBLE);
     }

@@ -12,7 +12,6 @@ import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.shader.TableArray;
-import sunbeam.precompute.shader.TermsLayout;
 import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.spectrum.GridResampler;
 import sunbeam.precompute.spectrum.GridResampler.Axis;
@@ -21,7 +20,7 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Arrays of shaders/method/grid_tables.glsl: the resampled spectra of one average. */
 final class GridArrays {
-    private static final int CHANNELS = TermsLayout.CHANNELS;
+    private static final int CHANNELS = 4;
 
     private final GridSampling sampling;
     private final SpectrumPlan plan;
@@ -188,5 +187,34 @@ final class GridArrays {
         double[][] values = fields.values.range(first, Math.min(fields.count, first + stride));
         resampler.resample(values, texels, stride, order);
         return texels;
+    }
+
+    /**
+     * Layout of a spectrum's terms in a texture. The texels of one sample are side by side in a row, so that a pixel's reads are adjacent;
+     * texels beyond the limits of a row and of Java's heap are in further layers.
+     *
+     * @param together number of texels of a sample in one layer
+     */
+    record TermsLayout(int texels, int together, ArrayLayout array) {
+        // Of a layer that is computed in the heap at a time.
+        private static final long LARGEST_LAYER_BYTES = 1L << 28;
+
+        /** Returns the layout of some grids of one size. */
+        static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
+            long bytes = (long) Float.BYTES * CHANNELS * samples * rows;
+            long most = Math.min(MemoryNeed.LONGEST_SIDE / samples, LARGEST_LAYER_BYTES / bytes);
+            int together = (int) Math.max(1, Math.min(texels, most));
+            int layers = (texels + together - 1) / together;
+            return new TermsLayout(
+                    texels, together, ArrayLayout.layered(sampler, samples * together, rows, grids * layers, CHANNELS));
+        }
+
+        int layersPerGrid() {
+            return (texels + together - 1) / together;
+        }
+
+        int samples() {
+            return array.width() / together;
+        }
     }
 }

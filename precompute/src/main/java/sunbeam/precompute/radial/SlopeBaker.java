@@ -14,7 +14,8 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
  * shifts (u, v) by slope times w. At one wavelength and w this is the ensemble average under a shorter window (docs/color-tables.md).
  * Thread-safe.
  */
-public final class SlopeBaker implements ColorBaker {
+public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level)
+        implements ColorBaker {
     private static final int COLORS = 3;
     /** Largest |(u, v)|, slightly beyond all directions. */
     private static final double FARTHEST = 2.2;
@@ -25,25 +26,11 @@ public final class SlopeBaker implements ColorBaker {
     /** Least weight of a wavelength, relative to white. */
     private static final double LEAST_WEIGHT = 1e-5;
 
-    private final PowerSpectrum spectrum;
-    private final CieTable cie;
-    private final GaussianPyramid pyramid;
-    private final ColorTable table;
-    private final int level;
-
     /** Wavelengths of a step, and per slice of |w| its sums over terms. */
     private record Nodes(WavelengthNodes wavelengths, Map<Double, Slice> slices) {}
 
     /** Slice of one |w|: per wavelength the first of the planes around its sigma_f, and a factor for each term of these. */
     private record Slice(int[] planes, float[][] factors) {}
-
-    public SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid pyramid, ColorTable table, int level) {
-        this.spectrum = spectrum;
-        this.cie = cie;
-        this.pyramid = pyramid;
-        this.table = table;
-        this.level = level;
-    }
 
     /** Builds the pyramid that all levels of a table with slopes share; takes tenths of a second. */
     public static GaussianPyramid pyramid(PowerSpectrum spectrum, ColorTable table) {

@@ -7,9 +7,10 @@ import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.
- * Built once per surface; each user applies its own window. A bin's terms lie side by side. Immutable.
+ * Built once per surface; each user applies its own window. Powers are {@code [row][column][term]}, not to be changed.
  */
-public final class PowerSpectrum {
+public record PowerSpectrum(
+        HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[] powers, double tolerance) {
     /** Largest angular frequency of a power over the phase: two scaled heights, both in -1..1, differ by at most 2. */
     public static final double BANDWIDTH = 2;
 
@@ -17,15 +18,6 @@ public final class PowerSpectrum {
 
     private static final int POINTS = 8;
     private static final int BEFORE = POINTS / 2 - 1;
-
-    private final HeightScale scale;
-    private final CoefficientTable coefficients;
-    private final Axis x;
-    private final Axis y;
-    private final double[] powers;
-    private final double tolerance;
-    // Computed on first use; two threads may compute it, neither waits.
-    private volatile PowerSpectrum transposed;
 
     /** Bins along one axis: bin i has the frequency (first + i) / period; the period, meters, is the surface's extent unless decimated. */
     public record Axis(double period, int first, int count) {
@@ -36,16 +28,6 @@ public final class PowerSpectrum {
         public double place(double frequency) {
             return frequency * period - first;
         }
-    }
-
-    private PowerSpectrum(
-            HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[] powers, double tolerance) {
-        this.scale = scale;
-        this.coefficients = coefficients;
-        this.x = x;
-        this.y = y;
-        this.powers = powers;
-        this.tolerance = tolerance;
     }
 
     /** Returns a surface's spectrum with a relative root-mean-square error of the powers over an octave of phases. */
@@ -68,30 +50,9 @@ public final class PowerSpectrum {
         return new PowerSpectrum(scale, coefficients, x, y, powers, tolerance);
     }
 
-    public double tolerance() {
-        return tolerance;
-    }
-
-    public Axis x() {
-        return x;
-    }
-
-    public Axis y() {
-        return y;
-    }
-
-    /** Returns the values of the terms, {@code [row][column][term]}; not to be changed. */
-    public double[] powers() {
-        return powers;
-    }
-
     /** Returns the number of values per bin: the terms, padded with zeros. */
     public int stride() {
         return powers.length / (x.count * y.count);
-    }
-
-    public CoefficientTable coefficients() {
-        return coefficients;
     }
 
     /** Returns the values of some terms, {@code [term - first][bin]}. */
@@ -110,22 +71,17 @@ public final class PowerSpectrum {
         return coefficients.at(scale.phase(wavelength, absoluteW));
     }
 
+    /** Exchanges x and y. */
     public PowerSpectrum transposed() {
-        PowerSpectrum known = transposed;
-        if (known == null) {
-            double[] target = new double[powers.length];
-            int stride = stride();
-            IntStream.range(0, x.count).parallel().forEach(column -> {
-                for (int row = 0; row < y.count; row++) {
-                    int from = (row * x.count + column) * stride;
-                    System.arraycopy(powers, from, target, (column * y.count + row) * stride, stride);
-                }
-            });
-            known = new PowerSpectrum(scale, coefficients, y, x, target, tolerance);
-            known.transposed = this;
-            transposed = known;
-        }
-        return known;
+        double[] target = new double[powers.length];
+        int stride = stride();
+        IntStream.range(0, x.count).parallel().forEach(column -> {
+            for (int row = 0; row < y.count; row++) {
+                int from = (row * x.count + column) * stride;
+                System.arraycopy(powers, from, target, (column * y.count + row) * stride, stride);
+            }
+        });
+        return new PowerSpectrum(scale, coefficients, y, x, target, tolerance);
     }
 
     /**

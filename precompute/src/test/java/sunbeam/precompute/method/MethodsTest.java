@@ -26,7 +26,6 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
@@ -123,7 +122,7 @@ class MethodsTest {
     @Test
     void replicasOfTheReferenceStandInPlaceOfTheWindow() {
         ReferenceMethod method = (ReferenceMethod) Methods.of(REFERENCE.with(REPLICAS, 3));
-        assertThat(method.area()).isEqualTo(new CoherenceArea.Replicated(new Replicas(3, 3)));
+        assertThat(method.replicas()).contains(new Replicas(3, 3));
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(WINDOW_ORIGIN, WindowOrigin.CENTRE)))
                 .hasMessageStartingWith("window origin centre belongs to the Gaussian window, which replicas");
         assertThatThrownBy(() -> Methods.of(REFERENCE.with(REPLICAS, 3).with(AVERAGE, Average.ENSEMBLE)))

@@ -14,11 +14,11 @@ import java.util.stream.Collectors;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
@@ -58,9 +58,8 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     static List<String> caption(MaterialMap.Result map, String remarks, Choices asked, String last) {
         Patch patch = map.patch();
         Direction light = map.light();
-        String average = map.method().referenceMethod(patch.heights()).area() instanceof GaussianArea area
-                ? area.average() == Average.COHERENT ? ", one coherence area" : ", ensemble average"
-                : "";
+        ReferenceMethod exact = map.method().referenceMethod(patch.heights());
+        String average = exact.area().average() == Average.COHERENT ? ", one coherence area" : ", ensemble average";
         return List.of(
                 Text.format(
                         "%s: %s x %s, relief %s",
@@ -78,7 +77,7 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
                                 .limiting()
                                 .map(side -> " (the scan's " + side + ")")
                                 .orElse(""),
-                        average,
+                        exact.replicas().isPresent() ? "" : average,
                         map.method().type().label()),
                 last);
     }

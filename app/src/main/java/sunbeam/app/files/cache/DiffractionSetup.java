@@ -100,7 +100,7 @@ public record DiffractionSetup(
 
     /** Returns the reference for a method's power and colors on this patch. */
     public ExactLight exact(Method method) {
-        return method.referenceMethod(patch.heights()).area().over(patch.heights(), cie());
+        return method.referenceMethod(patch.heights()).light(patch.heights(), cie());
     }
 
     /**

@@ -17,9 +17,9 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.plan.CoherenceArea;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
+import sunbeam.precompute.reference.ReplicaLight;
 
 @EnabledIfEnvironmentVariable(
         named = "DISPLAY",
@@ -40,8 +40,10 @@ class PqMethodTest {
     }
 
     private double exact(DirectionPair pair, int replicas) {
-        return new CoherenceArea.Replicated(new Replicas(replicas, replicas))
-                .over(blaze.setup().patch().heights(), blaze.setup().cie())
+        return new ReplicaLight(
+                        blaze.setup().patch().heights(),
+                        new Replicas(replicas, replicas),
+                        blaze.setup().cie())
                 .power(pair, WAVELENGTH);
     }
 
@@ -95,8 +97,10 @@ class PqMethodTest {
 
     @Test
     void colorAgreesWithTheExactSum() {
-        ExactLight light = new CoherenceArea.Replicated(new Replicas(26, 26))
-                .over(blaze.setup().patch().heights(), blaze.setup().cie());
+        ExactLight light = new ReplicaLight(
+                blaze.setup().patch().heights(),
+                new Replicas(26, 26),
+                blaze.setup().cie());
         List<DirectionPair> directions =
                 List.of(MethodProbe.inPlane(0, -12), MethodProbe.inPlane(10, -31), MethodProbe.inPlane(0, 25));
         List<float[]> colors = blaze.colors(directions, "--method", "pq");
