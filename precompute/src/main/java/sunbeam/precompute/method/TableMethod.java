@@ -5,15 +5,31 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
+import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import sunbeam.precompute.colortable.CachedTiles;
+import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.colortable.Interpolation;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
+import sunbeam.precompute.colortable.ValidatedTable;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.SpectrumPlan;
+import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.text.Text;
 
 /** Colors of {@link FullMethod}, tabulated over (u, v, w) beforehand: a few look-ups per pixel (docs/color-tables.md). */
@@ -66,5 +82,125 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     Methods.METHOD,
                     " full");
         });
+    }
+
+    /**
+     * {@link TableMethod} for a map or a list of directions: uses cached tiles of the table of all lights if these suffice; otherwise bakes a
+     * table for its own points, with steps refined until colors keep the tolerance.
+     */
+    private record PointTable(
+            Surface surface, TableMethod method, TablePoints points, TableDesign coarsest, MethodPlan source) {
+        // Factor of the first table's steps, at which an ensemble average errs by a fifth of the tolerance's share.
+        private static final double COARSE = 1.3;
+
+        static PointTable of(Surface surface, TableMethod method, TablePoints points) {
+            // A coherent average, with zeros between its speckles, begins with finer steps.
+            double coarse = method.area().average() == Average.COHERENT ? 1 : COARSE;
+            TableDesign coarsest = TableDesign.within(
+                            method.tolerance(), method.area(), TableDesign.depth(surface.map()))
+                    .scaled(coarse);
+            method.requireRoom(surface, coarsest, points.memory(coarsest));
+            FullMethod full = new FullMethod(TableChoices.within(method.sourceTolerance()), method.area());
+            return new PointTable(surface, method, points, coarsest, full.planOfTable(surface, points.range(coarsest)));
+        }
+
+        private boolean isCoherent() {
+            return method.area().average() == Average.COHERENT;
+        }
+
+        private boolean isOneLight() {
+            return points.light().isPresent();
+        }
+
+        private String step() {
+            return Text.format("%.2g", coarsest.step());
+        }
+
+        MethodPlan plan() {
+            MemoryNeed memory = points.memory(coarsest);
+            return new MethodPlan(
+                    Text.format(
+                            "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
+                            SpectrumPlan.percent(method.tolerance()),
+                            isOneLight() ? "one light" : coarsest.slices() + " slices in w",
+                            step(),
+                            memory.textureBytes() * 1e-6,
+                            source.summary()),
+                    this::reasons,
+                    source.spectrum(),
+                    true,
+                    Optional.empty(),
+                    memory,
+                    EnumSet.of(MethodUse.COLOR),
+                    () -> String.join(
+                            "|",
+                            "validated table 6",
+                            String.valueOf(method.tolerance()),
+                            coarsest.toString(),
+                            points.key(),
+                            Interpolation.CUBIC.key(),
+                            source.identity().get()),
+                    this::tables);
+        }
+
+        private List<String> reasons() {
+            List<String> reasons = new ArrayList<>();
+            reasons.add(Text.format(
+                    "step %s in (u, v), or smaller if the validation requires it: cubic B-splines through square roots of X, Y, Z err by"
+                            + " the tolerance (docs/color-tables.md)",
+                    step()));
+            reasons.add(
+                    isOneLight()
+                            ? "one slice: w follows from u and v under one light"
+                            : Text.format("%d slices in w, interpolated by cubic polynomials", coarsest.slices()));
+            reasons.add("evaluated by full for half of the tolerance:");
+            reasons.addAll(source.reasons());
+            return reasons;
+        }
+
+        private ShaderTables tables(MethodUse use, TableSources sources) {
+            Function<TableDesign, ColorBaker> bakers = bakers(use, sources);
+            ValidatedTable table = cached(sources, bakers)
+                    .orElseGet(() -> ValidatedTable.make(
+                            method.tolerance(),
+                            points,
+                            coarsest,
+                            bakers,
+                            sources::progress,
+                            need -> surface.planner().excess(need).isEmpty(),
+                            design -> method.requireRoom(surface, design, points.memory(design)),
+                            sources.diagnostics()));
+            ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
+            table.putInto(tables);
+            SpectrumPlan sums = source.spectrum().orElseThrow();
+            return tables.build(sums.window().sigmaMeters(), sums.specularReach());
+        }
+
+        private Optional<ValidatedTable> cached(TableSources sources, Function<TableDesign, ColorBaker> bakers) {
+            if (!sources.hasTiles()) {
+                return Optional.empty();
+            }
+            ColorTablePlan all = ColorTablePlan.of(surface, method);
+            if (!sources.hasTiles(all)) {
+                return Optional.empty();
+            }
+            try (CachedTiles tiles = sources.tiles(all)) {
+                return ValidatedTable.cached(all.table(), points, tiles, bakers, sources::progress);
+            }
+        }
+
+        private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
+            if (isCoherent()) {
+                ShaderTables evaluated = source.tables(use, sources);
+                return design -> sources.baker(evaluated);
+            }
+            HeightMap map = surface.map();
+            SpectrumPlan widened = source.spectrum()
+                    .orElseThrow()
+                    .widened(map.width(), map.height(), method.area().window());
+            PowerSpectrum spectrum =
+                    PowerSpectrum.of(sources.fourier(widened), new ErrorBudget(method.sourceTolerance()).powerBasis());
+            return design -> new RadialBaker(spectrum, surface.cie(), method.area(), design, points.farthest(), true);
+        }
     }
 }

@@ -3,8 +3,8 @@ package sunbeam.precompute.patch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 /**
  * Surface that is ready for analysis and rendering.

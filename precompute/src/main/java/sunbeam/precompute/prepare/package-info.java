@@ -1,2 +1,2 @@
-/** Preparation of measured heights: crop, level, despike, fill missing samples, treat edges. Independent of file formats. */
+/** Faults of measured heights, and their preparation: crop, level, despike, fill missing samples, treat edges. Independent of file formats. */
 package sunbeam.precompute.prepare;

@@ -5,9 +5,9 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
-import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
+import sunbeam.precompute.prepare.ScanFaults;
 
 /**
  * A randomly drawn scan of a grating, or of a surface without one, with one fault of scanners or of the surface.

@@ -11,8 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.fault.ScanFaults;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.ScanFaults;
 
 /** The period of pieces of surfaces: right where there is an estimate, and without one elsewhere. */
 class PeriodModelTest {

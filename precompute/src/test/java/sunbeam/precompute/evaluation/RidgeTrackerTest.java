@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
+import sunbeam.precompute.evaluation.Ridge.RidgeTracker;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.DirectionPair;
 

@@ -19,9 +19,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 /** Warnings about scans. */
 class PatchAssemblerTest {

@@ -10,6 +10,7 @@ import org.apache.commons.math3.util.CombinatoricsUtils;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.radial.LogPolarConvolution.AverageProjection;
 
 class AverageProjectionTest {
     private static final int LENGTH = 101;

@@ -7,8 +7,8 @@ import sunbeam.app.measure.errors.Certificate;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.errors.ErrorStatistics;
-import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 /** Fields that the JSON of several commands has; docs/reference/report.schema.json describes them. */
 public final class ReportFields {

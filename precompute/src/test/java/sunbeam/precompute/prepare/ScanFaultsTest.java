@@ -1,4 +1,4 @@
-package sunbeam.precompute.fault;
+package sunbeam.precompute.prepare;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -13,10 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.fault.ScanFaults.ScanFault;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.prepare.Crop;
-import sunbeam.precompute.prepare.Leveling;
+import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 class ScanFaultsTest {
     private static final int COLUMNS = 120;
