@@ -2,11 +2,11 @@ package sunbeam.precompute.analysis;
 
 import java.util.Optional;
 import java.util.function.IntPredicate;
-import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.BandTransform2d;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Plausibility;
 import sunbeam.precompute.prepare.Leveling;
+import sunbeam.precompute.spectrum.Band;
+import sunbeam.precompute.spectrum.BandTransform2d;
 
 /**
  * Power spectrum of a patch's heights, up to the Nyquist frequency or the highest that diffracts light (2 / 380 nm).

@@ -9,11 +9,11 @@ import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
 import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.analysis.OrderSpectrum.Wave;
-import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.BandTransform2d;
-import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.spectrum.Band;
+import sunbeam.precompute.spectrum.BandTransform2d;
+import sunbeam.precompute.spectrum.ComplexVector;
 
 /**
  * Efficiencies, shares of the incident light, of a surface's orders: of a piece the integral over half the distance to the next order.

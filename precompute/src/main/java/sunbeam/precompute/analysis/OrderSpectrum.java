@@ -2,18 +2,18 @@ package sunbeam.precompute.analysis;
 
 import java.util.function.Consumer;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.expansion.CoefficientTable;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.LowRankExpansion;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.numerics.GaussLegendre;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.spectrum.Band;
+import sunbeam.precompute.spectrum.CoefficientTable;
+import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.spectrum.HeightScale;
+import sunbeam.precompute.spectrum.LowRankExpansion;
 
 /**
  * Light that the scalar model sends into the orders of a surface that repeats without end, one for each DFT bin F_j: the share (1 +

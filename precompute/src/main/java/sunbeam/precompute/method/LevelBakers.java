@@ -8,12 +8,12 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.GaussianPyramid;
+import sunbeam.precompute.colortable.RadialBaker;
+import sunbeam.precompute.colortable.SlopeBaker;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.SpectrumPlan;
-import sunbeam.precompute.radial.GaussianPyramid;
-import sunbeam.precompute.radial.RadialBaker;
-import sunbeam.precompute.radial.SlopeBaker;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Bakers of a table of all directions: one power spectrum for all levels, or the shader of method full if coherent. Thread-safe. */

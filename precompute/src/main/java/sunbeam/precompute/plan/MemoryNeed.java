@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.text.Text;
 
 /** Upper estimate of the memory that a plan needs: peak size in Java's heap, and all arrays on the graphics card. */

@@ -1,6 +1,5 @@
 package sunbeam.precompute.plan;
 
-import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Replicas;
@@ -8,6 +7,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;

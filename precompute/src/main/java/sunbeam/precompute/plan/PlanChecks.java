@@ -9,13 +9,13 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.Arrays;
 import java.util.Optional;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.spectrum.Expansion;
+import sunbeam.precompute.spectrum.HeightScale;
+import sunbeam.precompute.spectrum.TaylorExpansion;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

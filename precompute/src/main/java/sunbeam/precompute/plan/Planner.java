@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.LowRankExpansion;
-import sunbeam.precompute.expansion.TaylorExpansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.OrderSampling.BandRule;
 import sunbeam.precompute.reference.WindowLight;
+import sunbeam.precompute.spectrum.Expansion;
+import sunbeam.precompute.spectrum.HeightScale;
 import sunbeam.precompute.spectrum.InterpolationDesign;
+import sunbeam.precompute.spectrum.LowRankExpansion;
+import sunbeam.precompute.spectrum.TaylorExpansion;
 
 /**
  * Makes a {@link SpectrumPlan} from a patch, the user's choices, and the directions that a scene can reach.

@@ -10,10 +10,10 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.List;
 import java.util.Optional;
-import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.spectrum.Expansion;
 
 /**
  * User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others.

@@ -4,9 +4,9 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.text.Text;
 
 /**

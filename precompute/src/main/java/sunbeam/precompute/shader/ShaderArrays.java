@@ -2,7 +2,7 @@ package sunbeam.precompute.shader;
 
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.expansion.CoefficientTable;
+import sunbeam.precompute.spectrum.CoefficientTable;
 
 /**
  * Arrays that the shaders of several methods read: CIE weights (color matching functions times the light's spectrum) and coefficients of an

@@ -3,7 +3,6 @@ package sunbeam.precompute.spectrum;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.expansion.PhaseNodes;
 
 /** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. */
 final class BinPowers {

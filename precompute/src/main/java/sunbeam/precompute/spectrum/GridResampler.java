@@ -3,7 +3,6 @@ package sunbeam.precompute.spectrum;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
-import sunbeam.precompute.fourier.Band;
 
 /** Resamples DFT bins onto a grid, separably. */
 public record GridResampler(Axis alongX, Axis alongY) {

@@ -2,10 +2,6 @@ package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.BandTransform2d;
-import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 

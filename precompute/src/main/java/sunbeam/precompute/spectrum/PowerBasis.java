@@ -6,10 +6,6 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.util.KthSelector;
-import sunbeam.precompute.expansion.CoefficientTable;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.PhaseNodes;
-import sunbeam.precompute.fourier.Band;
 
 /**
  * Powers |F_j|^2 of the bins as functions of the phase, in the shortest real basis: the singular vectors of the powers of the strongest

@@ -1,8 +1,6 @@
 package sunbeam.precompute.spectrum;
 
 import java.util.stream.IntStream;
-import sunbeam.precompute.expansion.CoefficientTable;
-import sunbeam.precompute.expansion.HeightScale;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**

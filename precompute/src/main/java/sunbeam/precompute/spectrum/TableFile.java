@@ -6,8 +6,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import sunbeam.precompute.expansion.CoefficientTable;
-import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.setting.ValueKind;
 
 /**

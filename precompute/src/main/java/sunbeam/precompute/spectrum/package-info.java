@@ -1,2 +1,2 @@
-/** Spectra of a patch: Fourier tables, power spectra, and their samples on grids fine enough for the GPU to interpolate. */
+/** Spectra of a patch: expansions of exp(i k w h), Fourier transforms of their terms within bands, power spectra, and grids to interpolate. */
 package sunbeam.precompute.spectrum;

@@ -16,7 +16,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.expansion.Expansion;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
@@ -25,6 +24,7 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.spectrum.Expansion;
 
 class PlannerTest {
     private static final double PITCH = 50e-9;

@@ -6,9 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.TaylorExpansion;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 

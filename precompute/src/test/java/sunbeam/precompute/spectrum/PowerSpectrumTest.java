@@ -8,11 +8,6 @@ import org.apache.commons.math3.complex.Complex;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.expansion.Expansion;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.LowRankExpansion;
-import sunbeam.precompute.expansion.TaylorExpansion;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 

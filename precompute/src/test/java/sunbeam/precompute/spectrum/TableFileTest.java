@@ -7,9 +7,6 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.expansion.HeightScale;
-import sunbeam.precompute.expansion.LowRankExpansion;
-import sunbeam.precompute.fourier.Band;
 import sunbeam.precompute.patch.HeightLevels;
 
 class TableFileTest {

@@ -13,12 +13,12 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.SpectrumPlan;
-import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Bakes color grids for the ensemble-averaged levels of a color table; coarser levels have wider orders (docs/color-tables.md). */

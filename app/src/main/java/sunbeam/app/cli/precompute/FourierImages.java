@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
-import sunbeam.precompute.fourier.Band;
-import sunbeam.precompute.fourier.BandTransform2d;
-import sunbeam.precompute.fourier.ComplexVector;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.spectrum.Band;
+import sunbeam.precompute.spectrum.BandTransform2d;
+import sunbeam.precompute.spectrum.ComplexVector;
 
 /**
  * Figure 3.1 of the thesis: inverse DFT of powers (i h)^n of the heights h, in micrometers above the lowest. Red shows real parts and green

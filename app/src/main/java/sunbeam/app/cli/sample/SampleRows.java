@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
+import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -16,7 +17,6 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
-import sunbeam.precompute.radial.RadialBaker;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**

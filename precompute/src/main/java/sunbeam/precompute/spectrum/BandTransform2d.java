@@ -1,4 +1,4 @@
-package sunbeam.precompute.fourier;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.function.BiConsumer;

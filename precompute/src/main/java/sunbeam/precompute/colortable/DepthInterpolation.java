@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
@@ -12,6 +12,7 @@ final class DepthInterpolation {
     private static final double DEEPEST = 2;
     /** Periods of the fastest wave along w in one slice step of the color table (TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
+
     private static final double ERROR = 5e-5;
 
     private final double[] depths;

@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -10,7 +10,7 @@ import org.apache.commons.math3.util.CombinatoricsUtils;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.precompute.radial.LogPolarConvolution.AverageProjection;
+import sunbeam.precompute.colortable.LogPolarConvolution.AverageProjection;
 
 class AverageProjectionTest {
     private static final int LENGTH = 101;

@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import java.util.Arrays;
 import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;

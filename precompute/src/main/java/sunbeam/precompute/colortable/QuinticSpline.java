@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import sunbeam.precompute.numerics.SplineFilter;
 

@@ -1,12 +1,10 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.colortable.ColorBaker;
-import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**

@@ -1,4 +1,4 @@
-package sunbeam.precompute.expansion;
+package sunbeam.precompute.spectrum;
 
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.setting.ValueKind;

@@ -1,10 +1,9 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.colortable.ColorBaker;
 
 /**
  * Bakes each sample by its own sum over wavelengths: near the origin of (u, v), where rays meet, and to validate interpolated colors.

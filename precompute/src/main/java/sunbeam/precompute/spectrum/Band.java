@@ -1,4 +1,4 @@
-package sunbeam.precompute.fourier;
+package sunbeam.precompute.spectrum;
 
 /** Consecutive DFT bins along one axis: indices first .. first + count - 1, which may be negative. Bin j has the frequency j / period. */
 public record Band(int first, int count) {

@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -14,9 +14,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.ColorBaker;
-import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;

@@ -1,4 +1,4 @@
-package sunbeam.precompute.fourier;
+package sunbeam.precompute.spectrum;
 
 /** Vector of complex numbers, whose two arrays of equal length are not copied, since transforms work in place. */
 public record ComplexVector(double[] real, double[] imaginary) {

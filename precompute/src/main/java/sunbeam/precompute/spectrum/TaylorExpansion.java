@@ -1,4 +1,4 @@
-package sunbeam.precompute.expansion;
+package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package sunbeam.precompute.expansion;
+package sunbeam.precompute.spectrum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

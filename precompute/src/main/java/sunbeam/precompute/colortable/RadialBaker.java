@@ -1,4 +1,4 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import java.util.Arrays;
 import java.util.List;
@@ -8,10 +8,6 @@ import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.ColorBaker;
-import sunbeam.precompute.colortable.ColorTable;
-import sunbeam.precompute.colortable.TableDesign;
-import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
@@ -28,11 +24,13 @@ public final class RadialBaker implements ColorBaker {
     private static final double INNER_STEPS = 5;
     /** Step between rays, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
+
     private static final int SAMPLES_PER_TASK = 1 << 14;
     /** Distance in sigma_f beyond which bins are left out: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right. */
     private static final double FINE_REACH = 4.8;
     /** The same for averages over a pixel: exp(-reach^2) = 2e-5. */
     private static final double COARSE_REACH = 3.3;
+
     private static final int COLORS = 3;
 
     private final WindowedSpectrum powers;

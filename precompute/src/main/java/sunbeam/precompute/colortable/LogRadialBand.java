@@ -1,9 +1,8 @@
-package sunbeam.precompute.radial;
+package sunbeam.precompute.colortable;
 
 import java.util.Arrays;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.colortable.ColorBaker;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
 final class LogRadialBand {
