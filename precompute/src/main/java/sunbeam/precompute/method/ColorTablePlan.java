@@ -82,10 +82,7 @@ public record ColorTablePlan(
             return Optional.empty();
         }
         return finest.spectrum()
-                .map(plan -> plan.widened(
-                        surface.map().width(),
-                        surface.map().height(),
-                        table.widest().window()));
+                .map(plan -> plan.widened(surface.map(), table.widest().window()));
     }
 
     private int footprintLevelCount() {

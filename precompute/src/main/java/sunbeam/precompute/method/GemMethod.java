@@ -79,7 +79,9 @@ public record GemMethod(
                             + " wide is more than one period; give the grating's, for example 1um");
         }
         double period = spacing.orElse(width);
-        int count = orders.orElse(form == GemForm.STAM ? STAM_ORDERS : visibleOrders(period));
+        // The thesis's form has all orders that are visible at a |u| of up to 2.
+        int visible = Math.max(1, (int) (2 * period / CieTable.MINIMUM_WAVELENGTH));
+        int count = orders.orElse(form == GemForm.STAM ? STAM_ORDERS : visible);
         return new MethodPlan(
                 "gem: lines " + Lengths.format(period) + " apart, " + count + (count == 1 ? " order" : " orders")
                         + " on each side, for comparison only",
@@ -92,10 +94,6 @@ public record GemMethod(
                 EnumSet.of(MethodUse.COLOR),
                 () -> String.join("|", "gem", Double.toString(period), toString()),
                 (use, sources) -> tables(period, count));
-    }
-
-    private static int visibleOrders(double period) {
-        return Math.max(1, (int) (2 * period / CieTable.MINIMUM_WAVELENGTH));
     }
 
     private ShaderTables tables(double period, int count) {

@@ -17,7 +17,6 @@ import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TablePoints;
 import sunbeam.precompute.colortable.ValidatedTable;
-import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
@@ -104,26 +103,18 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             return new PointTable(surface, method, points, coarsest, full.planOfTable(surface, points.range(coarsest)));
         }
 
-        private boolean isCoherent() {
-            return method.area().average() == Average.COHERENT;
-        }
-
         private boolean isOneLight() {
             return points.light().isPresent();
-        }
-
-        private String step() {
-            return Text.format("%.2g", coarsest.step());
         }
 
         MethodPlan plan() {
             MemoryNeed memory = points.memory(coarsest);
             return new MethodPlan(
                     Text.format(
-                            "table to %s %%: %s, step at most %s in (u, v), %.0f MB or more; made of %s",
+                            "table to %s %%: %s, step at most %.2g in (u, v), %.0f MB or more; made of %s",
                             SpectrumPlan.percent(method.tolerance()),
                             isOneLight() ? "one light" : coarsest.slices() + " slices in w",
-                            step(),
+                            coarsest.step(),
                             memory.textureBytes() * 1e-6,
                             source.summary()),
                     this::reasons,
@@ -146,9 +137,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         private List<String> reasons() {
             List<String> reasons = new ArrayList<>();
             reasons.add(Text.format(
-                    "step %s in (u, v), or smaller if the validation requires it: cubic B-splines through square roots of X, Y, Z err by"
+                    "step %.2g in (u, v), or smaller if the validation requires it: cubic B-splines through square roots of X, Y, Z err by"
                             + " the tolerance (docs/color-tables.md)",
-                    step()));
+                    coarsest.step()));
             reasons.add(
                     isOneLight()
                             ? "one slice: w follows from u and v under one light"
@@ -190,14 +181,13 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
         }
 
         private Function<TableDesign, ColorBaker> bakers(MethodUse use, TableSources sources) {
-            if (isCoherent()) {
+            if (method.area().average() == Average.COHERENT) {
                 ShaderTables evaluated = source.tables(use, sources);
                 return design -> sources.baker(evaluated);
             }
-            HeightMap map = surface.map();
             SpectrumPlan widened = source.spectrum()
                     .orElseThrow()
-                    .widened(map.width(), map.height(), method.area().window());
+                    .widened(surface.map(), method.area().window());
             PowerSpectrum spectrum =
                     PowerSpectrum.of(sources.fourier(widened), new ErrorBudget(method.sourceTolerance()).powerBasis());
             return design -> new RadialBaker(spectrum, surface.cie(), method.area(), design, points.farthest(), true);

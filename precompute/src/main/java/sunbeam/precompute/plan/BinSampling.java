@@ -30,11 +30,6 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     private static final String TERMS = "tableTerms";
     private static final String COEFFICIENTS = "expansionCoefficients";
 
-    /** Returns a sum that is exact for any light; the widest step, in 1 / lambda, 1 / meters, resolves the diffracted power. */
-    static BinSampling exact(Neighborhood neighborhood, CieTable cie, double widestStep) {
-        return new BinSampling(neighborhood, WavelengthNodes.integrated(cie, widestStep), true);
-    }
-
     /** Returns the sum that the user chose; by default with the thesis's wavelength step and all bins that count. */
     static BinSampling of(TableChoices table, CoherenceWindow window, HeightMap map, CieTable cie) {
         double sigmaBins = window.sigmaFrequency() * Math.max(map.width(), map.height());
@@ -96,10 +91,21 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     /** Returns arrays and constants of shaders/method/neighborhood.glsl. */
     static ShaderTables.Builder binTables(
             String shader, SpectrumPlan plan, FourierTable table, Neighborhood neighborhood) {
+        Expansion expansion = table.expansion();
+        boolean sampled = expansion.kind() != Expansion.Kind.TAYLOR;
         ShaderTables.Builder tables = new ShaderTables.Builder(shader);
         plan.area().average().defineIn(tables);
-        addTerms(tables, plan, table);
-        addExpansion(tables, table);
+        ShaderArrays.define(tables, sampled, table.terms());
+        tables.array(TableArray.computed(
+                        terms(table.bandX(), table.bandY(), table.terms()),
+                        n -> interleaved(table.amplitudes(n, n + 1, plan.area().origin()))))
+                .integers("tableFirst", table.bandX().first(), table.bandY().first())
+                .reals("heightHalfRange", expansion.scale().halfRange());
+        if (sampled) {
+            CoefficientTable coefficients = CoefficientTable.sampled(expansion);
+            tables.array(ShaderArrays.singleCoefficients(COEFFICIENTS, coefficients))
+                    .reals("expansionPhaseMap", ShaderArrays.phaseMap(coefficients));
+        }
         boolean floor = neighborhood.anchor() == Neighborhood.Anchor.FLOOR;
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
@@ -119,25 +125,6 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
     private static boolean areFew(SpectrumPlan plan, Neighborhood neighborhood) {
         long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
         return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
-    }
-
-    private static void addTerms(ShaderTables.Builder tables, SpectrumPlan plan, FourierTable table) {
-        tables.array(TableArray.computed(
-                        terms(table.bandX(), table.bandY(), table.terms()),
-                        n -> interleaved(table.amplitudes(n, n + 1, plan.area().origin()))))
-                .integers("tableFirst", table.bandX().first(), table.bandY().first());
-    }
-
-    private static void addExpansion(ShaderTables.Builder tables, FourierTable table) {
-        Expansion expansion = table.expansion();
-        boolean sampled = expansion.kind() != Expansion.Kind.TAYLOR;
-        ShaderArrays.define(tables, sampled, table.terms());
-        tables.reals("heightHalfRange", expansion.scale().halfRange());
-        if (sampled) {
-            CoefficientTable coefficients = CoefficientTable.sampled(expansion);
-            tables.array(ShaderArrays.singleCoefficients(COEFFICIENTS, coefficients))
-                    .reals("expansionPhaseMap", ShaderArrays.phaseMap(coefficients));
-        }
     }
 
     private static float[] interleaved(double[][] parts) {

@@ -85,11 +85,6 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
         }
     }
 
-    /** For a patch so small that the window resolves each order: the bin nearest to a frequency suffices. */
-    static OrderSampling resolved(OrderNodes nodes, BandRule band) {
-        return new OrderSampling(new Neighborhood(0, Neighborhood.Anchor.NEAREST), Optional.of(nodes), band);
-    }
-
     @Override
     public String summary(VisibleRange range) {
         return resolved.map(nodes -> "single orders with " + nodes.fewest() + " wavelengths each or more")

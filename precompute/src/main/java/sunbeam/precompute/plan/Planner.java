@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
@@ -141,7 +142,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             if (!cie.isSmooth()) {
                 // Half of the reference's step, whose error of 1e-6 of an order's maximum is too much on its flanks.
                 double step = 0.5 * WindowLight.step(window(), heights, range.longestUv(), range.maximumW());
-                return List.of(() -> BinSampling.exact(bins(), cie, step));
+                return List.of(() -> new BinSampling(bins(), WavelengthNodes.integrated(cie, step), true));
             }
             // The next order, at least half a bin away, must vanish there, so that the valley between orders is dark.
             double sigmaBins = window().sigmaFrequency() * Math.max(map().width(), map().height());
@@ -189,14 +190,15 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // Trapezoid rule for a Gaussian of deviation 1: error 2 exp(-2 (pi / step)^2).
             double spacing = Math.min(1, Math.PI * Math.sqrt(2 / Math.log(2 / (0.01 * budget.tolerance()))));
             double reach = Math.max(3, Math.sqrt(2 * Math.log(1 / (0.1 * budget.tolerance()))));
-            return OrderSampling.resolved(
-                    new OrderSampling.OrderNodes(
-                            reach,
-                            spacing,
-                            budget.panelDeviations(),
-                            WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
-                            CORNER_LENGTH * budget.tolerance()),
-                    band(4 * fewestNodes()));
+            OrderSampling.OrderNodes nodes = new OrderSampling.OrderNodes(
+                    reach,
+                    spacing,
+                    budget.panelDeviations(),
+                    WAVELENGTH_STEP_AT_STANDARD / relativeFineness(),
+                    CORNER_LENGTH * budget.tolerance());
+            // The window resolves each order of so small a patch: the bin nearest to a frequency suffices.
+            Neighborhood nearest = new Neighborhood(0, Neighborhood.Anchor.NEAREST);
+            return new OrderSampling(nearest, Optional.of(nodes), band(4 * fewestNodes()));
         }
 
         private GridSampling grid(InterpolationDesign design) {

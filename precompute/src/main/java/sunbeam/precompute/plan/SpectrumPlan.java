@@ -12,6 +12,7 @@ import java.util.function.IntConsumer;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.ValueKind;
@@ -48,14 +49,14 @@ public record SpectrumPlan(
     }
 
     /** Returns this plan with the bins, too, that are within reach of visible directions under a shorter window. */
-    public SpectrumPlan widened(double width, double height, CoherenceWindow shortest) {
+    public SpectrumPlan widened(HeightMap map, CoherenceWindow shortest) {
         double margin = SHORT_WINDOW_REACH * shortest.sigmaFrequency();
         return new SpectrumPlan(
                 tolerance,
                 range,
                 expansion,
-                bandX.widened((int) Math.ceil(margin * width)),
-                bandY.widened((int) Math.ceil(margin * height)),
+                bandX.widened((int) Math.ceil(margin * map.width())),
+                bandY.widened((int) Math.ceil(margin * map.height())),
                 area,
                 sampling);
     }
@@ -172,25 +173,24 @@ public record SpectrumPlan(
 
     /** Returns a line per choice, with its reason. */
     public List<String> reasons() {
-        List<String> lines = new ArrayList<>();
-        lines.add("sizes: " + terms() + ", " + sampling.summary(range) + ", " + bins());
-        lines.add(Text.format(
-                "directions: u %.3f..%.3f, v %.3f..%.3f, |w| %.3f..%.3f can occur; nothing else is computed",
-                range.minimumU(),
-                range.maximumU(),
-                range.minimumV(),
-                range.maximumV(),
-                range.minimumW(),
-                range.maximumW()));
-        lines.add(Text.format(
-                "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
-                expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()));
-        lines.add(Text.format(
-                "window: coherence length %s, its spectrum has a deviation of %.4g cycles per meter, centered on the %s",
-                Lengths.format(window().coherenceLength()),
-                window().sigmaFrequency(),
-                area.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"));
-        lines.add("bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
-        return lines;
+        return List.of(
+                "sizes: " + terms() + ", " + sampling.summary(range) + ", " + bins(),
+                Text.format(
+                        "directions: u %.3f..%.3f, v %.3f..%.3f, |w| %.3f..%.3f can occur; nothing else is computed",
+                        range.minimumU(),
+                        range.maximumU(),
+                        range.minimumV(),
+                        range.maximumV(),
+                        range.minimumW(),
+                        range.maximumW()),
+                Text.format(
+                        "expansion: phases k |w| h of %.2f to %.2f rad take %s; error %.1e",
+                        expansion.minimumPhase(), expansion.maximumPhase(), terms(), expansion.error()),
+                Text.format(
+                        "window: coherence length %s, its spectrum has a deviation of %.4g cycles per meter, centered on the %s",
+                        Lengths.format(window().coherenceLength()),
+                        window().sigmaFrequency(),
+                        area.origin() == WindowOrigin.CORNER ? "corner" : "patch's center"),
+                "bins: " + bins() + " reach every visible frequency at 380 nm and the window's width beyond");
     }
 }

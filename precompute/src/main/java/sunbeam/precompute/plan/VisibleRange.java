@@ -92,14 +92,15 @@ public record VisibleRange(
 
     /** Returns the largest |(u, v)|; that of any two directions is 2. */
     public double longestUv() {
-        double u = Math.max(Math.abs(minimumU), Math.abs(maximumU));
-        double v = Math.max(Math.abs(minimumV), Math.abs(maximumV));
-        return Math.min(2, Math.hypot(u, v));
+        return Math.min(2, Math.hypot(largest(minimumU, maximumU), largest(minimumV, maximumV)));
     }
 
     /** Returns the largest of |u| and |v|. */
     public double maximumComponent() {
-        return Math.max(
-                Math.max(Math.abs(minimumU), Math.abs(maximumU)), Math.max(Math.abs(minimumV), Math.abs(maximumV)));
+        return Math.max(largest(minimumU, maximumU), largest(minimumV, maximumV));
+    }
+
+    private static double largest(double low, double high) {
+        return Math.max(Math.abs(low), Math.abs(high));
     }
 }

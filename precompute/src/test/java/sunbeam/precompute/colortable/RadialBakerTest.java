@@ -51,7 +51,7 @@ class RadialBakerTest {
         Surface surface = new Surface(map, "test", "digest", CieTable.load());
         SpectrumPlan wide = surface.planner()
                 .plan(TableChoices.within(1e-4), area, VisibleRange.all())
-                .widened(map.width(), map.height(), shortest.window());
+                .widened(map, shortest.window());
         return PowerSpectrum.of(
                 wide.fourierTable(surface.levels(), terms -> {}), new ErrorBudget(tolerance).powerBasis());
     }
