@@ -21,15 +21,11 @@ final class RayBatch {
     private final boolean alongX;
     private final Knots knots;
     private final GaussianWeights weights;
-    // Per line: frequency along the axis in cycles per meter, its logarithm, quadrature weight in ln |f|.
-    private final double[] frequencies;
-    private final double[] logarithms;
-    private final double[] quadratureWeights;
-    // Per line: first blurred bin, number of blurred bins, offset of the first in {@code blurred}.
-    private final int[] firstBins;
-    private final int[] counts;
-    private final int[] offsets;
+    private final Line[] lines;
     private final double[] blurred;
+
+    /** Line at a frequency along the axis, with its weight in ln |f| and its range of blurred bins, from {@code offset} on. */
+    private record Line(double frequency, double logarithm, double weight, int firstBin, int count, int offset) {}
 
     /** Knots of cubic B-splines along a ray, equally spaced in ln |f|, f in cycles per meter. */
     record Knots(double first, double spacing, int count) {
@@ -66,52 +62,36 @@ final class RayBatch {
         double least = Math.min(firstAlong, lastAlong);
         boolean isAroundAxis = across(firstAngle) * across(lastAngle) <= 0;
         double most = isAroundAxis ? 1 : Math.max(firstAlong, lastAlong);
-        this.frequencies = lines(
-                MOST_KNOT_SPACINGS * knots.spacing(),
-                MOST_SIGMAS * sigmaFrequency * least,
-                least * knots.lowest(),
-                most * knots.highest());
-        this.logarithms = new double[frequencies.length];
-        this.quadratureWeights = new double[frequencies.length];
-        this.firstBins = new int[frequencies.length];
-        this.counts = new int[frequencies.length];
-        this.offsets = new int[frequencies.length];
+        double byLogarithm = MOST_KNOT_SPACINGS * knots.spacing();
+        double byFrequency = MOST_SIGMAS * sigmaFrequency * least;
+        double[] frequencies = frequencies(byLogarithm, byFrequency, least * knots.lowest(), most * knots.highest());
         double[] slopes = {across(firstAngle) / firstAlong, across(lastAngle) / lastAlong};
         Arrays.sort(slopes);
-        double byFrequency = MOST_SIGMAS * sigmaFrequency * least;
-        this.blurred = new double[layOut(byFrequency, slopes, reach * sigmaFrequency)];
+        double margin = reach * sigmaFrequency;
+        this.lines = new Line[frequencies.length];
+        int size = 0;
+        for (int i = 0; i < lines.length; i++) {
+            double f = frequencies[i];
+            int firstBin = (int) Math.max(0, Math.ceil(bins.x().place(f * slopes[0] - margin)));
+            double lastBin =
+                    Math.min(bins.x().count() - 1.0, Math.floor(bins.x().place(f * slopes[1] + margin)));
+            int count = Math.max(0, (int) lastBin - firstBin + 1);
+            lines[i] = new Line(f, Math.log(f), 1 / (1 / byLogarithm + f / byFrequency), firstBin, count, size);
+            size = Math.addExact(size, count * bins.stride());
+        }
+        this.blurred = new double[size];
         GaussianWeights rows = new GaussianWeights(bins.y(), sigmaFrequency, reach);
         double sign = Math.signum(along(firstAngle));
-        for (int i = 0; i < frequencies.length; i++) {
-            rows.moveTo(bins.y().place(sign * frequencies[i]), 0, bins.y().count() - 1);
-            blur(i, rows);
+        for (Line line : lines) {
+            rows.moveTo(bins.y().place(sign * line.frequency), 0, bins.y().count() - 1);
+            blur(line, rows);
         }
-    }
-
-    /**
-     * Computes the weight of each line and its range of bins, and returns the number of blurred values. Lines are at most
-     * {@code byFrequency} apart, the outermost rays have these ascending slopes to the axis, and bins reach a margin beyond; cycles per
-     * meter.
-     */
-    private int layOut(double byFrequency, double[] slopes, double margin) {
-        int size = 0;
-        for (int i = 0; i < frequencies.length; i++) {
-            logarithms[i] = Math.log(frequencies[i]);
-            quadratureWeights[i] = 1 / (1 / (MOST_KNOT_SPACINGS * knots.spacing()) + frequencies[i] / byFrequency);
-            double low = bins.x().place(frequencies[i] * slopes[0] - margin);
-            double high = bins.x().place(frequencies[i] * slopes[1] + margin);
-            firstBins[i] = (int) Math.max(0, Math.ceil(low));
-            counts[i] = Math.max(0, (int) Math.min(bins.x().count() - 1.0, Math.floor(high)) - firstBins[i] + 1);
-            offsets[i] = size;
-            size = Math.addExact(size, counts[i] * bins.stride());
-        }
-        return size;
     }
 
     /**
      * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1: at most byLogarithm apart in ln f, byFrequency in f.
      */
-    private static double[] lines(double byLogarithm, double byFrequency, double lowest, double highest) {
+    private static double[] frequencies(double byLogarithm, double byFrequency, double lowest, double highest) {
         double first = Math.log(lowest) / byLogarithm + lowest / byFrequency;
         double last = Math.log(highest) / byLogarithm + highest / byFrequency;
         double[] lines = new double[(int) Math.ceil(last - first) + 1];
@@ -138,19 +118,19 @@ final class RayBatch {
     }
 
     /** Blurs a line, four rows at a time, which saves memory traffic of the sums. */
-    private void blur(int line, GaussianWeights rows) {
+    private void blur(Line line, GaussianWeights rows) {
         int stride = bins.stride();
-        int length = counts[line] * stride;
+        int length = line.count * stride;
         double[] powers = bins.powers();
         int perRow = bins.x().count() * stride;
-        int from = rows.first() * perRow + firstBins[line] * stride;
+        int from = rows.first() * perRow + line.firstBin * stride;
         int row = 0;
         for (; row + 3 < rows.count(); row += 4) {
-            addFour(powers, from, perRow, rows.weights(), row, offsets[line], length);
+            addFour(powers, from, perRow, rows.weights(), row, line.offset, length);
             from += 4 * perRow;
         }
         for (; row < rows.count(); row++) {
-            addOne(powers, from, rows.weights()[row], offsets[line], length);
+            addOne(powers, from, rows.weights()[row], line.offset, length);
             from += perRow;
         }
     }
@@ -190,19 +170,19 @@ final class RayBatch {
         double first = knots.first() + Math.log(along);
         int last = knots.count() - 1;
         double[] shares = new double[SHARES];
-        for (int i = 0; i < frequencies.length; i++) {
-            double place = (logarithms[i] - first) * toKnots + SHARES;
+        for (Line line : lines) {
+            double place = (line.logarithm - first) * toKnots + SHARES;
             int below = (int) place;
             int knot = below - SHARES - 1;
             if (place < 0 || knot <= -SHARES || knot > last) {
                 continue;
             }
-            shares(place - below, quadratureWeights[i] * toKnots, shares);
+            shares(place - below, line.weight * toKnots, shares);
             int begin = Math.max(0, -knot);
             int end = Math.min(SHARES, last + 1 - knot);
-            weights.moveTo(bins.x().place(frequencies[i] * slope), firstBins[i], firstBins[i] + counts[i] - 1);
+            weights.moveTo(bins.x().place(line.frequency * slope), line.firstBin, line.firstBin + line.count - 1);
             if (weights.count() > 0) {
-                add(i, knot, shares, begin, end, averages);
+                add(line, knot, shares, begin, end, averages);
             }
         }
     }
@@ -217,12 +197,12 @@ final class RayBatch {
     }
 
     /** Adds the sums along a line to the averages of the knots around, four terms at a time, which stay in registers. */
-    private void add(int line, int knot, double[] shares, int begin, int end, double[] averages) {
+    private void add(Line line, int knot, double[] shares, int begin, int end, double[] averages) {
         int stride = bins.stride();
         double[] values = blurred;
         double[] binWeights = weights.weights();
         int count = weights.count();
-        int first = offsets[line] + (weights.first() - firstBins[line]) * stride;
+        int first = line.offset + (weights.first() - line.firstBin) * stride;
         for (int m = 0; m < stride; m += PowerSpectrum.TOGETHER) {
             double sum0 = 0;
             double sum1 = 0;

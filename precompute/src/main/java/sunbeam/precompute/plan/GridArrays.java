@@ -3,6 +3,7 @@ package sunbeam.precompute.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -28,21 +29,19 @@ final class GridArrays {
     private final String name;
     private final double sigma;
     private final double step;
-    private final int taps;
     // Positions of columns along x and of rows along y; samples along rows and along columns.
     private final Band nodesX;
     private final Band nodesY;
     private final Band samplesX;
     private final Band samplesY;
+    private final Band pointX;
+    private final Band pointY;
+    private final MethodUse use;
 
-    private record Fields(CoefficientTable coefficients, int count, Values values) {
-        /** Returns {@code [field - first][bin]}. */
-        interface Values {
-            double[][] range(int first, int end);
-        }
-    }
+    /** Real fields; the function returns {@code [field - first][bin]} from a first field to an end. */
+    private record Fields(CoefficientTable coefficients, int count, BiFunction<Integer, Integer, double[][]> values) {}
 
-    GridArrays(GridSampling sampling, SpectrumPlan plan, Average average) {
+    GridArrays(GridSampling sampling, SpectrumPlan plan, Average average, MethodUse use) {
         this.sampling = sampling;
         this.plan = plan;
         this.coherent = average == Average.COHERENT;
@@ -50,22 +49,29 @@ final class GridArrays {
         double window = plan.window().sigmaFrequency();
         this.sigma = coherent ? window : window / Math.sqrt(2);
         this.step = sigma / sampling.interpolation().deviation();
-        this.taps = sampling.interpolation().taps();
+        int taps = sampling.interpolation().taps();
         this.nodesX = plan.range().bandX(1 / sampling.nodeStep(), 1);
         this.nodesY = plan.range().bandY(1 / sampling.nodeStep(), 1);
         this.samplesX = plan.range().bandX(1 / step, taps);
         this.samplesY = plan.range().bandY(1 / step, taps);
+        this.use = use;
+        // Both axes are interpolated in the whole range for single wavelengths, near the specular direction for colors.
+        double reach = sampling.centerReach();
+        VisibleRange point =
+                use == MethodUse.SPECTRAL ? plan.range() : new VisibleRange(-reach, reach, -reach, reach, 0, 0);
+        this.pointX = point.bandX(1 / step, taps);
+        this.pointY = point.bandY(1 / step, taps);
     }
 
     /** The ensemble has about twice as many terms as the expansion, real ones, four per texel; two complex terms share a texel. */
-    List<ArrayLayout> layouts(MethodUse use) {
+    List<ArrayLayout> layouts() {
         int terms = plan.expansion().terms();
         int texels = texels(2 * terms);
         int samples = CoefficientTable.sampleCount(plan.expansion(), coherent ? 1 : PowerSpectrum.BANDWIDTH);
         int functions = coherent ? terms : CHANNELS * texels;
         List<ArrayLayout> layouts = new ArrayList<>(List.of(
                 ShaderArrays.coefficientsLayout(name + "Coefficients", samples, functions),
-                pointLayout(texels, use).array()));
+                pointLayout(texels).array()));
         if (use == MethodUse.COLOR) {
             raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
         }
@@ -76,14 +82,8 @@ final class GridArrays {
         return (fields + CHANNELS - 1) / CHANNELS;
     }
 
-    private TermsLayout pointLayout(int texels, MethodUse use) {
-        VisibleRange range = pointRange(use);
-        return TermsLayout.of(
-                name + "Point",
-                range.bandX(1 / step, taps).count(),
-                range.bandY(1 / step, taps).count(),
-                texels,
-                1);
+    private TermsLayout pointLayout(int texels) {
+        return TermsLayout.of(name + "Point", pointX.count(), pointY.count(), texels, 1);
     }
 
     private List<TermsLayout> raysLayouts(int texels) {
@@ -101,16 +101,6 @@ final class GridArrays {
                 grids);
     }
 
-    /** Both axes are interpolated in the whole range for single wavelengths, near the specular direction for colors. */
-    private VisibleRange pointRange(MethodUse use) {
-        VisibleRange range = plan.range();
-        if (use == MethodUse.SPECTRAL) {
-            return range;
-        }
-        double reach = sampling.centerReach();
-        return new VisibleRange(-reach, reach, -reach, reach, range.minimumW(), range.maximumW());
-    }
-
     private Fields fields(FourierTable table) {
         if (coherent) {
             return new Fields(
@@ -123,15 +113,12 @@ final class GridArrays {
         return new Fields(spectrum.coefficients(), spectrum.coefficients().terms(), spectrum::terms);
     }
 
-    void addTo(ShaderTables.Builder tables, FourierTable table, MethodUse use) {
+    void addTo(ShaderTables.Builder tables, FourierTable table) {
         Fields fields = fields(table);
         CoefficientTable coefficients = fields.coefficients;
         int texels = texels(fields.count);
         String prefix = name.toUpperCase(Locale.ROOT);
-        VisibleRange range = pointRange(use);
-        Band pointX = range.bandX(1 / step, taps);
-        Band pointY = range.bandY(1 / step, taps);
-        TermsLayout point = pointLayout(texels, use);
+        TermsLayout point = pointLayout(texels);
         GridResampler points = new GridResampler(interpolated(pointX, table.x()), interpolated(pointY, table.y()));
         tables.define(prefix + "_TEXELS", texels)
                 .define(prefix + "_POINT_TOGETHER", point.together())
@@ -184,7 +171,7 @@ final class GridArrays {
         int stride = CHANNELS * layout.together();
         float[] texels = new float[stride * resampler.size()];
         int first = stride * layer;
-        double[][] values = fields.values.range(first, Math.min(fields.count, first + stride));
+        double[][] values = fields.values.apply(first, Math.min(fields.count, first + stride));
         resampler.resample(values, texels, stride, order);
         return texels;
     }

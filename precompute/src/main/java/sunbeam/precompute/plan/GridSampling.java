@@ -107,7 +107,7 @@ public record GridSampling(
         }
         List<ArrayLayout> layouts = new ArrayList<>();
         for (Average average : averages(plan, use)) {
-            layouts.addAll(new GridArrays(this, plan, average).layouts(use));
+            layouts.addAll(new GridArrays(this, plan, average, use).layouts());
         }
         layouts.add(ShaderArrays.cieWeightsLayout());
         return layouts;
@@ -141,7 +141,7 @@ public record GridSampling(
                 .define("GRID_ENDS_CUT", endsCut() ? 1 : 0)
                 .reals("heightHalfRange", table.expansion().scale().halfRange());
         for (Average average : averages(plan, use)) {
-            new GridArrays(this, plan, average).addTo(tables, table, use);
+            new GridArrays(this, plan, average, use).addTo(tables, table);
         }
         tables.array(ShaderArrays.cieWeights(cie));
         if (use == MethodUse.COLOR) {
