@@ -7,6 +7,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -15,6 +17,7 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
 
 /** Test that runs command lines in this process, with a new folder as home and no environment variables. */
 public abstract class CommandLineFixture {
@@ -27,18 +30,43 @@ public abstract class CommandLineFixture {
     /** Standard error of all runs. */
     protected final StringWriter err = new StringWriter();
 
-    /** Runs a command line and returns its exit code. */
-    protected final int sunbeam(String... arguments) {
-        Environment environment = new Environment(Map.of(), folder);
-        return new Sunbeam(environment, new PrintWriter(out), new PrintWriter(err)).run(arguments);
+    /**
+     * Runs a command line and returns its exit code. Words that begin with @ are files of the folder.
+     *
+     * @param line words with a blank between them
+     * @param more further words, also with blanks in them
+     */
+    protected final int sunbeam(String line, String... more) {
+        return sunbeam(line.split(" ", -1), more);
     }
 
     protected final int sunbeam(String[] first, String... more) {
-        return sunbeam(with(first, more));
+        String[] words = Arrays.stream(with(first, more))
+                .map(word -> word.startsWith("@") ? folder + "/" + word.substring(1) : word)
+                .toArray(String[]::new);
+        return new Sunbeam(new Environment(Map.of(), folder), new PrintWriter(out), new PrintWriter(err)).run(words);
+    }
+
+    /** Asserts that a command line ends with an exit code and one line with all of these words. */
+    protected final void assertComplaint(ExitCode code, String line, String... words) {
+        forgetOutput();
+        assertThat(sunbeam(line)).as("%s: %s", line, err).isEqualTo(code.code());
+        assertThat(err.toString()).contains(words).hasLineCount(1);
     }
 
     protected static String[] with(String[] first, String... more) {
         return Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new);
+    }
+
+    /** Returns the float32 at the end of a NumPy file. */
+    protected final float[] floats(String name, int count) throws IOException {
+        byte[] bytes = Files.readAllBytes(folder.resolve(name));
+        float[] values = new float[count];
+        ByteBuffer.wrap(bytes, bytes.length - 4 * count, 4 * count)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(values);
+        return values;
     }
 
     /** Writes a scan as text: a header, then a line for each row. */

@@ -20,7 +20,7 @@ final class BenchmarkCommandTest extends CommandLineFixture {
     private static final String SMALL = " --size 16 --samples 4 --coherence-length 4um";
 
     private int run(String words) {
-        return sunbeam(("benchmark " + words).split(" "));
+        return sunbeam("benchmark " + words);
     }
 
     private JsonNode json(String words) throws IOException {

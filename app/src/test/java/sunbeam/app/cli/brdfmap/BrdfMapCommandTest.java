@@ -5,14 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.files.input.PngText;
@@ -27,12 +26,16 @@ import sunbeam.precompute.optics.RefractiveIndex;
 @NeedsDisplay
 class BrdfMapCommandTest extends CommandLineFixture {
     /** Draws a map of 24 pixels. */
-    private int draw(String file, String... more) {
-        return sunbeam(("brdf-map --size 24 --output " + folder.resolve(file)).split(" "), more);
+    private int draw(String file, String options) {
+        return sunbeam(map(file, options));
     }
 
-    private double exposure(String file, String... more) {
-        assertSuccess(draw(file, more));
+    private static String map(String file, String options) {
+        return "brdf-map --size 24 --output @" + file + " " + options;
+    }
+
+    private double exposure(String file, String options) {
+        assertSuccess(draw(file, options));
         return Double.parseDouble(PngText.read(folder.resolve(file)).get("Exposure"));
     }
 
@@ -44,8 +47,8 @@ class BrdfMapCommandTest extends CommandLineFixture {
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "elaphe-like"})
     void automaticExposureFollowsTheWindowGradually(String patch) {
-        double first = exposure("a.png", "--patch", patch, "--coherence-length", "6um");
-        double second = exposure("b.png", "--patch", patch, "--coherence-length", "6.3um");
+        double first = exposure("a.png", "--patch " + patch + " --coherence-length 6um");
+        double second = exposure("b.png", "--patch " + patch + " --coherence-length 6.3um");
 
         // A window 5 % longer makes an order's area a tenth smaller and its rho a tenth larger.
         assertThat(second / first).isBetween(0.8, 1.25);
@@ -53,10 +56,10 @@ class BrdfMapCommandTest extends CommandLineFixture {
 
     @Test
     void severalMapsShareOneExposure() throws IOException {
-        double both = exposure("all.png", "--patch", "blaze", "--with", "lamellar", "--annotate");
-        double blaze = exposure("blaze.png", "--patch", "blaze", "--annotate");
-        double lamellar = exposure("lamellar.png", "--patch", "lamellar", "--no-annotate");
-        double first = exposure("first.png", "--patch", "blaze", "--with", "lamellar", "--exposure", "first");
+        double both = exposure("all.png", "--patch blaze --with lamellar --annotate");
+        double blaze = exposure("blaze.png", "--patch blaze --annotate");
+        double lamellar = exposure("lamellar.png", "--patch lamellar --no-annotate");
+        double first = exposure("first.png", "--patch blaze --with lamellar --exposure first");
 
         // The brighter half of all pixels consists of pixels of both maps, so its exposure lies near theirs.
         assertThat(both).isBetween(0.5 * Math.min(blaze, lamellar), Math.max(blaze, lamellar));
@@ -70,21 +73,21 @@ class BrdfMapCommandTest extends CommandLineFixture {
     @Test
     void resumeLeavesAMapThatWasMadeAlike() throws IOException {
         String flat = grating("flat", 0).toString();
-        assertThat(draw("a.png", "--patch", flat, "--resume")).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
+        assertThat(draw("a.png", "--patch " + flat + " --resume")).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         FileTime made = FileTime.fromMillis(1_000_000);
         Files.setLastModifiedTime(folder.resolve("a.png"), made);
 
-        assertThat(draw("a.png", "--patch", flat, "--resume"))
+        assertThat(draw("a.png", "--patch " + flat + " --resume"))
                 .as("the same verdict")
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
-        assertThat(draw("a.png", "--patch", "blaze", "--resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(draw("a.png", "--patch blaze --resume")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
     }
 
     @Test
     void aMapsBytesDoNotDependOnTheNamesOfItsFiles() throws IOException {
-        draw("a.png", "--patch", "blaze", "--linear", folder.resolve("a.npy").toString());
-        draw("b.png", "--patch", "blaze", "--linear", folder.resolve("b.npy").toString());
+        draw("a.png", "--patch blaze --linear @a.npy");
+        draw("b.png", "--patch blaze --linear @b.npy");
 
         assertThat(folder.resolve("b.png")).hasSameBinaryContentAs(folder.resolve("a.png"));
     }
@@ -92,7 +95,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
     @Test
     void resumeDrawsAgainWhereTheLinearFileIsAnotherOne() throws IOException {
         Path linear = folder.resolve("a.npy");
-        String[] command = {"--patch", "blaze", "--linear", linear.toString(), "--resume"};
+        String command = "--patch blaze --linear " + linear + " --resume";
         draw("a.png", command);
         byte[] colors = Files.readAllBytes(linear);
         FileTime made = FileTime.fromMillis(1_000_000);
@@ -101,7 +104,7 @@ class BrdfMapCommandTest extends CommandLineFixture {
         draw("a.png", command);
         assertThat(Files.getLastModifiedTime(folder.resolve("a.png"))).isEqualTo(made);
         Files.writeString(linear, "something else");
-        String[] forced = {"--patch", "blaze", "--linear", linear.toString(), "--resume", "--force"};
+        String forced = "--patch blaze --linear " + linear + " --resume --force";
         assertThat(draw("a.png", forced)).isEqualTo(ExitCode.OK.code());
         assertThat(linear).hasBinaryContent(colors);
     }
@@ -114,50 +117,37 @@ class BrdfMapCommandTest extends CommandLineFixture {
 
     @Test
     void anotherPicturesExposureIsTaken() {
-        double blaze = exposure("blaze.png", "--patch", "blaze");
+        double blaze = exposure("blaze.png", "--patch blaze");
 
-        assertThat(exposure(
-                        "other.png",
-                        "--patch",
-                        "lamellar",
-                        "--exposure",
-                        folder.resolve("blaze.png").toString()))
+        assertThat(exposure("other.png", "--patch lamellar --exposure @blaze.png"))
                 .isEqualTo(blaze);
     }
 
     @Test
     void whatHoldsNoExposureIsRefused() throws IOException {
         Path none = Files.writeString(folder.resolve("none.png"), "no picture");
-        assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(err.toString()).contains("none.png: it is no PNG file");
+        String map = map("a.png", "--exposure @none.png");
+        assertComplaint(ExitCode.UNUSABLE_INPUT, map, "none.png: it is no PNG file");
         ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", none.toFile());
-        assertThat(draw("a.png", "--exposure", none.toString())).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-        assertThat(err.toString()).contains("none.png: it has no text 'Exposure'");
-        assertThat(draw("a.png", "--exposure", "firs")).isEqualTo(ExitCode.USAGE.code());
+        assertComplaint(ExitCode.UNUSABLE_INPUT, map, "none.png: it has no text 'Exposure'");
+        assertComplaint(ExitCode.USAGE, map("a.png", "--exposure firs"), "--exposure");
         assertThat(folder.resolve("a.png")).doesNotExist();
     }
 
     /** Returns the linear colors of a map, three per pixel. */
-    private float[] linear(String... more) throws IOException {
-        Path numbers = folder.resolve("map.npy");
-        String options = "--patch sinusoid --theta-i 60 --coherence-length 4um --force --linear " + numbers;
-        assertSuccess(draw("map.png", with(options.split(" "), more)));
-        byte[] bytes = Files.readAllBytes(numbers);
-        float[] xyz = new float[3 * 24 * 24];
-        ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)
-                .order(ByteOrder.LITTLE_ENDIAN)
-                .asFloatBuffer()
-                .get(xyz);
-        return xyz;
+    private float[] linear(String more) throws IOException {
+        assertSuccess(draw(
+                "map.png", "--patch sinusoid --theta-i 60 --coherence-length 4um --force --linear @map.npy" + more));
+        return floats("map.npy", 3 * 24 * 24);
     }
 
     /** At every pixel the map changes by the ratio of Schlick's reflectances, also for an index by wavelength. */
     @Test
     void anotherIndexReflectsMoreOrLessAsSchlickSays() throws IOException {
         Path constant = Files.writeString(folder.resolve("two.csv"), "wl,n\n0.3,2\n0.5,2\n0.9,2\n");
-        float[] standard = linear();
-        float[] two = linear("--index", "2");
-        float[] tabulated = linear("--index", constant.toString());
+        float[] standard = linear("");
+        float[] two = linear(" --index 2");
+        float[] tabulated = linear(" --index " + constant);
         DiscDirections directions = new DiscDirections(24, Direction.ofDegrees(60, 0));
         int compared = 0;
         for (int pixel = 0; pixel < 24 * 24; pixel++) {
@@ -178,20 +168,16 @@ class BrdfMapCommandTest extends CommandLineFixture {
         assertThat(compared).isGreaterThan(50);
     }
 
-    @Test
-    void anIndexByWavelengthHasNoCertificate() throws IOException {
-        Path gold = Files.writeString(folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.9,0.2,5.4\n");
-        assertThat(draw("a.png", "--index", gold.toString(), "--certify", "2")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("--certify holds one integral", "--index by wavelength");
-        assertThat(draw("a.png", "--index", "glass")).isEqualTo(ExitCode.USAGE.code());
-    }
-
-    @Test
-    void whatIsForOneMapIsRefusedForSeveral() {
-        String linear = folder.resolve("x.npy").toString();
-        assertThat(draw("a.png", "--with", "blaze", "--linear", linear)).isEqualTo(ExitCode.USAGE.code());
-        assertThat(draw("a.png", "--with", "blaze", "--certify", "2")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("--linear is for one map", "--certify is for one map");
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            --index @gold.csv --certify 2 | --certify holds one integral against the reference, but an --index by wavelength
+            --index glass                 | --index
+            --with blaze --linear @x.npy  | --linear is for one map
+            --with blaze --certify 2      | --certify is for one map
+            """)
+    void whatAMapDoesNotHaveIsRefused(String options, String words) throws IOException {
+        Files.writeString(folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.9,0.2,5.4\n");
+        assertComplaint(ExitCode.USAGE, map("a.png", options), words);
         assertThat(folder.resolve("a.png")).doesNotExist();
     }
 }

@@ -24,9 +24,9 @@ final class CacheCommandTest extends CommandLineFixture {
         cache = Files.createDirectories(folder.resolve(".cache/sunbeam"));
     }
 
-    private int run(String... arguments) {
+    private int run(String line) {
         forgetOutput();
-        return sunbeam(arguments);
+        return sunbeam(line);
     }
 
     /** Writes a table of 4000 bytes and a header. */
@@ -62,7 +62,7 @@ final class CacheCommandTest extends CommandLineFixture {
         ShaderTables read = ShaderTablesFile.read(file, "open");
         Path foreign = Files.write(cache.resolve("not-ours.txt"), new byte[10]);
         Path halfWritten = Files.write(cache.resolve(".sunbeam-00000000-1-0.part"), new byte[10]);
-        assertThat(run("cache", "--clear")).isZero();
+        assertThat(run("cache --clear")).isZero();
         assertThat(out.toString()).contains("removed 1 file, 4.");
         assertThat(cache.toFile().listFiles()).containsExactlyInAnyOrder(foreign.toFile(), halfWritten.toFile());
         FloatBuffer layer = read.arrays().get(0).layer(0);
@@ -74,7 +74,7 @@ final class CacheCommandTest extends CommandLineFixture {
         Files.delete(cache);
         assertThat(run("cache")).isZero();
         assertThat(out.toString()).isEqualTo(cache + ": 0 files, 0 B of at most 2.0 GB\n");
-        assertThat(run("cache", "--clear")).isZero();
+        assertThat(run("cache --clear")).isZero();
         assertThat(cache).doesNotExist();
     }
 }

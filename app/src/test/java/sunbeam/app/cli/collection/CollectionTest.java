@@ -19,7 +19,10 @@ import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.CommandLineFixture;
+import sunbeam.app.terminal.ExitCode;
 
 final class CollectionTest extends CommandLineFixture {
     private static final double PERIOD = 2e-6;
@@ -40,13 +43,9 @@ final class CollectionTest extends CommandLineFixture {
         scan("scans/" + name, header, 64, 64, (column, row) -> heights.applyAsDouble(column * 0.25e-6));
     }
 
-    private int run(String... arguments) {
+    private int inspect(String words) {
         forgetOutput();
-        return sunbeam(arguments);
-    }
-
-    private int inspect(String... more) {
-        return run(with(new String[] {"inspect", "--output", report.toString()}, more));
+        return sunbeam("inspect --output @report " + words);
     }
 
     private List<NamedCsvRecord> table(String name) throws IOException {
@@ -64,7 +63,7 @@ final class CollectionTest extends CommandLineFixture {
     void aFolderBecomesOneTableAndOneSheet() throws IOException {
         scan("other.txt", x -> 40 * Math.sin(2 * Math.PI * x / (2 * PERIOD)));
 
-        assertSuccess(inspect(scans.toString()));
+        assertSuccess(inspect("@scans"));
 
         List<NamedCsvRecord> rows = table("table.csv");
         assertThat(rows)
@@ -101,7 +100,7 @@ final class CollectionTest extends CommandLineFixture {
     void aBadFileIsARowAndDoesNotStopTheRest() throws IOException {
         Files.writeString(scans.resolve("a bad one.gwy"), "no scan");
 
-        assertThat(inspect(scans.toString())).isEqualTo(4);
+        assertThat(inspect("@scans")).isEqualTo(4);
 
         List<NamedCsvRecord> rows = table("table.csv");
         assertThat(rows).extracting(row -> row.getField("exit_code")).containsExactly("4", "0");
@@ -116,7 +115,7 @@ final class CollectionTest extends CommandLineFixture {
         Files.copy(scans.resolve("grating.txt"), other.resolve("grating.txt"));
         Files.copy(scans.resolve("grating.txt"), other.resolve("two\nlines \"and\" blanks .txt "));
 
-        assertSuccess(inspect(scans.toString(), other.toString()));
+        assertSuccess(inspect("@scans " + other));
 
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("file"))
@@ -139,12 +138,12 @@ final class CollectionTest extends CommandLineFixture {
         }
         List<NamedCsvRecord> parts = new ArrayList<>();
         for (String part : List.of("1", "2", "3")) {
-            assertSuccess(inspect(scans.toString(), "--task", part + "/3"));
+            assertSuccess(inspect("@scans --task " + part + "/3"));
             parts.addAll(table("table-" + part + "-of-3.csv"));
         }
         FileTime drawn = time("c.png");
 
-        assertSuccess(inspect(scans.toString(), "--resume"));
+        assertSuccess(inspect("@scans --resume"));
 
         assertThat(table("table.csv"))
                 .extracting(NamedCsvRecord::getFields)
@@ -156,7 +155,7 @@ final class CollectionTest extends CommandLineFixture {
     @Test
     void aStoppedRunGoesOnWhereItWas() throws IOException {
         Files.copy(scans.resolve("grating.txt"), scans.resolve("later.txt"));
-        assertThat(inspect(scans.toString())).isZero();
+        assertThat(inspect("@scans")).isZero();
         // Cut the second line, as if the process had been killed.
         Path reports = report.resolve("reports.jsonl");
         String whole = Files.readString(reports);
@@ -165,20 +164,20 @@ final class CollectionTest extends CommandLineFixture {
         FileTime first = time("grating.png");
         FileTime second = time("later.png");
 
-        assertSuccess(inspect(scans.toString(), "--resume"));
+        assertSuccess(inspect("@scans --resume"));
 
         assertThat(Files.readString(reports)).isEqualTo(whole);
         assertThat(time("grating.png")).isEqualTo(first);
         assertThat(time("later.png")).isGreaterThan(second);
         // A changed file is inspected again.
         scan("grating.txt", x -> 0.01);
-        assertThat(inspect(scans.toString(), "--resume")).isEqualTo(3);
+        assertThat(inspect("@scans --resume")).isEqualTo(3);
         assertThat(table("table.csv").get(0).getField("verdict_code")).isEqualTo("mirror");
     }
 
     @Test
     void anAngleOfARangeIsARow() throws IOException {
-        assertSuccess(inspect("sinusoid", "--theta-i", "0:40:20", "--json"));
+        assertSuccess(inspect("sinusoid --theta-i 0:40:20 --json"));
 
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("theta_i_deg"))
@@ -193,7 +192,7 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void colorsOfAFolderHaveTheirPurestColorInTheTable() throws IOException {
-        assertSuccess(run("color", scans.toString(), "blaze", "--angles", "-40:40:4", "--output", report.toString()));
+        assertSuccess(sunbeam("color @scans blaze --angles -40:40:4 --output @report"));
 
         List<NamedCsvRecord> rows = table("table.csv");
         assertThat(rows)
@@ -206,17 +205,7 @@ final class CollectionTest extends CommandLineFixture {
 
     @Test
     void mapsOfAFolderKeepTheOptionsOfTheCommandLine() throws IOException {
-        assertSuccess(run(
-                "brdf-map",
-                scans.toString(),
-                "--periodic",
-                "blaze",
-                "--explain",
-                "--size",
-                "40",
-                "--no-annotate",
-                "--output",
-                report.toString()));
+        assertSuccess(sunbeam("brdf-map @scans --periodic blaze --explain --size 40 --no-annotate --output @report"));
 
         assertThat(table("table.csv"))
                 .extracting(row -> row.getField("verdict_code"))
@@ -225,34 +214,27 @@ final class CollectionTest extends CommandLineFixture {
                 .isEqualTo(40);
     }
 
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            inspect @empty --output @report               | UNUSABLE_INPUT | the folder & empty has no file
+            inspect blaze --resume --output @report       | USAGE          | --resume is for several
+            inspect blaze --theta-i 0:80 --output @report | USAGE          | --theta-i & min:max:step
+            color @scans --with blaze --output @report    | USAGE          | --with is for one patch
+            color @scans --output a.png                   | USAGE          | --output & folder
+            inspect blaze no-such-file --output @report   | UNUSABLE_INPUT | no-such-file' is neither & needs quotes
+            evaluate @scans --output @report              | UNUSABLE_INPUT | scans & folder
+            """)
+    void mistakesAreOneLine(String command, ExitCode code, String words) throws IOException {
+        Files.createDirectory(folder.resolve("empty"));
+        assertComplaint(code, command, words.split(" & "));
+    }
+
     @Test
-    void mistakesAreOneLine() throws IOException {
-        Path empty = Files.createDirectory(folder.resolve("empty"));
-        assertThat(inspect(empty.toString())).isEqualTo(4);
-        assertThat(err.toString())
-                .contains("the folder " + empty + " has no file")
-                .hasLineCount(1);
-        assertThat(inspect("blaze", "--resume")).isEqualTo(2);
-        assertThat(err.toString()).contains("--resume is for several").hasLineCount(1);
-        assertThat(inspect(scans.toString(), "--task", "2/2")).isEqualTo(0);
-        assertThat(inspect(scans.toString(), "--task", "1/2")).isEqualTo(2);
-        assertThat(err.toString()).contains("--task").hasLineCount(1);
-        assertThat(inspect("blaze", "--theta-i", "0:80")).isEqualTo(2);
-        assertThat(err.toString()).contains("--theta-i", "min:max:step").hasLineCount(1);
-        assertThat(run("color", scans.toString(), "--with", "blaze", "--output", report.toString()))
-                .isEqualTo(2);
-        assertThat(err.toString()).contains("--with is for one patch").hasLineCount(1);
-        assertThat(run("color", scans.toString(), "--output", "a.png")).isEqualTo(2);
-        assertThat(err.toString()).contains("--output", "folder").hasLineCount(1);
-        assertThat(inspect("blaze", "no-such-file")).isEqualTo(4);
-        assertThat(err.toString())
-                .contains("'no-such-file' is neither", "needs quotes")
-                .hasLineCount(1);
-        assertThat(run("evaluate", scans.toString())).isEqualTo(4);
-        assertThat(err.toString()).contains("scans", "folder").hasLineCount(1);
+    void whatOthersOrOtherPartsWroteStays() throws IOException {
+        assertSuccess(inspect("@scans --task 2/2"));
+        assertComplaint(ExitCode.USAGE, "inspect @scans --task 1/2 --output @report", "--task");
         Files.writeString(report.resolve("table.csv"), "mine");
-        assertThat(inspect(scans.toString())).isEqualTo(8);
-        assertThat(err.toString()).contains("table.csv", "--force").hasLineCount(1);
+        assertComplaint(ExitCode.OUTPUT_EXISTS, "inspect @scans --output @report", "table.csv", "--force");
         assertThat(report.resolve("table.csv")).hasContent("mine");
     }
 }

@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,17 +21,19 @@ import sunbeam.app.terminal.ExitCode;
 class ColorCommandTest extends CommandLineFixture {
     private static final Path SHARED = Path.of("../../shared");
 
-    private int run(String... more) {
+    private int run(String options) {
         forgetOutput();
-        String output = folder.resolve("c.png").toString();
-        String[] all = with(new String[] {"color", "--output", output, "--force"}, more);
-        all = List.of(more).contains("--coherence-length") ? all : with(all, "--coherence-length", "10um");
-        return sunbeam(all);
+        String window = options.contains("--coherence-length") ? "" : " --coherence-length 10um";
+        return sunbeam("color --output @c.png --force " + options + window);
     }
 
-    private JsonNode tell(String... more) throws IOException {
-        assertSuccess(run(more));
+    private JsonNode tell(String options) throws IOException {
+        assertSuccess(run(options));
         return readJson("c.json");
+    }
+
+    private JsonNode surface(String options) throws IOException {
+        return tell(options).get("surfaces").get(0);
     }
 
     private static JsonNode at(JsonNode surface, String strip, double theta) {
@@ -47,7 +48,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     @Test
     void aGratingsColorIsThatOfItsFirstOrder() throws IOException {
-        JsonNode told = tell("--patch", "sinusoid", "--theta-i", "0");
+        JsonNode told = tell("--patch sinusoid --theta-i 0");
 
         JsonNode surface = told.get("surfaces").get(0);
         assertThat(surface.get("plane_azimuth_deg").asDouble()).isCloseTo(0, within(0.01));
@@ -75,9 +76,7 @@ class ColorCommandTest extends CommandLineFixture {
         double[] luminances = new double[3];
         String[] indices = {"1.5", "1.56", "0.97+6.5i"};
         for (int i = 0; i < indices.length; i++) {
-            JsonNode surface = tell("--patch", "sinusoid", "--theta-i", "0", "--index", indices[i])
-                    .get("surfaces")
-                    .get(0);
+            JsonNode surface = surface("--patch sinusoid --theta-i 0 --index " + indices[i]);
             luminances[i] = at(surface, "along", 0).get("Y").asDouble();
         }
         // Colors are relative to a mirror of the same index, whose reflectance along the normal is Schlick's.
@@ -87,7 +86,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     @Test
     void thePurestColorLiesBesideTheGlossWhateverTheExposure() throws IOException {
-        String[] light = {"--patch", "sinusoid", "--theta-i", "30"};
+        String light = "--patch sinusoid --theta-i 30";
         JsonNode told = tell(light);
         assertThat(told.get("light").asText()).isEqualTo("theta 30 degrees, phi that of each strip's plane");
         JsonNode surface = told.get("surfaces").get(0);
@@ -99,10 +98,7 @@ class ColorCommandTest extends CommandLineFixture {
                 + Math.sin(Math.toRadians(purest.get("theta_r_deg").asDouble()));
         assertThat(Math.abs(u)).isGreaterThan(reach);
         double brighter = 1000 * told.get("exposure").asDouble();
-        JsonNode same = tell(with(light, "--exposure", Double.toString(brighter)))
-                .get("surfaces")
-                .get(0)
-                .get("purest");
+        JsonNode same = surface(light + " --exposure " + brighter).get("purest");
         assertThat(same.get("theta_r_deg")).isEqualTo(purest.get("theta_r_deg"));
         assertThat(same.get("purity")).isEqualTo(purest.get("purity"));
     }
@@ -117,10 +113,8 @@ class ColorCommandTest extends CommandLineFixture {
                 128,
                 128,
                 (column, row) -> 40 * Math.cos(turns * column / 4) + 30 * Math.cos(turns * row / 1.3));
-        String[] crossed = {
-            "--patch", scan.toString(), "--width", "20um", "--height-unit", "nm", "--theta-i", "30", "--no-periodic"
-        };
-        JsonNode surface = tell(crossed).get("surfaces").get(0);
+        String crossed = "--patch " + scan + " --width 20um --height-unit nm --theta-i 30 --no-periodic";
+        JsonNode surface = surface(crossed);
         for (int strip = 0; strip < 2; strip++) {
             // lambda = d (sin(30) + sin(theta_r)) for the first order at 550 nm.
             double theta = Math.rint(Math.toDegrees(Math.asin(0.55 / (strip == 0 ? 4 : 1.3) - 0.5)));
@@ -136,24 +130,22 @@ class ColorCommandTest extends CommandLineFixture {
         // The orders of the finer waves are separate; those of the coarser waves overlap.
         assertThat(surface.get("purest").get("strip").asText()).isEqualTo("across");
         assertThat(out.toString()).contains("degrees (across): ").doesNotContain("beside both planes");
-        tell(with(crossed, "--phi-i", "45"));
+        tell(crossed + " --phi-i 45");
         assertThat(out.toString()).contains("beside both planes");
     }
 
     /** Lines 9.14 um apart, whose orders are narrower than a degree in sunlight. */
-    private String[] wideLines(double nanometers) throws IOException {
+    private String wideLines(double nanometers) throws IOException {
         Path scan = scan("wide.txt", "", 128, 4, (column, row) -> nanometers * Math.sin(2 * Math.PI * column / 128.0));
         String options = " --width 9.14um --height-unit nm --periodic --theta-i 0 --coherence-length 65um";
-        return ("--patch " + scan + options).split(" ");
+        return "--patch " + scan + options;
     }
 
     @Test
     void aColorIsTheMeanOverAStepOfTheAngles() throws IOException {
-        String[] lines = wideLines(100);
-        JsonNode coarse =
-                tell(with(lines, "--angles", "2:10:1")).get("surfaces").get(0);
-        JsonNode fine =
-                tell(with(lines, "--angles", "1.6:10.4:0.2")).get("surfaces").get(0);
+        String lines = wideLines(100);
+        JsonNode coarse = surface(lines + " --angles 2:10:1");
+        JsonNode fine = surface(lines + " --angles 1.6:10.4:0.2");
         double brightest = 0;
         for (int degrees = 2; degrees <= 10; degrees++) {
             brightest =
@@ -167,23 +159,21 @@ class ColorCommandTest extends CommandLineFixture {
             // Means over steps of 1.5 deviations and over finer steps differ by at most 3e-3 of the brightest.
             assertThat(at(coarse, "along", degrees).get("Y").asDouble()).isCloseTo(mean, within(3e-3 * brightest));
         }
-        assertThat(run(with(lines, "--angles", "0:89.9:1"))).isEqualTo(ExitCode.USAGE.code());
+        assertThat(run(lines + " --angles 0:89.9:1")).isEqualTo(ExitCode.USAGE.code());
         assertThat(err.toString()).contains("--angles").hasLineCount(1);
     }
 
     /** 0.4 and 0.7 um over 9.14 um: 2.5 to 4.4 degrees; second orders hold a hundredth of the light of the first. */
     @Test
     void theGlossLeavesALongPeriodsFirstOrderItsColors() throws IOException {
-        JsonNode purest = tell(wideLines(20)).get("surfaces").get(0).get("purest");
+        JsonNode purest = surface(wideLines(20)).get("purest");
         assertThat(Math.abs(purest.get("theta_r_deg").asDouble())).isBetween(2.5, 5.0);
     }
 
     @Test
     void aProbableGratingHasItsColors() throws IOException {
         Path scan = scan("few.txt", "", 128, 128, (column, row) -> column % 37 < 16 ? 100 : 0);
-        JsonNode surface = tell("--patch", scan.toString(), "--width", "10um", "--height-unit", "nm", "--no-periodic")
-                .get("surfaces")
-                .get(0);
+        JsonNode surface = surface("--patch " + scan + " --width 10um --height-unit nm --no-periodic");
         assertThat(out.toString())
                 .startsWith("Probably a grating of about 2.9 um (3.4 periods seen, too few for an interval) across");
         assertThat(surface.get("verdict_code").asText()).isEqualTo("probable_grating");
@@ -192,7 +182,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     @Test
     void theFirstLineIsAVerdict() throws IOException {
-        tell("--patch", "sinusoid", "--coherence-length", "40um");
+        tell("--patch sinusoid --coherence-length 40um");
         // asin(0.4 / 2.5) and asin(0.7 / 2.5).
         assertThat(out.toString().lines().findFirst().orElseThrow())
                 .isEqualTo("A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16"
@@ -200,7 +190,7 @@ class ColorCommandTest extends CommandLineFixture {
         assertThat(out.toString().lines().count() + err.toString().lines().count())
                 .isLessThanOrEqualTo(8);
         assertThat(err.toString()).as("without --explain").doesNotContain("plan:");
-        tell("--patch", "sinusoid", "--explain");
+        tell("--patch sinusoid --explain");
         assertThat(err.toString()).contains("plan: sinusoid: ");
     }
 
@@ -208,7 +198,7 @@ class ColorCommandTest extends CommandLineFixture {
     void aSurfaceWithoutOrderHasNoColor() throws IOException {
         SplittableRandom random = new SplittableRandom(5);
         Path scan = scan("noise.txt", "", 128, 128, (column, row) -> 20 * random.nextGaussian());
-        assertThat(run("--patch", scan.toString(), "--width", "20um", "--height-unit", "nm"))
+        assertThat(run("--patch " + scan + " --width 20um --height-unit nm"))
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(out.toString())
                 .startsWith("No order found: a white gloss without color")
@@ -220,7 +210,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     @Test
     void aScanOfAWavelengthTellsNoColor() throws IOException {
-        String[] scan = {"--patch", "sinusoid", "--no-periodic", "--crop", "0um:0.5um,0um:0.5um"};
+        String scan = "--patch sinusoid --no-periodic --crop 0um:0.5um,0um:0.5um";
         assertThat(run(scan)).isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(out.toString()).startsWith("Too little to judge: a side of 508 nm");
         assertThat(readJson("c.json").get("warnings"))
@@ -236,8 +226,7 @@ class ColorCommandTest extends CommandLineFixture {
     void measuredSurfacesHaveTheirVerdict(String file, int code, String verdict) throws IOException {
         Path scan = SHARED.resolve(file);
         assumeTrue(Files.exists(scan), scan + " is missing: what color says of it is not tested");
-        assertThat(run("--patch", scan.toString(), "--coherence-length", "65um"))
-                .isEqualTo(code);
+        assertThat(run("--patch " + scan + " --coherence-length 65um")).isEqualTo(code);
         assertThat(out.toString()).startsWith(verdict);
         assertThat(err.toString().lines().filter(line -> line.contains("warning:")))
                 .as("warnings")
@@ -249,13 +238,11 @@ class ColorCommandTest extends CommandLineFixture {
         Path same = Files.writeString(folder.resolve("same.csv"), "wl,n\n0.3,1.56\n0.9,1.56\n\nwl,k\n0.3,0\n0.9,0\n");
         Path gold = Files.writeString(
                 folder.resolve("gold.csv"), "wl,n,k\n0.3,1.5,1.9\n0.5,1.0,1.9\n0.6,0.25,3.0\n0.8,0.15,4.9\n");
-        String[] light = {"--patch", "sinusoid", "--theta-i", "20"};
+        String light = "--patch sinusoid --theta-i 20";
 
-        JsonNode constant = tell(with(light, "--index", "1.56")).get("surfaces").get(0);
-        JsonNode table =
-                tell(with(light, "--index", same.toString())).get("surfaces").get(0);
-        JsonNode golden =
-                tell(with(light, "--index", gold.toString())).get("surfaces").get(0);
+        JsonNode constant = surface(light + " --index 1.56");
+        JsonNode table = surface(light + " --index " + same);
+        JsonNode golden = surface(light + " --index " + gold);
 
         for (double theta : new double[] {-40, -20, -8, 10, 60}) {
             for (String channel : new String[] {"X", "Y", "Z"}) {
@@ -273,7 +260,7 @@ class ColorCommandTest extends CommandLineFixture {
 
     @Test
     void severalSurfacesShareOneExposure() throws IOException {
-        JsonNode told = tell("--patch", "blaze", "--with", "lamellar", "--theta-i", "0");
+        JsonNode told = tell("--patch blaze --with lamellar --theta-i 0");
 
         assertThat(told.get("surfaces")).hasSize(2);
         // 2 strips of 161 angles.
@@ -285,22 +272,20 @@ class ColorCommandTest extends CommandLineFixture {
                 .containsEntry("Index", "1.5");
     }
 
-    @Test
-    void whatIsNoIndexIsRefused() throws IOException {
-        Path infrared = Files.writeString(folder.resolve("infrared.csv"), "wl,n\n1,1.5\n5,1.4\n");
-        Path words = Files.writeString(folder.resolve("words.csv"), "wl,n\n0.3,glass\n");
-        StringBuilder complaints = new StringBuilder();
-        for (String index : List.of("glass", "0", "1", "-1.5")) {
-            assertThat(run("--index", index)).as(index).isEqualTo(ExitCode.USAGE.code());
-            complaints.append(err);
-        }
-        for (Path index : List.of(infrared, words, folder.resolve("none.csv"))) {
-            assertThat(run("--index", index.toString())).as("%s", index).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
-            complaints.append(err);
-        }
-        assertThat(complaints.toString())
-                .contains("reflects nothing", "from 1000 to 5000 nm", "line 2: 'glass' is not a number")
-                .doesNotContain("Exception");
+    @ParameterizedTest
+    @CsvSource({
+        "glass, USAGE, --index",
+        "0, USAGE, --index",
+        "1, USAGE, reflects nothing",
+        "-1.5, USAGE, --index",
+        "@infrared.csv, UNUSABLE_INPUT, from 1000 to 5000 nm",
+        "@words.csv, UNUSABLE_INPUT, line 2: ",
+        "@none.csv, UNUSABLE_INPUT, none.csv"
+    })
+    void whatIsNoIndexIsRefused(String index, ExitCode code, String words) throws IOException {
+        Files.writeString(folder.resolve("infrared.csv"), "wl,n\n1,1.5\n5,1.4\n");
+        Files.writeString(folder.resolve("words.csv"), "wl,n\n0.3,glass\n");
+        assertComplaint(code, "color --output @c.png --index " + index, words);
         assertThat(folder.resolve("c.png")).doesNotExist();
     }
 }

@@ -27,17 +27,15 @@ import sunbeam.precompute.optics.Gain;
 final class EvaluateCommandTest extends CommandLineFixture {
     private static final int SAMPLES = 128;
 
-    private int run(String... arguments) {
-        String[] all = with(
-                new String[] {"evaluate", "--output", folder.resolve("result").toString()}, arguments);
-        return List.of(all).contains("--wavelengths") ? sunbeam(all) : sunbeam(all, "--wavelengths", "380:780:50");
+    private int run(String options) {
+        String wavelengths = options.contains("--wavelengths") ? "" : " --wavelengths 380:780:50";
+        return sunbeam("evaluate --output @result " + options + wavelengths);
     }
 
     /** Evaluates a scan of this side; the function returns the height, nm, at a column and a row. */
-    private int runScan(DoubleBinaryOperator height, double micrometers, String... more) throws IOException {
+    private int runScan(DoubleBinaryOperator height, double micrometers, String more) throws IOException {
         Path scan = scan("scan.txt", "", SAMPLES, SAMPLES, height);
-        return run(
-                with(("--patch " + scan + " --height-unit nm --force --width " + micrometers + "um").split(" "), more));
+        return run("--height-unit nm --force --patch " + scan + " --width " + micrometers + "um" + more);
     }
 
     /** Returns a wave whose period is given in samples. */
@@ -58,7 +56,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @Test
     void aBlazedGratingHasItsPeriod() throws IOException {
-        assertSuccess(run("--patch", "blaze", "--wavelengths", "380:780:20", "--explain"));
+        assertSuccess(run("--patch blaze --wavelengths 380:780:20 --explain"));
         JsonNode report = report();
         // The slope of the relative radiance shifts the peaks by 1.4e-4.
         assertThat(1e9 * report.at("/peaks_interpolated/mean_m").doubleValue()).isCloseTo(2500.3, within(0.3));
@@ -82,8 +80,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     /** Text 000's Table 4.1 has 2500.34 nm and 0.16 nm2; steps of 0.01 degrees are 1.3 nm apart, whose square / 12 is 0.14. */
     @Test
     void theMaximaOfABlazedGratingHaveTheThesissMeanAndVariance() throws IOException {
-        String[] options = "--preset thesis --azimuth 0 --wavelengths 380:780:20 --angles=-56:-40:0.01".split(" ");
-        assertSuccess(run(with(options, "--patch", "blaze", "--peaks", "maximum")));
+        String options = "--preset thesis --azimuth 0 --wavelengths 380:780:20 --angles=-56:-40:0.01";
+        assertSuccess(run(options + " --patch blaze --peaks maximum"));
         assertThat(out.toString()).contains("maxima      2.500");
         // The standard error of 21 samples is 0.09 nm.
         assertThat(1e9 * report().at("/peaks_at_maxima/mean_m").doubleValue()).isCloseTo(2500.34, within(0.3));
@@ -119,8 +117,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @ParameterizedTest
     @ValueSource(strings = {"full", "nmm", "pq", "reference"})
     void everyMethodSeesTheGrating(String method) throws IOException {
-        String[] few = {"--wavelengths", "400:700:100", "--angles", "-56:-42:0.15"};
-        assertSuccess(run(with(few, "--patch", "blaze", "--method", method)));
+        String few = "--wavelengths 400:700:100 --angles -56:-42:0.15";
+        assertSuccess(run(few + " --patch blaze --method " + method));
         double tolerance = method.equals("full") || method.equals("reference") ? 0.5 : 10;
         assertThat(1e9 * report().at("/peaks_interpolated/mean_m").doubleValue())
                 .isCloseTo(2500.3, within(tolerance));
@@ -137,14 +135,14 @@ final class EvaluateCommandTest extends CommandLineFixture {
                 "magic; is not one of full"
             })
     void aMethodWithoutResponseIsRefused(String method, String words) throws IOException {
-        assertThat(run("--patch", "blaze", "--method", method)).isEqualTo(2);
+        assertThat(run("--patch blaze --method " + method)).isEqualTo(2);
         assertThat(err.toString()).contains("--method", words).hasLineCount(1);
         assertThat(files()).isEmpty();
     }
 
     @Test
     void theResponseIsWrittenWithItsAxes() throws IOException {
-        assertSuccess(run("--patch", "sinusoid", "--angles", "-56:-38:0.15"));
+        assertSuccess(run("--patch sinusoid --angles -56:-38:0.15"));
         List<String> lines = Files.readAllLines(folder.resolve("result.csv"));
         assertThat(lines).hasSize(1 + 9);
         assertThat(lines.get(0))
@@ -161,7 +159,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void aGivenPeriodIsLookedForInstead() throws IOException {
         // The second order of the blazed grating is the first order of half the period, which the heights do not have.
-        assertThat(run("--patch", "blaze", "--azimuth", "0", "--period", "1250nm"))
+        assertThat(run("--patch blaze --azimuth 0 --period 1250nm"))
                 .as(err.toString())
                 .isEqualTo(4);
         assertThat(1e9 * report().at("/peaks_interpolated/mean_m").doubleValue())
@@ -183,7 +181,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         "--period, 5nm, out of range",
     })
     void whatCannotBeEvaluatedIsOneLine(String option, String value, String reason) throws IOException {
-        assertThat(run("--patch", "blaze", option, value)).isEqualTo(2);
+        assertThat(run("--patch blaze " + option + " " + value)).isEqualTo(2);
         assertThat(err.toString()).contains(option, reason).hasLineCount(1);
         assertThat(files()).isEmpty();
     }
@@ -192,7 +190,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void aPatchWithoutPeriodHasItsVerdictOnStandardOutput() throws IOException {
         SplittableRandom random = new SplittableRandom(5);
-        assertThat(runScan((column, row) -> 60 * random.nextDouble(), 12.8)).isEqualTo(4);
+        assertThat(runScan((column, row) -> 60 * random.nextDouble(), 12.8, "")).isEqualTo(4);
         assertThat(out.toString())
                 .startsWith("No order found: a white gloss without color")
                 .hasLineCount(1);
@@ -200,20 +198,18 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(files()).containsExactly("scan.txt");
         String verdict = out.toString();
         forgetOutput();
-        String scan = folder.resolve("scan.txt").toString();
-        String picture = folder.resolve("i.png").toString();
-        sunbeam("inspect", scan, "--height-unit", "nm", "--width", "12.8um", "--output", picture);
+        sunbeam("inspect @scan.txt --height-unit nm --width 12.8um --output @i.png");
         assertThat(out.toString()).startsWith(verdict);
     }
 
     @Test
     void tooFewPeriodsAreAProbableAnswer() throws IOException {
         DoubleBinaryOperator lines = (column, row) -> 0.1 * column % 3.8 < 1.6 ? 100 : 0;
-        assertSuccess(runScan(lines, 11, "--no-periodic"));
+        assertSuccess(runScan(lines, 11, " --no-periodic"));
         assertThat(out.toString())
                 .containsPattern(
                         "Probably a grating of about 3\\.[23] um \\(3\\.[34] periods seen, too few for an interval\\)");
-        assertSuccess(runScan(lines, 11, "--no-periodic", "--azimuth", "0", "--period", "3.3um"));
+        assertSuccess(runScan(lines, 11, " --no-periodic --azimuth 0 --period 3.3um"));
         assertThat(out.toString()).contains("period      probably about 3.");
         assertThat(report().get("period_m").isNull()).isTrue();
         assertThat(report().get("period_not_told").textValue()).contains("too few for an interval");
@@ -223,8 +219,8 @@ final class EvaluateCommandTest extends CommandLineFixture {
     /** Overlapping orders would give a ridge at 43 um for a period of 50 um. */
     @Test
     void ordersThatLightDoesNotTellApartHaveNoRidge() throws IOException {
-        String[] few = {"--wavelengths", "400:700:100", "--angles", "-80:-70:0.2", "--azimuth", "0"};
-        assertSuccess(runScan((column, row) -> 150 * Math.sin(2 * Math.PI * column * 10 / SAMPLES), 500, few));
+        String few = "--wavelengths 400:700:100 --angles -80:-70:0.2 --azimuth 0";
+        assertSuccess(runScan((column, row) -> 150 * Math.sin(2 * Math.PI * column * 10 / SAMPLES), 500, " " + few));
         assertThat(out.toString())
                 .contains(
                         "period      50",
@@ -238,7 +234,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @Test
     void alongTheRidgesThereIsNoPeriod() throws IOException {
-        assertThat(run("--patch", "blaze", "--azimuth", "90")).isEqualTo(4);
+        assertThat(run("--patch blaze --azimuth 90")).isEqualTo(4);
         assertThat(out.toString())
                 .contains("No order found: a white gloss without color; nothing repeats along azimuth 90 degrees");
         assertThat(files()).isEmpty();
@@ -246,7 +242,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
 
     @Test
     void anOrderThatNoAngleSeesIsSaid() {
-        assertThat(run("--patch", "sinusoid", "--period", "150nm")).isEqualTo(2);
+        assertThat(run("--patch sinusoid --period 150nm")).isEqualTo(2);
         assertThat(err.toString())
                 .contains("no angle sees the first order of a period near 150 nm", "beyond 300 nm")
                 .hasLineCount(1);
@@ -256,7 +252,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     @Test
     void aShortPeriodIsLookedAtWhereItIsSeen() throws IOException {
         assertSuccess(runScan(
-                (column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0), 6.4, "--wavelengths", "380:780:20"));
+                (column, row) -> 15 * Math.sin(2 * Math.PI * column * 50 / 291.0), 6.4, " --wavelengths 380:780:20"));
         assertThat(report().at("/peaks_interpolated/wavelengths").intValue()).isBetween(8, 13);
         assertThat(1e9 * report().at("/period_low_m").doubleValue()).isLessThan(291.1);
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isGreaterThan(290.9);
@@ -272,7 +268,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
             last[place] = row < 80 ? 40 * wave(column, row, 12.8, 30) + random.nextGaussian() : last[place];
             return last[place];
         };
-        assertSuccess(runScan(stopped, 10));
+        assertSuccess(runScan(stopped, 10, ""));
         assertThat(err.toString()).contains("rows 81 to 128 of 128");
         assertThat(1e9 * report().at("/period_low_m").doubleValue()).isBetween(980.0, 1000.0);
         assertThat(1e9 * report().at("/period_high_m").doubleValue()).isBetween(1000.0, 1020.0);

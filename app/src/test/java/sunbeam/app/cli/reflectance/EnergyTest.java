@@ -8,12 +8,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.BeforeEach;
@@ -26,6 +24,7 @@ import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -43,34 +42,14 @@ class EnergyTest extends CommandLineFixture {
     private static final double TRACK = 740e-9;
     private static final CoherenceWindow WINDOW = CoherenceWindow.ofCoherenceLength(65e-6);
 
-    private String[] disc;
+    private static final String DISC =
+            " @dvd.txt --width 740nm --height 92.5nm --height-unit nm --periodic --force --energy ";
+    private static final String LIST = "reflectance --average ensemble --directions @in.csv --output @c.csv" + DISC;
 
     @BeforeEach
     void writeTracks() throws IOException {
-        String row =
-                String.join(" ", Collections.nCopies(32, "0")) + " " + String.join(" ", Collections.nCopies(32, "120"));
+        String row = "0 ".repeat(32) + "120 ".repeat(32);
         Files.write(folder.resolve("dvd.txt"), Collections.nCopies(8, row));
-        disc = new String[] {
-            "--patch",
-            folder.resolve("dvd.txt").toString(),
-            "--width",
-            "740nm",
-            "--height",
-            "92.5nm",
-            "--height-unit",
-            "nm",
-            "--periodic"
-        };
-    }
-
-    private int run(String... arguments) {
-        forgetOutput();
-        String[] all = Stream.of(arguments)
-                .flatMap(word -> word.equals("DISC") ? Arrays.stream(disc) : Stream.of(word))
-                .map(word ->
-                        word.startsWith("@") ? folder.resolve(word.substring(1)).toString() : word)
-                .toArray(String[]::new);
-        return sunbeam(all);
     }
 
     private void list(String header, List<String> rows) throws IOException {
@@ -106,21 +85,10 @@ class EnergyTest extends CommandLineFixture {
         list("theta_i,phi_i,theta_r,phi_r,wavelength", rows);
         double[] sums = new double[2];
         for (String rule : List.of("scalar", "conserve")) {
-            assertSuccess(run(
-                    "reflectance",
-                    "DISC",
-                    "--average",
-                    "ensemble",
-                    "--directions",
-                    "@in.csv",
-                    "--output",
-                    "@out.csv",
-                    "--force",
-                    "--energy",
-                    rule));
+            assertSuccess(sunbeam(LIST + rule));
             // brdf cos theta_r d omega is brdf dx dy.
             sums[rule.equals("scalar") ? 0 : 1] =
-                    Arrays.stream(column("out.csv", "brdf")).sum() * width / 6 * width / 4;
+                    Arrays.stream(column("c.csv", "brdf")).sum() * width / 6 * width / 4;
         }
         assertThat(sums[0]).isGreaterThan(1.5 * 0.04);
         assertThat(sums[1]).isBetween(0.98 * 0.04, 1.01 * 0.04);
@@ -133,13 +101,9 @@ class EnergyTest extends CommandLineFixture {
             rows.add("10,0," + (i * 1.4) + "," + (i % 2 == 0 ? 180 : 0));
         }
         list("theta_i,phi_i,theta_r,phi_r", rows);
-        String[] command = {
-            "reflectance", "DISC", "--average", "ensemble", "--directions", "@in.csv", "--output", "@c.csv", "--force"
-        };
-        assertThat(run(command)).isZero();
+        assertSuccess(sunbeam(LIST + "scalar"));
         double[] scalar = column("c.csv", "Y");
-        assertSuccess(run(Stream.concat(Arrays.stream(command), Stream.of("--energy", "conserve", "--certify", "30"))
-                .toArray(String[]::new)));
+        assertSuccess(sunbeam(LIST + "conserve --certify 30"));
         double[] conserved = column("c.csv", "Y");
         double least = 1;
         for (int i = 0; i < scalar.length; i++) {
@@ -150,9 +114,14 @@ class EnergyTest extends CommandLineFixture {
         assertThat(least).isLessThan(0.8);
     }
 
+    private MethodProbe probe() {
+        return new MethodProbe(
+                folder, "--width 740nm --height 92.5nm --height-unit nm --periodic --patch " + folder + "/dvd.txt");
+    }
+
     @Test
     void aScenesShaderDividesByTheDirectionOfLight() {
-        MethodProbe probe = new MethodProbe(folder, disc);
+        MethodProbe probe = probe();
         MethodPlan plan = probe.plan(VisibleRange.all(), "--average=ensemble");
         EnergyDivisor divisor = new EnergyDivisor(probe.setup().patch().heights(), RefractiveIndex.KERATIN, WINDOW);
         ShaderTables tables = divisor.applyTo(
@@ -183,46 +152,28 @@ class EnergyTest extends CommandLineFixture {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            quoteCharacter = '`',
-            value = {
-                "reflectance DISC --method reference | is not for method reference",
-                "reflectance DISC --preset thesis | is not for the thesis's preset",
-                "reflectance DISC --coherence-length 4um | needs a coherence length of 5um at least",
-                "brdf-map DISC --size 16 --method gem --spacing 1um | is not for method gem",
-                "reflectance DISC | give",
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            reflectance --method reference               | is not for method reference
+            reflectance --preset thesis                  | is not for the thesis's preset
+            reflectance --coherence-length 4um           | needs a coherence length of 5um at least
+            brdf-map --size 16 --method gem --spacing 1um | is not for method gem
+            reflectance                                  | give
+            """)
     void whereNoDivisorIsRightOneLineSaysSo(String command, String words) throws IOException {
         list("theta_i,phi_i,theta_r,phi_r", List.of("0,0,10,0", "1,0,10,0"));
-        List<String> all = new ArrayList<>(List.of(command.split(" ")));
-        all.addAll(List.of("--energy", "conserve", "--output", command.startsWith("brdf") ? "@o.png" : "@o.csv"));
-        if (command.startsWith("reflectance")) {
-            all.addAll(List.of("--directions", "@in.csv"));
-        }
-        assertThat(run(all.toArray(String[]::new))).as(err.toString()).isEqualTo(2);
-        assertThat(err.toString()).contains("--energy conserve").contains(words);
+        String files = command.startsWith("brdf") ? " --output @o.png" : " --output @o.csv --directions @in.csv";
+        assertThat(sunbeam(command + DISC + "conserve" + files)).as("%s", err).isEqualTo(2);
+        assertThat(err.toString()).contains("--energy conserve", words);
         assertThat(folder.resolve("o.csv")).doesNotExist();
     }
 
     @Test
     void anExportHasTheDivisorOrRefuses() throws IOException {
-        Path dvd = folder.resolve("dvd.txt");
-        String[] surface = ("--width 740nm --height 92.5nm --height-unit nm --periodic --samples 0 --size"
-                        + " 2MB --coherence-length 10um --energy conserve")
-                .split(" ");
-        assertThat(run(Stream.concat(
-                                Stream.of("export", dvd.toString(), "--format", "html", "--output", "@p.html"),
-                                Arrays.stream(surface))
-                        .toArray(String[]::new)))
-                .isEqualTo(2);
-        assertThat(err.toString()).contains("--energy conserve is for --format npz and bsdf");
-        assertThat(run(Stream.concat(
-                                Stream.of("export", dvd.toString(), "--format", "npz", "--output", "@t.npz"),
-                                Arrays.stream(surface))
-                        .toArray(String[]::new)))
-                .as(err.toString())
-                .isIn(0, 3);
+        String export = "export --samples 0 --size 2MB --coherence-length 10um" + DISC + "conserve --format ";
+        assertComplaint(
+                ExitCode.USAGE, export + "html --output @p.html", "--energy conserve is for --format npz and bsdf");
+        assertThat(sunbeam(export + "npz --output @t.npz")).as("%s", err).isIn(0, 3);
+        MethodProbe probe = probe();
         try (ZipFile archive = new ZipFile(folder.resolve("t.npz").toFile())) {
             byte[] array =
                     archive.getInputStream(archive.getEntry("divisor.npy")).readAllBytes();
@@ -231,12 +182,10 @@ class EnergyTest extends CommandLineFixture {
                     .asFloatBuffer();
             // The middle of the 25 x 25 directions is light along the normal; all channels of colors have one divisor.
             double above = new EnergyDivisor(
-                            new MethodProbe(folder, disc).setup().patch().heights(),
+                            probe.setup().patch().heights(),
                             RefractiveIndex.KERATIN,
                             CoherenceWindow.ofCoherenceLength(10e-6))
-                    .ofColors(
-                            Direction.ofDegrees(0, 0),
-                            new MethodProbe(folder, disc).setup().cie());
+                    .ofColors(Direction.ofDegrees(0, 0), probe.setup().cie());
             // The table's window may be shorter by a mip level, with wider orders.
             assertThat((double) values.get(312)).isCloseTo(above, within(0.1));
             assertThat(values.get(312 + 625)).isEqualTo(values.get(312));

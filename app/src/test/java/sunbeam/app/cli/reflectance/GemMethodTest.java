@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
@@ -19,12 +19,9 @@ class GemMethodTest {
     private Path home;
 
     @Test
-    @EnabledIfEnvironmentVariable(
-            named = "DISPLAY",
-            matches = ".+",
-            disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+    @NeedsDisplay
     void colorsFollowTheGratingEquation() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
         List<DirectionPair> directions = List.of(
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.46))),
@@ -32,7 +29,7 @@ class GemMethodTest {
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.68))),
                 MethodProbe.inPlane(0, Math.toDegrees(Math.asin(0.30))),
                 MethodProbe.inPlane(0, 0));
-        List<float[]> xyz = probe.colors(directions, "--method", "gem", "--spacing", "1um");
+        List<float[]> xyz = probe.colors(directions, "--method gem --spacing 1um");
         assertThat(xyz.get(0)[2]).isGreaterThan(2 * xyz.get(0)[0]);
         assertThat(xyz.get(1)[1]).isGreaterThan(xyz.get(1)[0]).isGreaterThan(xyz.get(1)[2]);
         assertThat(xyz.get(2)[0]).isGreaterThan(xyz.get(2)[1]).isGreaterThan(xyz.get(2)[2]);
@@ -42,19 +39,16 @@ class GemMethodTest {
 
     /** The sum of the bumps in X, Y and Z over all orders with a visible wavelength, across the lines. */
     @Test
-    @EnabledIfEnvironmentVariable(
-            named = "DISPLAY",
-            matches = ".+",
-            disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+    @NeedsDisplay
     void theThesissFormIsALineOfAllVisibleOrders() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         double u = 0.75;
         double angle = Math.toDegrees(Math.asin(u));
         List<DirectionPair> directions = List.of(
                 MethodProbe.inPlane(0, angle),
                 new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDegrees(angle, 1)),
                 MethodProbe.inPlane(0, 0));
-        List<float[]> xyz = probe.colors(directions, "--method", "gem", "--preset", "thesis");
+        List<float[]> xyz = probe.colors(directions, "--method gem --preset thesis");
         double slope = 1.5 * u / (1 + Math.sqrt(1 - u * u));
         double[] white = {0.95047, 1, 1.08883};
         for (int c = 0; c < 3; c++) {
@@ -74,11 +68,11 @@ class GemMethodTest {
 
     @Test
     void aPatchOfManyPeriodsNeedsASpacing() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "disc");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "gem"))
+        MethodProbe probe = new MethodProbe(home, "--patch disc");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method gem"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("--spacing");
-        assertThat(probe.plan(VisibleRange.all(), "--method", "gem", "--spacing", "1.6um")
+        assertThat(probe.plan(VisibleRange.all(), "--method gem --spacing 1.6um")
                         .summary())
                 .contains("1.6 um")
                 .contains("for comparison only");

@@ -26,7 +26,7 @@ class LightTest {
     private Path home;
 
     private MethodProbe probe() {
-        return new MethodProbe(home, "--patch", "sinusoid");
+        return new MethodProbe(home, "--patch sinusoid");
     }
 
     /** Medians keep the tolerance of 1e-3. */
@@ -41,9 +41,9 @@ class LightTest {
     })
     void colorsAreThoseOfTheReference(String method, String light, String average) {
         MethodProbe probe = probe();
-        String[] options = {"--method=" + method, light, "--average=" + average, "--coherence-length=20um"};
-        Choices choices =
-                CommandLine.populateCommand(new MethodOptions(), options).choices();
+        String options = "--method=" + method + " " + light + " --average=" + average + " --coherence-length=20um";
+        Choices choices = CommandLine.populateCommand(new MethodOptions(), MethodProbe.words(options))
+                .choices();
         ExactLight exact = probe.setup().withLight(LightTable.of(choices)).exact(Methods.of(choices));
         List<DirectionPair> pairs = MethodProbe.gratingPlane(13);
 
@@ -67,7 +67,7 @@ class LightTest {
         double sine = 532e-9 / PERIOD;
         List<DirectionPair> pairs = List.of(at(sine), at(sine - 0.1), at(sine + 0.1));
 
-        List<float[]> colors = probe().colors(pairs, "--wavelengths=532nm", "--coherence-length=20um");
+        List<float[]> colors = probe().colors(pairs, "--wavelengths=532nm --coherence-length=20um");
 
         // sigma_f is 0.032 / um, so that an order's power has a deviation of 0.012 in u: exp(-0.5 (0.1 / 0.012)^2) is
         // 1e-15.
@@ -81,7 +81,7 @@ class LightTest {
     @ParameterizedTest
     @CsvSource({"nmm", "gem"})
     void whatSeesOneWavelengthAnOrderRefusesLines(String method) {
-        assertThatThrownBy(() -> probe().colors(List.of(at(0.2)), "--method=" + method, "--illuminant=F11"))
+        assertThatThrownBy(() -> probe().colors(List.of(at(0.2)), "--method=" + method + " --illuminant=F11"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("has lines");
     }

@@ -1,5 +1,7 @@
 package sunbeam.app.cli.reflectance;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -31,8 +33,8 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
 final class MethodProbe {
     private final DiffractionSetup setup;
 
-    MethodProbe(Path home, String... patchOptions) {
-        PatchOptions patch = CommandLine.populateCommand(new PatchOptions(), patchOptions);
+    MethodProbe(Path home, String patchOptions) {
+        PatchOptions patch = CommandLine.populateCommand(new PatchOptions(), words(patchOptions));
         setup = new DiffractionSetup(
                 patch.load(Choices.none()), new Environment(Map.of(), home), new PrintWriter(new StringWriter(), true));
     }
@@ -56,39 +58,44 @@ final class MethodProbe {
         return pairs;
     }
 
-    MethodPlan plan(VisibleRange range, String... options) {
-        MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), options);
+    MethodPlan plan(VisibleRange range, String options) {
+        MethodOptions parsed = CommandLine.populateCommand(new MethodOptions(), words(options));
         Choices choices = parsed.choices();
         return choices.located(() ->
                 Methods.of(choices).plan(setup.withLight(LightTable.of(choices)).surface(), range));
     }
 
+    /** Returns the words of a line of options. */
+    static String[] words(String options) {
+        return options.isEmpty() ? new String[0] : options.split(" ");
+    }
+
     /** Returns X, Y, Z of the power. */
-    List<float[]> colors(List<DirectionPair> pairs, String... options) {
+    List<float[]> colors(List<DirectionPair> pairs, String options) {
         return evaluate(pairs, 0, MethodUse.COLOR, options);
     }
 
     /** Returns coherent power, ensemble power, rho and BRDF at one wavelength in meters. */
-    List<float[]> powers(List<DirectionPair> pairs, double wavelength, String... options) {
+    List<float[]> powers(List<DirectionPair> pairs, double wavelength, String options) {
         return evaluate(pairs, wavelength, MethodUse.SPECTRAL, options);
     }
 
     /** Returns the same values for one pair at each whole nanometer from 380 to 780. */
-    List<float[]> spectrum(DirectionPair pair, String... options) {
+    List<float[]> spectrum(DirectionPair pair, String options) {
         List<DirectionsRenderer.Query> queries = IntStream.rangeClosed(380, 780)
                 .mapToObj(nanometers -> new DirectionsRenderer.Query(pair, nanometers * 1e-9))
                 .toList();
         return evaluate(queries, List.of(pair), MethodUse.SPECTRAL, options);
     }
 
-    private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String... options) {
+    private List<float[]> evaluate(List<DirectionPair> pairs, double wavelength, MethodUse use, String options) {
         List<DirectionsRenderer.Query> queries = new ArrayList<>();
         pairs.forEach(pair -> queries.add(new DirectionsRenderer.Query(pair, wavelength)));
         return evaluate(queries, pairs, use, options);
     }
 
     private List<float[]> evaluate(
-            List<DirectionsRenderer.Query> queries, List<DirectionPair> pairs, MethodUse use, String... options) {
+            List<DirectionsRenderer.Query> queries, List<DirectionPair> pairs, MethodUse use, String options) {
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = upload(context, plan(VisibleRange.of(pairs), options), use);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, use == MethodUse.SPECTRAL)) {
@@ -100,13 +107,22 @@ final class MethodProbe {
         return UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
     }
 
-    /** Draws a BRDF map under light along the normal. */
-    LinearPicture map(int size, String... options) {
+    /** Asserts that each pixel in the disc of a map has a color; its size is odd, so that the middle one is u = v = 0. */
+    void assertMapHasColors(String options) {
+        int size = 21;
         Direction normal = new Direction(0, 0, 1);
+        LinearPicture map;
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = upload(context, plan(VisibleRange.of(normal), options), MethodUse.COLOR);
                 BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
-            return renderer.render(normal, pixels -> {});
+            map = renderer.render(normal, pixels -> {});
+        }
+        for (int pixel = 0; pixel < size * size; pixel++) {
+            double x = (2.0 * (pixel % size) + 1) / size - 1;
+            double y = (2.0 * Math.floorDiv(pixel, size) + 1) / size - 1;
+            assertThat(map.luminance(pixel) >= 0 && Float.isFinite(map.luminance(pixel)))
+                    .as("pixel %d of %s", pixel, options)
+                    .isEqualTo(x * x + y * y < 1);
         }
     }
 

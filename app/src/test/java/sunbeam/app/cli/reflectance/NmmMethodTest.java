@@ -8,22 +8,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
 
-@EnabledIfEnvironmentVariable(
-        named = "DISPLAY",
-        matches = ".+",
-        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+@NeedsDisplay
 class NmmMethodTest {
     // Required by the design: the error of replacing an order's wavelengths by one.
     private static final double MEDIAN_ERROR = 0.01;
@@ -47,10 +43,9 @@ class NmmMethodTest {
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "sinusoid", "lamellar"})
     void agreesWithFullAlongAGratingsPlane(String patch) {
-        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
-        List<Double> errors =
-                errors(probe.colors(plane, "--method", "nmm"), probe.colors(plane, "--tolerance", "1e-4"));
+        List<Double> errors = errors(probe.colors(plane, "--method nmm"), probe.colors(plane, "--tolerance 1e-4"));
         assertThat(errors).hasSizeGreaterThan(150);
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
@@ -59,14 +54,14 @@ class NmmMethodTest {
     @ParameterizedTest
     @CsvSource({"blaze, coherent, 9", "disc, coherent, 20", "disc, ensemble, 20"})
     void itsPowerOverTheWavelengthsIsItsColor(String patch, String average, double degrees) {
-        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
         DirectionPair pair = MethodProbe.inPlane(0, -degrees);
         CieTable cie = probe.setup().cie();
 
-        List<float[]> powers = probe.spectrum(pair, "--method", "nmm", "--average", average);
+        List<float[]> powers = probe.spectrum(pair, "--method nmm --average " + average);
 
-        float[] color = probe.colors(List.of(pair), "--method", "nmm", "--average", average)
-                .get(0);
+        float[] color =
+                probe.colors(List.of(pair), "--method nmm --average " + average).get(0);
         float[] sum = new float[3];
         for (int i = 0; i < powers.size(); i++) {
             double power = powers.get(i)[average.equals("ensemble") ? 1 : 0];
@@ -76,34 +71,34 @@ class NmmMethodTest {
         }
         // Orders are at least 7 nm wide, so a sum over whole nanometers errs by 1 %.
         assertThat(MethodProbe.relativeError(sum, color)).isLessThan(0.02);
-        List<float[]> full = probe.spectrum(pair, "--average", average);
+        List<float[]> full = probe.spectrum(pair, "--average " + average);
         assertThat(IntStream.range(0, 401).anyMatch(i -> powers.get(i)[0] != full.get(i)[0]))
                 .isTrue();
     }
 
     @Test
     void theEnsembleOfAMeasuredLikePatchKeepsEachOrderApart() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "disc");
+        MethodProbe probe = new MethodProbe(home, "--patch disc");
         List<DirectionPair> directions = new ArrayList<>();
         for (int i = 0; i < 60; i++) {
             directions.add(new DirectionPair(Direction.ofDegrees(20, 0), Direction.ofDegrees(1.3 * i + 3, 47.0 * i)));
         }
         List<Double> errors = errors(
-                probe.colors(directions, "--method", "nmm", "--average", "ensemble"),
-                probe.colors(directions, "--average", "ensemble"));
+                probe.colors(directions, "--method nmm --average ensemble"),
+                probe.colors(directions, "--average ensemble"));
         assertThat(errors.get(errors.size() / 2)).isLessThan(MEDIAN_ERROR);
     }
 
     @Test
     void theThesissFormHasAPurpleCast() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         List<DirectionPair> plane = MethodProbe.gratingPlane(301);
-        double full = blueness(probe.colors(plane));
-        double weighted = blueness(probe.colors(plane, "--method", "nmm"));
+        double full = blueness(probe.colors(plane, ""));
+        double weighted = blueness(probe.colors(plane, "--method nmm"));
         // Leave out the white mirror order around u = v = 0.
         List<DirectionPair> orders =
                 plane.stream().filter(g -> Math.abs(g.u()) > 0.16).toList();
-        double thesis = blueness(probe.colors(orders, "--method", "nmm", "--preset", "thesis"));
+        double thesis = blueness(probe.colors(orders, "--method nmm --preset thesis"));
         assertThat(weighted / full).isBetween(0.99, 1.01);
         // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much. On
         // average over an
@@ -124,11 +119,11 @@ class NmmMethodTest {
 
     @Test
     void theSpecularDirectionHasItsLimit() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         List<DirectionPair> specular =
                 List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(0, 0.01), MethodProbe.inPlane(0, 0.6));
-        List<float[]> full = probe.colors(specular, "--tolerance", "1e-4");
-        List<float[]> nmm = probe.colors(specular, "--method", "nmm");
+        List<float[]> full = probe.colors(specular, "--tolerance 1e-4");
+        List<float[]> nmm = probe.colors(specular, "--method nmm");
         for (int i = 0; i < specular.size(); i++) {
             // 5 nm steps of a smooth spectrum, and the default tolerance of the expansion.
             assertThat(MethodProbe.relativeError(nmm.get(i), full.get(i))).isLessThan(3e-3);
@@ -140,30 +135,17 @@ class NmmMethodTest {
     @ParameterizedTest
     @ValueSource(strings = {"blaze", "disc"})
     void noPixelOfAMapIsWithoutAColor(String patch) {
-        MethodProbe probe = new MethodProbe(home, "--patch", patch);
-        // The size is odd, so the middle pixel is exactly u = v = 0.
-        for (String[] options : new String[][] {
-            {"--method", "nmm"},
-            {"--method", "nmm", "--average", "ensemble"},
-            {"--method", "nmm", "--preset", "thesis"}
-        }) {
-            LinearPicture map = probe.map(21, options);
-            for (int pixel = 0; pixel < 21 * 21; pixel++) {
-                double x = (2.0 * (pixel % 21) + 1) / 21 - 1;
-                double y = (2.0 * Math.floorDiv(pixel, 21) + 1) / 21 - 1;
-                boolean inside = x * x + y * y < 1;
-                assertThat(map.luminance(pixel) >= 0 && Float.isFinite(map.luminance(pixel)))
-                        .as("pixel %d of %s", pixel, String.join(" ", options))
-                        .isEqualTo(inside);
-            }
+        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
+        for (String more : new String[] {"", " --average ensemble", " --preset thesis"}) {
+            probe.assertMapHasColors("--method nmm" + more);
         }
     }
 
     @Test
     void aPatchTooSmallForAnyOrderIsRefused() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
-        assertThat(probe.plan(VisibleRange.all(), "--method", "nmm").summary()).contains("nmm");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "reference"))
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
+        assertThat(probe.plan(VisibleRange.all(), "--method nmm").summary()).contains("nmm");
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method reference"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll("--method reference", "reflectance");
     }

@@ -5,10 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -22,43 +19,25 @@ import sunbeam.precompute.text.Text;
 class RotatePatchTest extends CommandLineFixture {
     private static final int SIDE = 24;
 
-    private void run(String... arguments) {
-        assertSuccess(sunbeam(arguments, "--coherence-length", "10um", "--force"));
+    private void run(String line) {
+        assertSuccess(sunbeam(line + " --coherence-length 10um --force"));
     }
 
     /** Returns X, Y, Z and gain of pairs of directions, each theta_i, phi_i, theta_r, phi_r in degrees. */
-    private double[][] reflectance(double[][] pairs, String... more) throws IOException {
+    private double[][] reflectance(double[][] pairs, String more) throws IOException {
         StringBuilder csv = new StringBuilder("theta_i,phi_i,theta_r,phi_r\n");
         for (double[] pair : pairs) {
             csv.append(Text.format("%.12f,%.12f,%.12f,%.12f%n", pair[0], pair[1], pair[2], pair[3]));
         }
-        Path directions = Files.writeString(folder.resolve("in.csv"), csv);
-        Path output = folder.resolve("out.csv");
-        String[] first = {"reflectance", "blaze", "--directions", directions.toString(), "--output", output.toString()};
-        run(with(first, more));
-        return Files.readAllLines(output).stream()
+        Files.writeString(folder.resolve("in.csv"), csv);
+        run("reflectance blaze --directions @in.csv --output @out.csv " + more);
+        return Files.readAllLines(folder.resolve("out.csv")).stream()
                 .skip(1)
                 .map(line -> Arrays.stream(line.split(","))
                         .skip(4)
                         .mapToDouble(Double::parseDouble)
                         .toArray())
                 .toArray(double[][]::new);
-    }
-
-    /** Returns linear X, Y, Z of each pixel, top row first. */
-    private float[] map(String... more) throws IOException {
-        Path numbers = folder.resolve("map.npy");
-        String[] first = ("brdf-map blaze --average coherent --size " + SIDE + " --output " + folder.resolve("map.png")
-                        + " --linear " + numbers)
-                .split(" ");
-        run(with(first, more));
-        byte[] bytes = Files.readAllBytes(numbers);
-        float[] xyz = new float[3 * SIDE * SIDE];
-        ByteBuffer.wrap(bytes, bytes.length - 4 * xyz.length, 4 * xyz.length)
-                .order(ByteOrder.LITTLE_ENDIAN)
-                .asFloatBuffer()
-                .get(xyz);
-        return xyz;
     }
 
     @Test
@@ -68,8 +47,8 @@ class RotatePatchTest extends CommandLineFixture {
                 .map(pair -> new double[] {pair[0], pair[1] - 37, pair[2], pair[3] - 37})
                 .toArray(double[][]::new);
 
-        double[][] turned = reflectance(pairs, "--rotate-patch", "37");
-        double[][] expected = reflectance(back);
+        double[][] turned = reflectance(pairs, "--rotate-patch 37");
+        double[][] expected = reflectance(back, "--rotate-patch 0");
 
         for (int i = 0; i < pairs.length; i++) {
             // The angles are equal but for the 1e-12 that the list's text keeps.
@@ -80,7 +59,9 @@ class RotatePatchTest extends CommandLineFixture {
 
     @Test
     void mapsAgreeWithListsAndKeepTheirCertificate() throws IOException {
-        float[] map = map("--theta-i", "25", "--phi-i", "70", "--rotate-patch", "-50", "--certify", "3");
+        run("brdf-map blaze --average coherent --output @map.png --linear @map.npy --size " + SIDE
+                + " --theta-i 25 --phi-i 70 --rotate-patch -50 --certify 3");
+        float[] map = floats("map.npy", 3 * SIDE * SIDE);
         int[] pixels = {7 * SIDE + 9, 12 * SIDE + 5, 15 * SIDE + 18, 16 * SIDE + 12};
         double[][] pairs = Arrays.stream(pixels)
                 .mapToObj(pixel -> {
@@ -92,7 +73,7 @@ class RotatePatchTest extends CommandLineFixture {
                 })
                 .toArray(double[][]::new);
 
-        double[][] listed = reflectance(pairs, "--average", "coherent");
+        double[][] listed = reflectance(pairs, "--average coherent");
 
         double brightest =
                 Arrays.stream(listed).mapToDouble(row -> row[1]).max().orElseThrow();
@@ -110,7 +91,7 @@ class RotatePatchTest extends CommandLineFixture {
     void aSurfacesColorTurnsWithIt() throws IOException {
         List<JsonNode> told = new ArrayList<>();
         for (String turn : List.of("0", "30")) {
-            run(("color blaze --rotate-patch " + turn + " --output " + folder.resolve("c.png")).split(" "));
+            run("color blaze --output @c.png --rotate-patch " + turn);
             told.add(readJson("c.json").at("/surfaces/0"));
         }
         JsonNode turned = told.get(1);

@@ -8,10 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
@@ -20,22 +20,13 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.SettingException;
 
-@EnabledIfEnvironmentVariable(
-        named = "DISPLAY",
-        matches = ".+",
-        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+@NeedsDisplay
 class TableMethodTest {
     // A short window makes small tables.
-    private static final String[] WINDOW = {"--coherence-length", "6um"};
+    private static final String TABLE = "--coherence-length 6um --method table";
 
     @TempDir
     private Path home;
-
-    private static String[] with(String... options) {
-        List<String> all = new ArrayList<>(List.of(WINDOW));
-        all.addAll(List.of(options));
-        return all.toArray(String[]::new);
-    }
 
     /** Returns directions with small v, where gratings have their orders. */
     private static List<DirectionPair> directionsNearTheAxis(int count) {
@@ -57,12 +48,12 @@ class TableMethodTest {
     @ParameterizedTest
     @CsvSource({"sinusoid, coherent, 1e-3", "blaze, ensemble, 1e-3", "elaphe-like, ensemble, 1e-2"})
     void directionsKeepTheToleranceThatIsAskedFor(String patch, String average, String tolerance) {
-        MethodProbe probe = new MethodProbe(home, "--patch", patch);
+        MethodProbe probe = new MethodProbe(home, "--patch " + patch);
         List<DirectionPair> pairs = directionsNearTheAxis(8);
         String finer = Double.toString(0.1 * Double.parseDouble(tolerance));
-        List<float[]> exact = probe.colors(pairs, with("--average", average, "--tolerance", finer));
-        List<float[]> table =
-                probe.colors(pairs, with("--average", average, "--method", "table", "--tolerance", tolerance));
+        String ofAverage = " --average " + average + " --tolerance ";
+        List<float[]> exact = probe.colors(pairs, "--coherence-length 6um" + ofAverage + finer);
+        List<float[]> table = probe.colors(pairs, TABLE + ofAverage + tolerance);
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < pairs.size(); i++) {
             if (Comparison.largest(new double[] {exact.get(i)[0], exact.get(i)[1], exact.get(i)[2]})
@@ -86,14 +77,14 @@ class TableMethodTest {
     @Test
     void nothingRingsBesideTheSpecularPeak() {
         // Between the mirror order and the next one there is only its tail, down to 1e-9.
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         List<DirectionPair> skirt = new ArrayList<>();
         for (int i = 0; i < 30; i++) {
             double sine = 0.002 * i;
             skirt.add(new DirectionPair(new Direction(0, 0, 1), Direction.ofDisc(0.3 * sine, sine)));
         }
-        List<float[]> exact = probe.colors(skirt, "--tolerance", "1e-4");
-        List<float[]> table = probe.colors(skirt, "--method", "table", "--tolerance", "1e-3");
+        List<float[]> exact = probe.colors(skirt, "--tolerance 1e-4");
+        List<float[]> table = probe.colors(skirt, "--method table --tolerance 1e-3");
         double darkest = Double.MAX_VALUE;
         List<Double> errors = new ArrayList<>();
         for (int i = 0; i < skirt.size(); i++) {
@@ -109,36 +100,36 @@ class TableMethodTest {
 
     @Test
     void lightFromTheHorizonGivesNumbersEverywhere() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "sinusoid");
+        MethodProbe probe = new MethodProbe(home, "--patch sinusoid");
         List<DirectionPair> grazing = new ArrayList<>();
         for (int i = 0; i <= 20; i++) {
             grazing.add(new DirectionPair(Direction.ofDegrees(90, 0), Direction.ofDegrees(4.5 * i, 180)));
         }
-        for (float[] xyz : probe.colors(grazing, with("--method", "table", "--tolerance", "1e-2"))) {
+        for (float[] xyz : probe.colors(grazing, TABLE + " --tolerance 1e-2")) {
             assertThat(xyz[1]).isFinite().isNotNegative();
         }
     }
 
     @Test
     void whatItHasNoAnswerForIsRefusedInOneLine() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         List<DirectionPair> pairs = directionsNearTheAxis(1);
-        assertThatThrownBy(() -> probe.powers(pairs, 500e-9, with("--method", "table")))
+        assertThatThrownBy(() -> probe.powers(pairs, 500e-9, TABLE))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("column wavelength");
     }
 
     @Test
     void aTableThatHasNoRoomIsRefusedBeforeAnythingIsTakenForIt() {
-        MethodProbe probe = new MethodProbe(home, "--patch", "blaze");
+        MethodProbe probe = new MethodProbe(home, "--patch blaze");
         VisibleRange map = VisibleRange.of(new Direction(0, 0, 1));
-        assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "10mm"))
+        assertThatThrownBy(() -> probe.plan(map, "--method table --coherence-length 10mm"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContainingAll(" layers, more than ", "coarser --tolerance");
-        assertThatThrownBy(() -> probe.plan(map, "--method", "table", "--coherence-length", "600um"))
+        assertThatThrownBy(() -> probe.plan(map, "--method table --coherence-length 600um"))
                 .isInstanceOf(SettingException.class)
                 .hasMessageMatching("(?s).*need a texture of [0-9.]+ GB, more than .*");
-        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method", "table", "--coherence-length", "10mm"))
+        assertThatThrownBy(() -> probe.plan(VisibleRange.all(), "--method table --coherence-length 10mm"))
                 .as("on a mesh")
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("texels along a side");

@@ -12,24 +12,20 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.render.AnimationOptions.Sweep;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.ExitCode;
 
-@EnabledIfEnvironmentVariable(
-        named = "DISPLAY",
-        matches = ".+",
-        disabledReason = "DISPLAY is not set: rendering is not tested. Run ./sunbeam test, or start Xvfb")
+@NeedsDisplay
 class RenderCommandTest extends CommandLineFixture {
     private static final String SCENE = """
             {
@@ -50,32 +46,30 @@ class RenderCommandTest extends CommandLineFixture {
         scene = Files.writeString(folder.resolve("scene.json"), SCENE);
     }
 
-    private int render(Path output, String... more) {
-        return sunbeam(Stream.concat(
-                        Stream.of("render", scene.toString(), "--size", "40x30", "--output", output.toString()),
-                        Stream.of(more))
-                .toArray(String[]::new));
+    private int render(String output, String options) {
+        return sunbeam("render @scene.json --size 40x30 --output @" + output + options);
     }
 
     @Test
     void aPictureSaysHowItWasMadeAndIsNotOverwritten() {
         Path picture = folder.resolve("a.png");
-        Path linear = folder.resolve("a.npy");
-        assertSuccess(render(picture, "--linear", linear.toString(), "--supersample", "2"));
+        assertSuccess(render("a.png", " --linear @a.npy --supersample 2"));
         Map<String, String> text = PngText.read(picture);
         assertThat(text).containsKeys("Scene", "Plan", "Exposure", "Parameters");
         assertThat(text.get("Scene")).contains("\"blaze\"");
-        assertThat(linear).content(StandardCharsets.ISO_8859_1).as("its header").contains("'shape': (30, 40, 3)");
-        assertThat(render(picture)).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
-        assertThat(render(picture, "--force")).isZero();
+        assertThat(folder.resolve("a.npy"))
+                .content(StandardCharsets.ISO_8859_1)
+                .as("its header")
+                .contains("'shape': (30, 40, 3)");
+        assertThat(render("a.png", "")).isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertThat(render("a.png", " --force")).isZero();
     }
 
     @Test
     void aCertificateComparesAPictureWithPointsOfIt() throws IOException {
-        Path picture = folder.resolve("a.png");
         Files.writeString(scene, SCENE.replaceFirst("\"method\": \"full\", ", ""));
-        assertSuccess(render(picture, "--certify", "6"));
-        assertThat(PngText.read(picture).get("Plan"))
+        assertSuccess(render("a.png", " --certify 6"));
+        assertThat(PngText.read(folder.resolve("a.png")).get("Plan"))
                 .as("a scene that names no method")
                 .startsWith("table:");
     }
@@ -83,7 +77,7 @@ class RenderCommandTest extends CommandLineFixture {
     @Test
     void resumeDrawsWhatIsMissingOnly() throws IOException {
         Path frames = folder.resolve("turn");
-        assertSuccess(render(frames, "--turntable", "3"));
+        assertSuccess(render("turn", " --turntable 3"));
         Path first = frames.resolve("frame-0001.png");
         Path second = frames.resolve("frame-0002.png");
         byte[] drawn = Files.readAllBytes(second);
@@ -91,12 +85,12 @@ class RenderCommandTest extends CommandLineFixture {
         FileTime old = FileTime.fromMillis(1_000_000);
         Files.setLastModifiedTime(first, old);
 
-        assertThat(render(frames, "--turntable", "3")).as("without --resume").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
-        assertSuccess(render(frames, "--turntable", "3", "--resume"));
+        assertThat(render("turn", " --turntable 3")).as("without --resume").isEqualTo(ExitCode.OUTPUT_EXISTS.code());
+        assertSuccess(render("turn", " --turntable 3 --resume"));
         assertThat(Files.getLastModifiedTime(first)).isEqualTo(old);
         assertThat(Files.readAllBytes(second)).isEqualTo(drawn);
 
-        assertThat(render(frames, "--turntable", "3", "--resume", "--texture-weight", "0.3"))
+        assertThat(render("turn", " --turntable 3 --resume --texture-weight 0.3"))
                 .as("other parameters")
                 .isEqualTo(ExitCode.OUTPUT_EXISTS.code());
         assertThat(err.toString()).contains("frame-0001.png", "other parameters", "--force");
@@ -112,16 +106,14 @@ class RenderCommandTest extends CommandLineFixture {
 
     @Test
     void theThesissPresetChoosesItsMethod() {
-        Path picture = folder.resolve("thesis.png");
-        scene = Path.of("elaphe");
-        assertSuccess(render(picture, "--mesh", "plane", "--patch", "blaze", "--preset", "thesis"));
-        assertThat(PngText.read(picture)).containsEntry("Method", "full");
+        assertSuccess(sunbeam("render elaphe --size 40x30 --output @t.png --mesh plane --patch blaze --preset thesis"));
+        assertThat(PngText.read(folder.resolve("t.png"))).containsEntry("Method", "full");
     }
 
     @Test
     void aSweepIsAlsoAnAnimation() throws IOException {
         Path frames = folder.resolve("sweep");
-        assertSuccess(render(frames, "--light-sweep", "-30:30", "--frames", "3"));
+        assertSuccess(render("sweep", " --light-sweep -30:30 --frames 3"));
         try (ImageInputStream stream =
                 ImageIO.createImageInputStream(frames.resolve("animation.gif").toFile())) {
             ImageReader reader = ImageIO.getImageReaders(stream).next();
@@ -157,8 +149,10 @@ class RenderCommandTest extends CommandLineFixture {
     void aPictureDoesNotReplaceAnImageOfItsScene() throws IOException {
         Path texture = Files.write(folder.resolve("skin.png"), new byte[] {1});
         Files.writeString(scene, SCENE.replace("\"none\"", "\"skin.png\""));
-        assertThat(render(texture, "--force")).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("is a file of the scene; give another name");
+        assertComplaint(
+                ExitCode.USAGE,
+                "render @scene.json --output @skin.png --force",
+                "is a file of the scene; give another name");
         assertThat(texture).hasBinaryContent(new byte[] {1});
     }
 
@@ -184,31 +178,27 @@ class RenderCommandTest extends CommandLineFixture {
             })
     void aMistakeIsAUsageErrorThatNamesIt(String options, String words) throws IOException {
         Files.writeString(scene, SCENE.replace("\"method\": \"full\", ", ""));
-        Path output = folder.resolve("b.png");
-
-        assertThat(render(output, options.split(" "))).as(err.toString()).isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains(words).hasLineCount(1);
-        assertThat(output).doesNotExist();
+        assertComplaint(ExitCode.USAGE, "render @scene.json --size 40x30 --output @b.png " + options, words);
+        assertThat(folder.resolve("b.png")).doesNotExist();
     }
 
     @Test
     void aCoherenceLengthThatNeedsATooLargeTableNamesAShorterOne() {
-        scene = Path.of("elaphe");
-        assertThat(render(folder.resolve("b.png"), "--coherence-length", "10mm"))
-                .isEqualTo(ExitCode.USAGE.code());
-        assertThat(err.toString()).contains("a shorter --coherence-length, or --method full");
+        assertComplaint(
+                ExitCode.USAGE,
+                "render elaphe --output @b.png --coherence-length 10mm",
+                "a shorter --coherence-length, or --method full");
     }
 
     @Test
     void anUnknownSceneIsUnusable() {
-        scene = Path.of("elafe");
-        assertThat(render(folder.resolve("b.png"))).isEqualTo(ExitCode.UNUSABLE_INPUT.code());
+        assertComplaint(ExitCode.UNUSABLE_INPUT, "render elafe --output @b.png", "elafe");
     }
 
     /** A grating on a smooth sphere sends only specks of light into the camera. */
     @Test
     void aPictureOfSpecksIsDoubtful() throws IOException {
-        Path grating = Files.writeString(
+        Files.writeString(
                 folder.resolve("specks.json"),
                 exampleOfTheDocs()
                         .replace("elaphe-like", "sinusoid")
@@ -216,7 +206,7 @@ class RenderCommandTest extends CommandLineFixture {
                         .replace("\"roughness\": \"2 deg\",", "")
                         .replace("\"texture\": 0.02", "\"texture\": 0"));
 
-        assertThat(sunbeam("render", grating.toString(), "--size", "64x48", "--output", folder + "/specks.png"))
+        assertThat(sunbeam("render @specks.json --size 64x48 --output @specks.png"))
                 .as(err.toString())
                 .isEqualTo(ExitCode.TOLERANCE_MISSED.code());
         assertThat(err.toString())
@@ -226,11 +216,10 @@ class RenderCommandTest extends CommandLineFixture {
 
     @Test
     void theExampleOfTheDocsShowsColors() throws IOException {
-        Path example = Files.writeString(folder.resolve("example.json"), exampleOfTheDocs());
-        Path picture = folder.resolve("example.png");
+        Files.writeString(folder.resolve("example.json"), exampleOfTheDocs());
 
-        assertSuccess(sunbeam("render", example.toString(), "--size", "64x48", "--output", picture.toString()));
-        BufferedImage image = ImageIO.read(picture.toFile());
+        assertSuccess(sunbeam("render @example.json --size 64x48 --output @example.png"));
+        BufferedImage image = ImageIO.read(folder.resolve("example.png").toFile());
         long colored = IntStream.range(0, 64 * 48)
                 .map(pixel -> image.getRGB(pixel % 64, pixel / 64))
                 .filter(rgb -> saturation(rgb) > 0.3)
