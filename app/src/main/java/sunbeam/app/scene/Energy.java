@@ -18,18 +18,17 @@ import sunbeam.precompute.setting.SettingException;
 public enum Energy {
     /** Scalar theory as it is. */
     SCALAR,
-    /** Radiance is divided by what all orders send out beyond what arrives ({@link EnergyDivisor}). */
+    /** Radiance is divided by this excess ({@link EnergyDivisor}). */
     CONSERVE;
 
-    /** Coherence length in meters below which orders are so wide that the divisor errs by more than 2 %. */
+    /** Meters; at shorter coherence lengths orders are so wide that the divisor errs by more than 2 %. */
     public static final double SHORTEST_WINDOW = 5e-6;
-    // Greatest depth of a relief in meters; a deeper one takes minutes.
+    // Meters; a deeper relief takes minutes.
     private static final double DEEPEST = 20e-6;
 
     /**
-     * Returns the divisor for a surface; empty for SCALAR.
+     * Returns the divisor for a surface and a method's choices; empty for SCALAR.
      *
-     * @param choices choices of the method for this surface
      * @throws SettingException for a method, window or relief without a right divisor
      */
     public Optional<EnergyDivisor> divisor(HeightMap map, RefractiveIndex index, Choices choices) {

@@ -5,7 +5,7 @@ import org.joml.Vector3f;
 
 /** Motion of an animated scene about the vertical (z), counterclockwise from above. */
 public enum Motion {
-    /** The mesh turns; light and camera stay. */
+    /** Light and camera stay. */
     TURNTABLE {
         @Override
         public Scene at(Scene scene, double radians) {
@@ -13,7 +13,7 @@ public enum Motion {
             return scene.withOrientation(turn.mul(scene.orientation()).normalize());
         }
     },
-    /** The light goes around; mesh and camera stay. */
+    /** Mesh and camera stay. */
     LIGHT_SWEEP {
         @Override
         public Scene at(Scene scene, double radians) {
@@ -22,6 +22,5 @@ public enum Motion {
         }
     };
 
-    /** Returns the scene after a turn of the mesh or light by an angle in radians. */
     public abstract Scene at(Scene scene, double radians);
 }

@@ -11,25 +11,17 @@ import sunbeam.precompute.patch.PatchRequest;
 /**
  * Nanostructures of a mesh, and a map of the areas that they cover.
  *
- * @param map absolute image file on the mesh's texture coordinates, with one color per patch, or {@link Body#NONE} for a single patch
+ * @param map absolute image file on the texture coordinates, one color per patch, or {@link Body#NONE} for a single patch
  * @param regions areas, 1 to {@link #MOST}, with distinct colors
  */
 public record PatchAtlas(String map, List<Region> regions) {
-    /** Largest number of patches of one mesh: each has its own tables in graphics memory. */
+    /** Patches of one mesh: each has its own tables in graphics memory. */
     public static final int MOST = 8;
 
-    /**
-     * Area of one patch.
-     *
-     * @param patch nanostructure: a built-in name, or the absolute name of a descriptor or image
-     */
+    /** @param patch with a built-in name, or the absolute name of a descriptor or image */
     public record Region(SceneColor color, PatchRequest patch) {}
 
-    /**
-     * Checks the regions.
-     *
-     * @throws IllegalArgumentException for no or too many regions, or two of one color; the message is for the user
-     */
+    /** @throws IllegalArgumentException for no or too many regions, or two of one color; the message is for the user */
     public PatchAtlas {
         regions = List.copyOf(regions);
         if (regions.isEmpty() || regions.size() > MOST) {
@@ -60,7 +52,6 @@ public record PatchAtlas(String map, List<Region> regions) {
         return colors;
     }
 
-    /** Returns the index of the region with a color, 0xRRGGBB. */
     public int region(int rgb) {
         return IntStream.range(0, regions.size())
                 .filter(i -> regions.get(i).color().rgb() == rgb)

@@ -41,13 +41,12 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Description of a scene: all that determines a picture except its size. File names are absolute; {@link SceneReader} and {@link
- * SceneWriter} convert them to names relative to the scene's folder.
+ * All that determines a picture except its size. File names are absolute.
  *
- * @param settings values of all {@link SceneSettings} except those of patch, view and light; those not chosen have their defaults, if any
- * @param patches nanostructures and their areas
+ * @param settings values or defaults of all {@link SceneSettings} except those of patch, view and light
+ *
  * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
- * @param light the key light
+ *
  * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
  */
 public record Scene(
@@ -58,7 +57,7 @@ public record Scene(
         SceneLight light,
         List<SceneLight> fillLights,
         SceneMethod method) {
-    /** Largest number of fill lights: the shaders' limit of lights, less the key light. */
+    /** The shaders' limit of lights, less the key light. */
     public static final int MOST_FILL_LIGHTS = Node.Light.MOST - 1;
 
     private static final Choices STANDARD = standard();
@@ -77,7 +76,7 @@ public record Scene(
         return standard;
     }
 
-    /** Returns this scene with chosen values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own values. */
+    /** Returns this scene with values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own. */
     public Scene with(Choices chosen) {
         Choices inherited = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
         SceneLight newLight = new SceneLight(
@@ -92,7 +91,6 @@ public record Scene(
         return new Scene(settings.with(setting, value), patches, view, orientation, light, fillLights, method);
     }
 
-    /** Returns the current values of all settings that {@link #with} may change. */
     public Choices choices() {
         return settings.with(TONE, display(1).tone())
                 .with(PRIMARIES, display(1).primaries())
@@ -121,7 +119,7 @@ public record Scene(
         return withPatches(PatchAtlas.of(value));
     }
 
-    /** Returns the names of the texture, orientation map, patch map and patches: built-in names or absolute file names. */
+    /** Returns the built-in or absolute names of texture, maps and patches. */
     public List<String> files() {
         Stream<String> heights =
                 patches.regions().stream().map(region -> region.patch().patch());
@@ -133,7 +131,7 @@ public record Scene(
         return new Scene(settings, value, view, orientation, light, fillLights, method);
     }
 
-    /** Returns this scene with a user's patch, and a dark body instead of an animal's. */
+    /** Returns this scene with a user's patch, and a dark body for an animal's. */
     public Scene withOwnPatch(PatchRequest value) {
         Scene other = withPatch(value);
         return BodyTexture.isAnimal(get(TEXTURE)) ? other.with(TEXTURE, BodyTexture.DARK) : other;
@@ -155,15 +153,12 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
-    /** Returns the lights that are drawn for a light: parts of a wide one if pixels are footprints, which show one direction of light. */
+    /** Returns parts of a wide light if pixels are footprints, which show one direction of light. */
     private List<SceneLight> drawn(SceneLight one) {
         return method.type().equals(TableMethod.TYPE) && !method.isThesis() ? one.narrow() : List.of(one);
     }
 
-    /**
-     * Returns this scene with each of its lights alone, those of the key light first; the scene's picture is the sum over all of them.
-     * Under a fill light nothing casts shadows.
-     */
+    /** Returns scenes of one light each, whose sum is this one's picture, those of the key light first; fill lights cast no shadows. */
     public List<Scene> perLight() {
         Scene underKey = withFillLights(List.of());
         Scene underFill = underKey.with(SHADOWS, false);
@@ -176,7 +171,6 @@ public record Scene(
         return scenes.size() == 1 ? List.of(this) : scenes;
     }
 
-    /** Returns the standard deviation of a light's directions in radians; 0 with the thesis's preset. */
     public double deviation(SceneLight one) {
         return method.isThesis() ? 0 : one.deviation();
     }
@@ -185,12 +179,10 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, fillLights, value);
     }
 
-    /** Returns the weights of the blend of diffracted light and body. */
     public Choices weights() {
         return settings.only(SceneSettings.WEIGHTS);
     }
 
-    /** True if the body reflects light of its own. */
     public boolean hasBody() {
         return get(TEXTURE_WEIGHT) > 0 && (get(DIFFUSE) > 0 || get(AMBIENT) > 0);
     }
@@ -199,9 +191,7 @@ public record Scene(
         return with(TEXTURE_WEIGHT, 0.0).with(DIFFUSE, 0.0).with(AMBIENT, 0.0);
     }
 
-    /**
-     * True if another scene needs no other meshes, textures or tables than this one; light, camera and weights, for example, may differ.
-     */
+    /** True if another scene needs no other meshes, textures or tables. */
     public boolean sharesParts(Scene other) {
         return mesh().equals(other.mesh())
                 && patches.equals(other.patches)
@@ -224,34 +214,33 @@ public record Scene(
                 && get(ORIENTATION_MAP).equals(other.get(ORIENTATION_MAP));
     }
 
-    /** Returns this scene with the loaded parts of another, which both then share. */
+    /** Returns this scene with the shared parts of another. */
     public Scene withPartsOf(Scene other) {
         Choices parts = other.settings.only(SceneSettings.PARTS);
         Choices shared = sharesReflectance(other) ? parts.without(INDEX) : parts;
         return new Scene(shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
     }
 
-    /** Returns the scales that are drawn: only the built-in snake has any. */
+    /** Only the built-in snake has any. */
     public Scales effectiveScales() {
         return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
     }
 
-    /** True if the surroundings are drawn: not with the thesis's preset, save for {@link #keepingSurroundings}. */
+    /** Not with the thesis's preset, save for {@link #keepingSurroundings}. */
     private boolean drawsSurroundings() {
         return !method.isThesis() || get(KEEPS_SURROUNDINGS);
     }
 
-    /** Returns the color of the plane under the mesh that is drawn; empty for none. */
+    /** Color of the plane under the mesh. */
     public Optional<SceneColor> ground() {
         return drawsSurroundings() ? get(GROUND) : Optional.empty();
     }
 
-    /** Returns the radiance of the sky's zenith, which gloss reflects, relative to white under the light. */
+    /** Radiance of the zenith, which gloss reflects, relative to white under the light. */
     public double sky() {
         return drawsSurroundings() ? get(SKY) : 0;
     }
 
-    /** True if the key light casts shadows. */
     public boolean hasShadows() {
         return drawsSurroundings() && get(SHADOWS);
     }
@@ -261,29 +250,27 @@ public record Scene(
         return sky() > 0 || ground().isPresent();
     }
 
-    /** Returns this scene with its surroundings also under the thesis's preset, for a comparison of methods. */
+    /** Returns this scene with surroundings also under the thesis's preset, to compare methods. */
     public Scene keepingSurroundings() {
         return with(KEEPS_SURROUNDINGS, true);
     }
 
-    /** Returns the treatment of energy; scalar with the thesis's preset and for methods that are not normalized to a mirror. */
+    /** Scalar with the thesis's preset and for methods not normalized to a mirror. */
     public Energy effectiveEnergy() {
         return method.isThesis() || !method.method().isNormalizedToMirror() ? Energy.SCALAR : get(ENERGY);
     }
 
-    /** Returns the standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 with the thesis's preset. */
+    /** Standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 with the thesis's preset. */
     public double slopeDeviation() {
         return method.isThesis() ? 0 : Math.tan(get(ROUGHNESS));
     }
 
-    /** Returns {@link #slopeDeviation} if the method uses color tables, which are averages over the slopes; else 0. */
+    /** {@link #slopeDeviation} for color tables, which are averages over the slopes; else 0. */
     public double tabulatedSlopes() {
         return method.type().equals(TableMethod.TYPE) ? slopeDeviation() : 0;
     }
 
-    /**
-     * Returns the display transform for an exposure factor. Tone curve and primaries are the scene's, or defaults of the method's preset.
-     */
+    /** Returns the display transform for an exposure factor, with the scene's or the preset's curve and primaries. */
     public DisplayTransform display(double factor) {
         return new DisplayTransform(
                 factor,
@@ -291,7 +278,6 @@ public record Scene(
                 settings.get(PRIMARIES, Primaries.of(method.isThesis())));
     }
 
-    /** Returns the opacity over the body: the scene's, or the default of the method's preset. */
     public BodyAlpha bodyAlpha() {
         return settings.get(BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
     }

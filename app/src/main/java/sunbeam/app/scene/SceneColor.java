@@ -5,19 +5,11 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
-/**
- * An opaque sRGB color with 8 bits per channel.
- *
- * @param rgb 0xRRGGBB
- */
+/** @param rgb 0xRRGGBB */
 public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
 
-    /**
-     * Parses {@code #rrggbb}.
-     *
-     * @throws IllegalArgumentException for any other text; the message is for the user
-     */
+    /** @throws IllegalArgumentException unless the text is {@code #rrggbb}; the message is for the user */
     public static SceneColor parse(String text) {
         if (!HEXADECIMAL.matcher(text.strip()).matches()) {
             throw new IllegalArgumentException(Quoted.of(text) + " is no color; write it as #rrggbb, such as #101418");
@@ -25,12 +17,11 @@ public record SceneColor(int rgb) {
         return new SceneColor(Integer.parseInt(text.strip().substring(1), 16));
     }
 
-    /** Returns the color in linear sRGB, three values from 0 to 1. */
+    /** Returns linear sRGB, 0 to 1. */
     public double[] light() {
         return new double[] {Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff)};
     }
 
-    /** Returns the color in the form that {@link #parse} reads. */
     @Override
     public String toString() {
         return Text.format("#%06x", rgb);

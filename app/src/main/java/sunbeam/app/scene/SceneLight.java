@@ -9,16 +9,15 @@ import org.joml.Vector3fc;
 /**
  * A distant light: a point, or directions distributed as a Gaussian that has the variance of an even disc.
  *
- * @param towards direction from the scene to the light, world space; normalized from any length above 0
+ * @param towards from the scene to the light, world space; normalized from any length above 0
  * @param intensity factor of the light's radiance, at least 0
  * @param angularDiameter diameter of the disc in radians; 0 for a point
  */
 public record SceneLight(Vector3fc towards, double intensity, double angularDiameter) {
-    // Largest diameter that one footprint shows: at most the blur of a color table's widest level.
+    // Largest diameter of one footprint: the blur of a color table's widest level.
     private static final double WIDEST = Math.toRadians(9.5);
     private static final int RING = 6;
-    // Distance of the ring's lights from the middle in deviations of one light: closer than rows of Gaussians must be
-    // to look even.
+    // Distance of the ring's lights from the middle in deviations of one light; rows of Gaussians look even there.
     private static final double RING_DISTANCE = 2;
 
     public SceneLight {
@@ -27,7 +26,7 @@ public record SceneLight(Vector3fc towards, double intensity, double angularDiam
             throw new IllegalArgumentException("the light's direction (" + towards.x() + ", " + towards.y() + ", "
                     + towards.z() + ") has no direction");
         }
-        // A direction that is already normalized keeps its bits, so that a scene read back equals the written one.
+        // An already normalized direction keeps its bits: a scene read back equals the written one.
         towards = Math.abs(length - 1) < 1e-6f ? new Vector3f(towards) : towards.div(length, new Vector3f());
     }
 
@@ -35,20 +34,16 @@ public record SceneLight(Vector3fc towards, double intensity, double angularDiam
         this(towards, intensity, 0);
     }
 
-    /** Returns this light in another direction. */
     public SceneLight pointing(Vector3fc direction) {
         return new SceneLight(direction, intensity, angularDiameter);
     }
 
-    /** Returns the standard deviation of the light's directions along either axis across its direction, in radians. */
+    /** Along either axis across the direction, radians. */
     public double deviation() {
         return angularDiameter / 4;
     }
 
-    /**
-     * Returns lights that one footprint each shows and that together have this light's variance: this one, or seven, one in the middle of
-     * a ring of six.
-     */
+    /** Returns lights of one footprint each that together have this variance: this one, or a middle and a ring of six. */
     public List<SceneLight> narrow() {
         if (angularDiameter <= WIDEST) {
             return List.of(this);

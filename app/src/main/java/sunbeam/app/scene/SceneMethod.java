@@ -22,23 +22,18 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Diffraction method of a scene. The defaults for a mesh are color tables, since a pixel covers more than a point, and the ensemble
- * average, since it covers many coherence areas.
+ * Diffraction method of a scene. Defaults are color tables, as a pixel covers more than a point, and the ensemble average, as it covers
+ * many coherence areas.
  *
- * @param chosen chosen values of {@link Methods#SETTINGS}; those that only other methods use are stored but ignored
+ * @param chosen values of {@link Methods#SETTINGS}; those that only other methods use are stored but ignored
  */
 public record SceneMethod(Choices chosen) {
-    /** Method of scenes that name none. */
     public static final MethodType STANDARD = TableMethod.TYPE;
 
-    /** Default tolerance of color tables: finer ones take longer and look the same on a screen. */
+    /** Finer color tables take longer and look the same on a screen. */
     public static final double TABLE_TOLERANCE = 1e-2;
 
-    /**
-     * Checks that the method can draw meshes.
-     *
-     * @throws sunbeam.precompute.setting.SettingException for a choice that cannot be used; the message names its source
-     */
+    /** @throws sunbeam.precompute.setting.SettingException for a method that cannot draw meshes, or other unusable choices */
     public SceneMethod {
         chosen = chosen.only(Methods.SETTINGS);
         if (!draws(chosen.get(Methods.METHOD, STANDARD))) {
@@ -53,12 +48,10 @@ public record SceneMethod(Choices chosen) {
         create(withStandards(chosen));
     }
 
-    /** True if a method can draw meshes. */
     public static boolean draws(MethodType type) {
         return !type.equals(ReferenceMethod.TYPE);
     }
 
-    /** Returns the chosen values over the method's defaults. */
     public Choices choices() {
         return withStandards(chosen);
     }
@@ -85,7 +78,7 @@ public record SceneMethod(Choices chosen) {
         return create(choices());
     }
 
-    /** Returns this method with its coherence length limited by the size of a patch's scan. */
+    /** Limits the coherence length to the size of a patch's scan. */
     public SceneMethod seeing(Patch patch) {
         return new SceneMethod(ScanLimit.of(choices(), patch).choices());
     }
@@ -98,7 +91,6 @@ public record SceneMethod(Choices chosen) {
         return choices().get(setting);
     }
 
-    /** True if the preset, which sets defaults, is that of the thesis. */
     public boolean isThesis() {
         return Preset.isThesis(chosen);
     }
@@ -107,14 +99,13 @@ public record SceneMethod(Choices chosen) {
         return chosen.only(LightSettings.ALL);
     }
 
-    /** Returns the Gaussian window and average of a method that has these settings. */
     public GaussianArea area() {
         return GaussianArea.of(choices());
     }
 
     /**
-     * Returns this method with other choices in place of its own. First it drops own values of settings that neither the new method nor
-     * {@link FullMethod} has, and the tolerance if the others choose the thesis's preset.
+     * Puts other choices in place of its own. Own values of settings that neither the new method nor {@link FullMethod} has are dropped,
+     * and the tolerance if the others choose the thesis's preset.
      */
     public SceneMethod with(Choices others) {
         List<Setting<?>> inheritable = new ArrayList<>(FullMethod.TYPE.settings());
@@ -125,18 +116,14 @@ public record SceneMethod(Choices chosen) {
             inheritable.removeAll(List.of(TOLERANCE));
         }
         Choices own = chosen.only(inheritable);
-        // Both branches give the same values. They differ in the source that complaints about defaults name: that of
-        // the others if they choose the method or it is a default, else that of this method.
+        // Both branches give the same values, but complaints about defaults name the source of the others, or of this method.
         return new SceneMethod(
                 others.has(Methods.METHOD) || !chosen.has(Methods.METHOD)
                         ? others.over(own)
                         : own.without(others.chosen()).over(others));
     }
 
-    /**
-     * Returns settings that a scene file may contain although the method ignores them. A method with a tolerance ignores the window's
-     * settings; a method without one ignores the full method's.
-     */
+    /** A scene file may contain settings that the method ignores: with a tolerance the window's, without one the full method's. */
     private static List<Setting<?>> ignoredSettings(MethodType type) {
         List<Setting<?>> ignored =
                 new ArrayList<>(type.has(TOLERANCE) ? GaussianArea.SETTINGS : FullMethod.TYPE.settings());

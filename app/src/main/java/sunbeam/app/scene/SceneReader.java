@@ -41,13 +41,13 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Lengths;
 
-/** Reads scene files (docs/scenes.md). Unknown keys and wrong values are errors, whose messages name file, line and key. */
+/** Reads scene files (docs/scenes.md); messages name file, line and key. */
 public final class SceneReader {
-    // Largest magnitude of a coordinate in meters, and of a component of a direction.
+    // Meters; also of a component of a direction.
     private static final double LARGEST_NUMBER = 1e6;
 
     private final JsonObject root;
-    // Folder of the scene, which may name files in it and below; empty for built-in scenes, which name none.
+    // Built-in scenes name no files, others those in their folder and below.
     private final Optional<OwnFolder> folder;
 
     private SceneReader(JsonObject root, Optional<OwnFolder> folder) {
@@ -56,16 +56,15 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a file. Files that it names must be in its folder or below.
+     * @throws InputException when it is missing or not a scene
      *
-     * @throws InputException when it is missing or not a scene; the message names file, line and key
-     * @throws sunbeam.precompute.setting.SettingException when a value cannot be used; the message names file, line and key
+     * @throws sunbeam.precompute.setting.SettingException when a value cannot be used
      */
     public static Scene read(Path file) {
         return new SceneReader(JsonFile.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene"))).scene();
     }
 
-    /** True if a file looks like a scene; it may be invalid. */
+    /** True for a scene, which may be invalid. */
     public static boolean isScene(Path file) {
         try {
             return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
@@ -122,7 +121,7 @@ public final class SceneReader {
         return root.checked("patch", () -> new PatchAtlas(map, regions));
     }
 
-    /** Reads a patch: a name, or an object with a name or file and further {@link PatchSettings}. */
+    /** A name, or an object with a name or file and further {@link PatchSettings}. */
     private PatchRequest patch(JsonObject object, String key) {
         JsonNode value = object.required(key, "\"elaphe-like\"");
         Choices choices;
@@ -147,7 +146,7 @@ public final class SceneReader {
         return new Viewpoint(placed, angle);
     }
 
-    /** Reads a position, three lengths with units; returns meters. */
+    /** Three lengths with units, to meters. */
     private static Vector3f place(JsonObject object, String key) {
         List<JsonNode> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
         return new Vector3f(floats(values, value -> object.quantity(key, value, SceneReader::coordinate)));
@@ -203,7 +202,7 @@ public final class SceneReader {
         return rotation;
     }
 
-    /** Returns choices with the file name of one setting made absolute, unless it is a built-in name. */
+    /** Makes the file name of a setting absolute, unless it is a built-in name. */
     private Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
         try {
             return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));

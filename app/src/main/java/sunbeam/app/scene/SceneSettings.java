@@ -21,12 +21,11 @@ public final class SceneSettings {
     private static final String NONE = "none";
     private static final double LARGEST_EXPOSURE = 1e9;
     private static final double LARGEST_WEIGHT = 1e9;
-    // The limit allows many turns, which a twisted model may add up; single precision cannot represent larger angles
-    // well.
+    // Many turns, which a twisted model may add up; single precision does not represent more well.
     private static final double MOST_DEGREES = 1e6;
-    // Largest roughness. The model assumes small slopes; a slope turns a reflected direction by twice its angle.
+    // The model assumes small slopes; a slope turns a reflected direction by twice its angle.
     private static final double MOST_ROUGHNESS_DEGREES = 10;
-    // Largest diameter of a light, of which parts as wide as the widest level of a color table are drawn.
+    // Lights are drawn in parts as wide as the widest level of a color table.
     private static final double MOST_LIGHT_DEGREES = 15;
 
     public static final Setting<String> TITLE =
@@ -52,14 +51,14 @@ public final class SceneSettings {
                     "Scales of mesh snake: smooth (15 rows, as of a sunbeam snake), keeled (21 rows, as of a rat snake) or none.")
             .withStandard(Scales.NONE);
 
-    /** Rotation of the patch in radians, counterclockwise seen from outside. */
+    /** Radians, counterclockwise seen from outside. */
     public static final Setting<Double> ROTATE_PATCH = new Setting<>(
                     "rotatePatch",
                     ValueKind.angle(Math.toRadians(-MOST_DEGREES), Math.toRadians(MOST_DEGREES)),
                     "Rotation of the nanostructure in the tangent plane in degrees, counter-clockwise seen from outside.")
             .withStandard(0.0);
 
-    /** Image of the directions of the nanostructure's x axis, relative to the tangent. */
+    /** Directions relative to the tangent. */
     public static final Setting<String> ORIENTATION_MAP = new Setting<>(
                     "orientationMap",
                     ValueKind.text("FILE"),
@@ -67,13 +66,13 @@ public final class SceneSettings {
                             + " coordinates whose red and green are x and y (a flow map), or none.")
             .withStandard(Body.NONE);
 
-    /** Key of the object {@code patch}: image whose colors select the patches. */
+    /** Key of the object {@code patch}. */
     static final Setting<String> PATCH_MAP = new Setting<>(
             "map",
             ValueKind.text("FILE"),
             "An image file on the mesh's texture coordinates, each of whose colors has a patch.");
 
-    /** Standard deviation of the slopes, along either axis, of relief that is finer than a pixel, as an angle in radians. */
+    /** Radians, of the slopes' standard deviation along either axis. */
     public static final Setting<Double> ROUGHNESS = new Setting<>(
                     "roughness",
                     ValueKind.angle(0, Math.toRadians(MOST_ROUGHNESS_DEGREES)),
@@ -85,7 +84,7 @@ public final class SceneSettings {
                     "exposure", exposure(), "Factor for the linear colors, or auto.")
             .withStandard(OptionalDouble.empty());
 
-    /** Treatment of highlights; by default compressed, with the thesis's preset clipped. */
+    /** Compressed by default, clipped with the thesis's preset. */
     public static final Setting<Tone> TONE = new Setting<>(
             "tone",
             ValueKind.word("CURVE", Tone.class),
@@ -95,11 +94,11 @@ public final class SceneSettings {
     public static final String PRIMARIES_HELP =
             "Primaries of the picture: srgb (default), or cie-rgb shown as if it were sRGB (default with --preset thesis).";
 
-    /** Primaries of pictures; by default sRGB, with the thesis's preset CIE RGB. */
+    /** The default is sRGB, with the thesis's preset CIE RGB. */
     public static final Setting<Primaries> PRIMARIES =
             new Setting<>("primaries", ValueKind.word("RGB", Primaries.class), PRIMARIES_HELP);
 
-    /** Opacity of the diffracted light over the body; by default its luminance, with the thesis's preset Fresnel's reflectance. */
+    /** The default is luminance, with the thesis's preset Fresnel's reflectance. */
     public static final Setting<BodyAlpha> BODY_ALPHA = new Setting<>(
                     "bodyAlpha",
                     ValueKind.word("WHAT", BodyAlpha.class),
@@ -156,7 +155,7 @@ public final class SceneSettings {
                     "The mesh casts shadows on itself and on the ground; preset thesis has none.")
             .withStandard(false);
 
-    /** Whether the thesis's preset, too, draws the surroundings; no setting of files or options. */
+    /** No setting of files or options. */
     static final Setting<Boolean> KEEPS_SURROUNDINGS =
             new Setting<>("keepsSurroundings", ValueKind.flag(), "").withStandard(false);
 
@@ -166,7 +165,7 @@ public final class SceneSettings {
                     "Color behind the mesh; exposure does not change it.")
             .withStandard(new SceneColor(0));
 
-    /** Angle between the picture's bottom and top in radians. */
+    /** Radians. */
     static final Setting<Double> FIELD_OF_VIEW = new Setting<>(
                     "fieldOfView",
                     ValueKind.angle(Viewpoint.NARROWEST, Viewpoint.WIDEST),
@@ -176,14 +175,13 @@ public final class SceneSettings {
     public static final Setting<Double> INTENSITY =
             new Setting<>("intensity", ValueKind.number("FACTOR", 0, 1e6), "Factor of the light.").withStandard(1.0);
 
-    /** Diameter of the light's disc as an angle in radians; see {@link SceneLight#deviation}. */
+    /** Radians; see {@link SceneLight#deviation}. */
     public static final Setting<Double> ANGULAR_DIAMETER = new Setting<>(
                     "angularDiameter",
                     ValueKind.angle(0, Math.toRadians(MOST_LIGHT_DEGREES)),
                     "Diameter of the light as seen from the scene in degrees, 0 to 15; the sun has 0.53; preset thesis has none.")
             .withStandard(0.0);
 
-    /** Weights of the blend of diffracted light and body. */
     static final List<Setting<?>> WEIGHTS = List.of(DIFFRACTION, TEXTURE_WEIGHT, DIFFUSE, AMBIENT, BODY_ALPHA);
 
     static final List<Setting<?>> OF_ROOT = List.of(
@@ -215,7 +213,6 @@ public final class SceneSettings {
     static final List<Setting<?>> PARTS =
             List.of(MESH, MESH_UNIT, TEXTURE, SCALES, ORIENTATION_MAP, ROUGHNESS, INDEX, ENERGY);
 
-    /** Settings that a command-line option can override. */
     public static final List<Setting<?>> OVERRIDABLE = OF_SCENE.stream()
             .filter(setting -> !List.of(TITLE, BACKGROUND).contains(setting))
             .toList();
@@ -257,11 +254,11 @@ public final class SceneSettings {
 
     /** Opacity of the diffracted light over the body (shaders/include/blend.glsl). */
     public enum BodyAlpha {
-        /** Luminance of the diffracted light, relative to white. */
+        /** Luminance relative to white. */
         LIGHT,
-        /** Fresnel's reflectance, independent of the diffracted light, as in the thesis's program. */
+        /** Reflectance, as in the thesis's program. */
         FRESNEL,
-        /** The texture is added unlit where |F| / |F(0)| > 1: everywhere but in the mirror direction (thesis algorithm 3.4). */
+        /** The unlit texture is added where |F| / |F(0)| > 1: everywhere but in the mirror direction (thesis algorithm 3.4). */
         DRAFT
     }
 }

@@ -46,7 +46,7 @@ public final class SceneWriter {
     }
 
     /**
-     * Writes a scene file atomically. Files that the scene names must be in the target's folder or below and are written relative to it.
+     * Writes atomically; named files must be in the target's folder or below, and become relative to it.
      *
      * @throws OutputException if the file cannot be written, or a named file is elsewhere
      */
@@ -59,12 +59,12 @@ public final class SceneWriter {
                         text(scene, scene.method().chosen(), name -> relative(folder, name)) + "\n"));
     }
 
-    /** Returns the scene as JSON with absolute file names; equal for equal scenes. */
+    /** Returns JSON with absolute file names; equal for equal scenes. */
     public static String describe(Scene scene) {
         return text(scene, scene.method().choices(), name -> name);
     }
 
-    /** Returns the scene as JSON for a picture's metadata, without local folders. */
+    /** Returns JSON for a picture's metadata, without local folders. */
     public static String caption(Scene scene) {
         return text(
                 scene,
@@ -174,7 +174,7 @@ public final class SceneWriter {
         json.writeEndObject();
     }
 
-    /** Writes three lengths, each with the fewest digits that read back as the same float, without a trailing ".0". */
+    /** Writes lengths with the fewest digits that read back as the same float, without a trailing ".0". */
     private void place(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
         for (int axis = 0; axis < 3; axis++) {
@@ -183,7 +183,7 @@ public final class SceneWriter {
         json.writeEndArray();
     }
 
-    /** Writes three numbers, each with the fewest digits that read back as the same float. */
+    /** Writes the fewest digits that read back as the same float. */
     private void direction(String key, Vector3fc value) throws IOException {
         json.writeArrayFieldStart(key);
         for (int axis = 0; axis < 3; axis++) {

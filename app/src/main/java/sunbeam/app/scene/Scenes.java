@@ -28,13 +28,13 @@ public final class Scenes {
 
     private Scenes() {}
 
-    /** Returns the names of built-in scenes (data/scenes). */
+    /** Returns the names (data/scenes). */
     public static List<String> builtIn() {
         return NAMES;
     }
 
     /**
-     * Loads a built-in scene by its name, or a scene file. A file with a built-in scene's name needs its folder: {@code ./elaphe}.
+     * Loads a built-in scene or a file; one with a built-in name needs its folder: {@code ./elaphe}.
      *
      * @throws InputException if there is no such scene, or the file is not a scene
      */
@@ -50,7 +50,7 @@ public final class Scenes {
         return SceneReader.read(file);
     }
 
-    /** Returns the place of a built-in scene's small picture, a JPEG of 48 x 36 pixels. */
+    /** Returns a JPEG of 48 x 36 pixels. */
     public static URL picture(String name) {
         return Scenes.class.getClassLoader().getResource("sunbeam/scenes/" + name + ".jpg");
     }

@@ -5,12 +5,7 @@ import sunbeam.app.files.input.IndexFile;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Refractive index of a skin: a constant, or a file with values by wavelength.
- *
- * @param constant index at all wavelengths; empty if a file gives it
- * @param file absolute name of a file with values by wavelength; empty for a constant
- */
+/** @param file absolute name of a file with values by wavelength; empty for a constant */
 public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
     static final SkinIndex KERATIN = of(RefractiveIndex.KERATIN);
 
@@ -22,7 +17,6 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return new SkinIndex(Optional.empty(), file);
     }
 
-    /** Parses {@code 1.56}, {@code 0.97+6.5i} or {@code gold.csv}. */
     static SkinIndex parse(String text) {
         try {
             return IndexFile.isName(text) ? of(text.strip()) : of(RefractiveIndex.parse(text));
@@ -35,7 +29,7 @@ public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
         return constant.map(RefractiveIndex::describe).orElse(file);
     }
 
-    /** True if this index and another share tables: equal files, or any two constants, on which tables of colors do not depend. */
+    /** True if tables are shared: for equal files, or any two constants. */
     public boolean sharesSpectrum(SkinIndex other) {
         return equals(other) || (!isByWavelength() && !other.isByWavelength());
     }

@@ -3,20 +3,19 @@ package sunbeam.app.scene;
 import jrtr.scene.View.Camera;
 
 /**
- * Camera and field of view of a scene.
+ * Camera (meters, world space) and field of view.
  *
  * @param camera meters, world space
- * @param verticalFieldOfView angle between the bottom and top of a picture of 4:3 or wider, radians, {@link #NARROWEST} to {@link #WIDEST};
- *     a narrower picture shows as much from left to right as one of 4:3
+ * @param verticalFieldOfView of a picture of 4:3 or wider, radians; narrower ones have the horizontal field of 4:3
  */
 public record Viewpoint(Camera camera, double verticalFieldOfView) {
-    /** Width over height below which a picture keeps its horizontal field of view and shows more above and below. */
+    /** Width over height below which a picture shows more above and below. */
     public static final double LEAST_ASPECT = 4.0 / 3;
 
-    /** Narrowest field of view, radians; single precision does not resolve narrower ones. */
+    /** Radians; single precision does not resolve less. */
     public static final double NARROWEST = Math.toRadians(0.001);
 
-    /** Widest field of view, radians; wider pictures are mostly distortion. */
+    /** Radians; wider pictures are mostly distortion. */
     public static final double WIDEST = Math.toRadians(170);
 
     public double halfHeight(int width, int height) {

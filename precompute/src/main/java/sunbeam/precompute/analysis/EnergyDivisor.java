@@ -100,6 +100,7 @@ public final class EnergyDivisor {
     public record EnergyBalance(double ratio, double wavelength) {
         public static final double LARGEST = 1.05;
         private static final int MOST_SAMPLES = 256;
+        // Meters; deeper reliefs take more than a second.
         private static final double DEEPEST = 6e-6;
         private static final double WAVELENGTH_STEP = 20e-9;
 

@@ -15,6 +15,7 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
     // Share of the variance in a frequency that the lattice of a repeated patch contains: float files round to 1e-7 of
     // the relief.
     private static final double WEAKEST = 1e-9;
+    // Least sine of the angle between waves.
     private static final double CROSSING = 0.3;
 
     public record Order(int m, int n) {

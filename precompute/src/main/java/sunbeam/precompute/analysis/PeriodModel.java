@@ -24,6 +24,7 @@ final class PeriodModel {
     private static final double FEWEST_SAMPLES = 4;
     // Half width, as a share of the frequency.
     private static final double WIDEST = 0.1;
+    // White noise stays below this share of the variance.
     static final double LEAST_SHARE = 0.08;
     // Half width in cycles per length: the slope's bias from finite size and sampling.
     private static final double FINITE = 0.01;

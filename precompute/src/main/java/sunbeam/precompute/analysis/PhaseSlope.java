@@ -14,12 +14,13 @@ record PhaseSlope(double value, double halfWidth) {
     private static final int PER_LENGTH = 3;
     // Side by side; in a short scan, they overlap more.
     private static final int FEWEST_WINDOWS = 3;
-    // Of the fullest window's weight; those in corners have less.
+    // Share of the fullest window's weight; windows in corners have less.
     private static final double LEAST_FILLED = 0.3;
     // Steps of a random walk's means under Hann windows have half the mean square of its own.
     private static final double SMOOTHED = 1.4;
     // Bands of rows of one phase each; a scanner slips within few.
     private static final int BANDS = 48;
+    // Periods along a row, which has a Hann window of its own.
     private static final double FEWEST_IN_A_ROW = 3;
 
     /** Hann windows: sums of heights times exp(-2 pi i f x), and of weights. */

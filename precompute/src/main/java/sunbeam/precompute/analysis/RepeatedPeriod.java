@@ -11,6 +11,7 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Finds the exact periods of a repeated patch from its strongest frequencies. */
 final class RepeatedPeriod {
+    // Share of the variance; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
     private static final int MOST_DIRECTIONS = 3;
     // Shares of the variance in the waves and their overtones, for a period and for any piece. There the strongest

@@ -18,15 +18,17 @@ import sunbeam.precompute.optics.HeightMap;
 final class WaveSearch {
     // In bins of 1 / the scan's side; a Hann window's line reaches 2.
     private static final double LINE = 3;
+    // Radius of a broad line as a share of its frequency.
     private static final double BREADTH = 0.15;
     private static final int OVERTONES = 5;
     static final double AS_STRONG = 0.5;
+    // Share of the overtone's height.
     private static final double LEAST_FUNDAMENTAL = 0.25;
     // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
     static final double LEAST_CONTRAST = 10;
     // Random surfaces with a ring as spectrum have thousands, noise of falling power 2 at most.
     static final double LEAST_RING = 4;
-    // Of half a turn, 15 degrees wide: rows of a snake's scale stray by 8.
+    // Sectors of 15 degrees in half a turn: rows of a snake's scale stray by 8.
     private static final int SECTORS = 12;
     // Frequencies below this share of a wave's are waviness.
     private static final double COARSEST = 0.5;

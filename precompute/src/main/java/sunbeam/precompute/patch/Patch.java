@@ -26,6 +26,7 @@ public record Patch(
         List<ScanFault> faults,
         Repetition repetition) {
 
+    // Relative to the relief.
     private static final double SAME = 1e-4;
 
     /** Surface outside of the heights. */

@@ -37,6 +37,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
 
     // Meters: half of sunlight's coherence length. Larger patches are scans.
     private static final double LARGEST_SYNTHETIC = 32.5e-6;
+    // Relative to the relief; measured lines differ by more.
     private static final double SAME = 1e-6;
 
     enum Kind {

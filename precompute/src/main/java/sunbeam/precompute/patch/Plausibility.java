@@ -34,6 +34,7 @@ public final class Plausibility {
     /** Meters; a smaller relief scatters a few ten-thousandths of the light, as a mirror. */
     static final double FLATTEST_RELIEF = 1e-9;
 
+    /** Ratio to the longer side. */
     static final double STEEPEST_RELIEF = 4;
     /** Samples of a flat patch; more would take minutes to process. */
     static final long MOST_FLAT_SAMPLES = 1L << 22;

@@ -19,17 +19,14 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.shader.TableLabel;
 
 /**
- * Cache of bytes that depend only on the build and a name: painted textures, heights of built-in patches, the sky visibility of a mesh. A
- * file has the head of a {@link TileFile} (format, label, hash of the key), the bytes, and the CRC-32C of head and bytes (int64, big
- * endian). A program that runs from a folder of classes has no build number, so it caches nothing.
+ * Cache of bytes that depend only on the build and a name. A file has the head of a {@link TileFile}, the bytes, and the CRC-32C of both
+ * (int64, big endian). A program in a folder of classes has no build number, so it caches nothing.
  */
 public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<String> warning) {
-    /** Cache without files. */
     public static final BlobCache NONE = new BlobCache(Optional.empty(), new CacheFolder(Path.of(""), ""), line -> {});
 
     static final String FORMAT = "Sunbeam bytes 1";
     private static final int DIGEST_BYTES = 32;
-    // Bytes before the heights: numbers of columns and rows, pitches along x and y, and the digest.
     private static final int GRID_BYTES = 2 * Integer.BYTES + 2 * Double.BYTES + DIGEST_BYTES;
     private static final int MOST_HEIGHTS = 1 << 22;
     private static final int MOST_NUMBERS = 1 << 10;
@@ -38,7 +35,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
         return new BlobCache(jars(System.getProperty("java.class.path")), CacheFolder.of(environment), warning);
     }
 
-    /** Returns names, sizes and times of all jars on the class path; empty if an entry is a folder of classes. */
+    /** Returns names, sizes and times of all jars; empty if an entry is a folder of classes. */
     static Optional<String> jars(String classPath) {
         StringBuilder found = new StringBuilder();
         for (String entry : classPath.split(File.pathSeparator, -1)) {
@@ -52,9 +49,9 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
     }
 
     /**
-     * Returns the cached bytes, or makes and caches them if they are missing.
+     * Returns the cached bytes, or makes and caches them.
      *
-     * @param name text of all that determines the bytes besides the build; the command {@code cache} lists it
+     * @param name text of all that determines the bytes besides the build, for {@code cache}
      */
     public byte[] get(String name, int most, Supplier<byte[]> maker) {
         Optional<Path> opened = build.flatMap(known -> folder.open(BlobCache::dropWarning));

@@ -32,24 +32,18 @@ import sunbeam.precompute.shader.TableLabel;
 
 /**
  * Cache folder, whose files can be computed again: {@code $XDG_CACHE_HOME/sunbeam}, else {@code ~/.cache/sunbeam} (XDG Base Directory
- * Specification 0.8, which ignores a relative XDG_CACHE_HOME). Removing it costs time only.
+ * Specification 0.8, which ignores a relative XDG_CACHE_HOME).
  *
- * @param path the folder, which need not exist
- * @param allowed limit of the folder's size as the environment states it; empty for {@link #STANDARD_LIMIT}
+ * @param allowed limit of the size as the environment states it; empty for {@link #STANDARD_LIMIT}
  */
 public record CacheFolder(Path path, String allowed) {
-    /**
-     * File in the cache folder.
-     *
-     * @param bytes length of the file
-     * @param lastUsed time of the last read, or of the write if there was no read
-     */
+    /** File of the cache with its length, and time of the last use or of the write. */
     public record Entry(Path file, long bytes, Instant lastUsed) {
         static final String SHADER = "tables";
         static final String TILES = "tiles";
         static final String BYTES = "bytes";
 
-        // Hexadecimal digits in a file's name, of the surface's digest and of the hash of the key.
+        // Hexadecimal digits in a file's name.
         private static final int SURFACE_DIGITS = 12;
         private static final int KEY_DIGITS = 32;
 
@@ -76,7 +70,7 @@ public record CacheFolder(Path path, String allowed) {
         }
 
         /**
-         * Reads the label of the table and its surface, without checking the rest of the file.
+         * Reads the label without checking the rest of the file.
          *
          * @throws InputException if the file is damaged, of another version, or gone
          */
@@ -89,7 +83,6 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Default limit of the folder's size in bytes. */
     public static final long STANDARD_LIMIT = 2_000_000_000;
 
     private static final String NAME = "sunbeam";
@@ -104,17 +97,12 @@ public record CacheFolder(Path path, String allowed) {
         return new CacheFolder(base.resolve(NAME), environment.variable(LIMIT));
     }
 
-    /**
-     * Creates the folder if it is missing.
-     *
-     * @param warning receives one line if the folder takes no files
-     * @return the folder; empty if it takes no files
-     */
+    /** Creates the folder if it is missing; empty, with one line of warning, if it takes no files. */
     public Optional<Path> open(Consumer<String> warning) {
         try {
             create();
             keepPrivate();
-            // This also removes temporary files of killed processes.
+            // Also removes temporary files of killed processes.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
             return Optional.of(path);
         } catch (IOException | OutputException failure) {
@@ -124,7 +112,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Creates the folder and its missing parents with mode 700, as the XDG specification demands. */
+    /** Mode 700, as the XDG specification demands. */
     private void create() throws IOException {
         // createDirectories() alone refuses a link to a folder.
         if (!Files.isDirectory(path)) {
@@ -137,7 +125,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Denies access to other users, because they could read measured heights or plant files. */
+    /** Others could read measured heights or plant files. */
     private void keepPrivate() throws IOException {
         if (hasModes(path) && Files.isWritable(path)) {
             Files.setPosixFilePermissions(path, OWNERS_FOLDER);
@@ -155,7 +143,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Returns the files, last used first; none if the folder does not exist.
+     * Returns the files, last used first.
      *
      * @throws UncheckedIOException if the folder cannot be listed
      */
@@ -191,10 +179,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Reads a file; empty if it is missing, no regular file, or unusable.
-     *
-     * @param reader function that reads the file, and throws an {@link InputException} if it is unusable
-     * @param warning receives one line about an unusable file
+     * Reads a file; empty if it is missing or no regular file, or with one line of warning if the reader throws an {@link InputException}.
      */
     <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
         if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
@@ -212,11 +197,7 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /**
-     * Writes a file, then deletes others until the folder is within its limit.
-     *
-     * @param warning receives one line if the file cannot be written
-     */
+    /** Writes a file, or warns in one line; then deletes others until the folder is within its limit. */
     void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
         try {
             AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
@@ -238,7 +219,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Returns the limit in bytes: {@code SUNBEAM_CACHE_LIMIT} (such as {@code 4GB}), else {@link #STANDARD_LIMIT}.
+     * Returns bytes: {@code SUNBEAM_CACHE_LIMIT} (such as {@code 4GB}), else {@link #STANDARD_LIMIT}.
      *
      * @throws UsageException if the variable is no size
      */
@@ -250,14 +231,14 @@ public record CacheFolder(Path path, String allowed) {
         }
     }
 
-    /** Returns the limit of one file in bytes: a quarter of the folder's, so that one surface does not displace all others. */
+    /** A quarter of the folder's limit: one surface must not displace all others. */
     long largest() {
         return limit() / 4;
     }
 
     /**
-     * Deletes files until the rest is within the limit; those used last stay. Processes that have a deleted file open can go on reading it.
-     * A file that cannot be deleted stays.
+     * Deletes files until the rest, those used last, is within the limit; those that cannot be deleted stay. Processes that have one open
+     * go on reading it.
      *
      * @param inUse file that counts as the one used last
      * @return the deleted files, the one used longest ago first
@@ -279,11 +260,6 @@ public record CacheFolder(Path path, String allowed) {
         return deleted;
     }
 
-    /**
-     * Deletes all files.
-     *
-     * @return the files that could be deleted
-     */
     public List<Entry> clear() {
         return entries().stream()
                 .filter(entry -> entry.file().toFile().delete())

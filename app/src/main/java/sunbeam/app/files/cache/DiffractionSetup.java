@@ -38,12 +38,11 @@ import sunbeam.precompute.shader.TableLabel;
 import sunbeam.precompute.spectrum.FourierTable;
 
 /**
- * Loaded patch and the cache of its tables. A table is stored under a hash of all that determines it. Missing tables are made; damaged ones
- * are made again with a warning.
+ * Loaded patch and the cache of its tables, each under a hash of all that determines it. Missing tables are made; damaged ones again with a
+ * warning.
  *
- * @param surface heights of the patch and the light that colors it
- * @param note receives one line for each step that takes longer than planned
- * @param warning receives one line for each failure of the cache and each table that misses its tolerance
+ * @param note receives a line for each step that takes longer than planned
+ * @param warning receives a line for each failure of the cache and each table that misses its tolerance
  */
 public record DiffractionSetup(
         Patch patch,
@@ -52,7 +51,7 @@ public record DiffractionSetup(
         Consumer<String> note,
         Consumer<String> warning,
         ProgressDisplay progress) {
-    /** Creates the setup of a loaded patch and prints the patch's notes. */
+    /** Prints the patch's notes. */
     public DiffractionSetup(Patch patch, Environment environment, PrintWriter err) {
         this(
                 patch,
@@ -62,11 +61,7 @@ public record DiffractionSetup(
         patch.notes().forEach(note -> err.println(Messages.note(patch.name() + ": " + note)));
     }
 
-    /**
-     * Creates the setup of a loaded patch without printing its notes.
-     *
-     * @param warning receives one line for each failure of the cache and each table that misses its tolerance
-     */
+    /** Does not print the patch's notes. */
     public DiffractionSetup(Patch patch, Environment environment, Consumer<String> warning) {
         this(patch, environment, note -> {}, warning);
     }
@@ -81,7 +76,7 @@ public record DiffractionSetup(
                 environment.progress());
     }
 
-    /** Returns the choices with a coherence length of at most the scan's shorter side, and prints the patch's warnings. */
+    /** Limits the coherence length to the scan's shorter side, and prints the patch's warnings. */
     public Choices limitToScan(Choices choices, PrintWriter err) {
         ScanLimit limit = ScanLimit.of(choices, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
@@ -98,15 +93,14 @@ public record DiffractionSetup(
         return surface.cie();
     }
 
-    /** Returns the reference for a method's power and colors on this patch. */
     public ExactLight exact(Method method) {
         return method.referenceMethod(patch.heights()).light(patch.heights(), cie());
     }
 
     /**
-     * Returns a method's shader tables without the cache. A layer is computed when it is read.
+     * Returns shader tables, uncached, whose layers are computed when they are read.
      *
-     * @param bakers function that opens a baker which evaluates shader tables, for tables of colors
+     * @param bakers opens a baker for tables of colors
      * @throws SettingException if the method does not support the use
      */
     public ShaderTables freshTables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
@@ -114,12 +108,7 @@ public record DiffractionSetup(
         return plan.tables(use, sources(bakers, warning));
     }
 
-    /**
-     * Returns the sources of a plan's tables.
-     *
-     * @param bakers function that opens a baker which evaluates shader tables
-     * @param shortfall receives a line for each table that misses its tolerance
-     */
+    /** @param shortfall receives a line for each table that misses its tolerance */
     public TableSources sources(Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
         DiffractionSetup setup = this;
         return new TableSources() {
@@ -170,17 +159,15 @@ public record DiffractionSetup(
         };
     }
 
-    /** Like the other {@code tables}, without progress. */
     public ShaderTables tables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
         return tables(plan, use, bakers, share -> {});
     }
 
     /**
-     * Returns a method's shader tables from the cache, or makes and caches them layer by layer. Without a cache folder, a layer is computed
-     * when it is read. A table that misses its tolerance is not cached, so that each run warns of it.
+     * Returns shader tables from the cache, or makes and caches them layer by layer; without a cache folder when layers are read. A table
+     * that misses its tolerance is not cached, so that each run warns of it.
      *
-     * @param bakers function that opens a baker which evaluates shader tables, for tables of colors
-     * @param progress receives the finished share, 0..1, before each layer that is made
+     * @param progress receives the share, 0..1, before each layer that is made
      * @throws SettingException if the method does not support the use
      */
     public ShaderTables tables(
@@ -205,7 +192,7 @@ public record DiffractionSetup(
                     ? planned
                     : new TableLabel(planned.patch(), "table in " + made.trial() + "; planned as " + planned.what());
             folder.save(file.get(), path -> ShaderTablesFile.write(path, key, label, made), warning);
-            // Mapped from the file, so that layers do not stay in the heap.
+            // Mapped, so that layers do not stay in the heap.
             return folder.read(file.get(), reader, warning).orElse(made);
         });
     }
@@ -233,7 +220,7 @@ public record DiffractionSetup(
         return tiles;
     }
 
-    /** Computes the Fourier table of a plan. It is not cached, because the colors that need it take longer. */
+    /** Not cached, because the colors that need it take longer. */
     public FourierTable fourierTable(SpectrumPlan plan) {
         try (Progress task = progress.start(
                 "Fourier tables of " + surface.name(), plan.expansion().terms())) {
@@ -252,7 +239,7 @@ public record DiffractionSetup(
         }
     }
 
-    /** Returns the complaint about a method that has colors, but no power at a wavelength. */
+    /** Complaint about a method that has colors, but no power. */
     public static SettingException withoutPower() {
         return new SettingException(
                 Methods.METHOD,

@@ -33,10 +33,9 @@ import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.shader.TableLabel;
 
 /**
- * Cache file of the tiles of one color table, in the order in which they were baked. After the head (format, label, hash of the key) come
- * records. Each has a number made of level and tile, a checksum of key, number and content (both int64, big endian), and the tile's
- * coefficients in the shader's format. A damaged or truncated record is skipped; its tile is baked and appended again. One process at a
- * time appends; other processes only read.
+ * Cache file of a color table's tiles in the order of baking. After the head (format, label, hash of the key) come records: a number made
+ * of level and tile, a checksum of key, number and content (both int64, big endian), the tile's coefficients. Damaged records are skipped,
+ * their tiles appended again. One process at a time appends; others only read.
  */
 public final class TileFile implements CachedTiles {
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
@@ -51,7 +50,6 @@ public final class TileFile implements CachedTiles {
     private final Consumer<String> warning;
     private final Runnable closed;
     private final Map<Long, Long> records = new HashMap<>();
-    // Only the process with the lock appends.
     private final boolean locked;
     private boolean writable;
     private boolean warned;
@@ -88,19 +86,13 @@ public final class TileFile implements CachedTiles {
             write(channel, ByteBuffer.wrap(head), 0);
         }
         list();
-        // Without the lock, another process may be writing the last record.
+        // Another process may be writing the last record.
         if (isDamaged || (locked && (channel.size() - start) % recordBytes != 0)) {
             warn(DAMAGED);
         }
     }
 
-    /**
-     * Opens or creates a file. If that fails, no tile is cached.
-     *
-     * @param key text of all that determines the tiles
-     * @param warning receives at most one line
-     * @param closed action to run after the file is closed
-     */
+    /** Opens or creates a file; without one, no tile is cached. */
     public static CachedTiles of(
             Path file,
             String key,
@@ -116,7 +108,7 @@ public final class TileFile implements CachedTiles {
                     StandardOpenOption.CREATE,
                     StandardOpenOption.READ,
                     StandardOpenOption.WRITE,
-                    // A link may point to any file of the user.
+                    // A link may point to any file.
                     LinkOption.NOFOLLOW_LINKS);
             CacheFolder.makeOwnersOnly(file);
             return new TileFile(channel, key, numbers, label, mostBytes, warning, closed);
@@ -160,7 +152,7 @@ public final class TileFile implements CachedTiles {
         }
     }
 
-    /** Lists the records. The next record to be appended overwrites a truncated one at the end. */
+    /** The next record overwrites a truncated one at the end. */
     private void list() throws IOException {
         ByteBuffer number = ByteBuffer.allocate(Long.BYTES);
         long last = channel.size() - recordBytes;

@@ -21,30 +21,24 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * List of pairs of directions from comma-separated text with a header row, all with a wavelength or all without. Other columns are skipped
- * and may hold anything. Fields may be quoted (RFC 4180). Blank lines are ignored. A file may have at most 10 million rows of at most 65,536
- * characters.
+ * Pairs of directions from comma-separated text (RFC 4180) with a header row, all with a wavelength or all without; other columns and blank
+ * lines are skipped. At most 10 million rows of 65,536 characters.
  *
- * @param columns theta_i, phi_i, theta_r, phi_r and optionally wavelength
- * @param rows values of each row, at least one: angles in degrees, wavelength in nm
- * @param turnDegrees rotation of the patch about the normal in degrees, counterclockwise as seen from outside
+ * @param rows at least one: angles in degrees, wavelength in nm
+ * @param turnDegrees of the patch about the normal, counterclockwise as seen from outside
  */
 public record DirectionList(List<String> columns, List<double[]> rows, double turnDegrees) {
     private static final List<String> ANGLES = List.of("theta_i", "phi_i", "theta_r", "phi_r");
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is infinite.
     private static final double LARGEST_THETA = 89.999;
-    /** Largest azimuth in degrees: a hundred turns, as for the light's azimuth. */
+    /** A hundred turns, as for the light's azimuth. */
     private static final int LARGEST_PHI = 36_000;
 
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 
-    /**
-     * Reads the directions.
-     *
-     * @throws InputException if the file cannot be used; the message names line, column and value
-     */
+    /** @throws InputException if the file cannot be used; the message names line, column and value */
     public static DirectionList read(Path file) {
         if (Files.isDirectory(file)) {
             throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
@@ -72,15 +66,12 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
         }
     }
 
-    /**
-     * Returns a reader in which malformed bytes become replacement characters. They are harmless in skipped columns, and no numbers in the
-     * others.
-     */
+    /** Malformed bytes become replacement characters: harmless in skipped columns, no numbers in others. */
     private static CsvReader<CsvRecord> reader(InputStream stream) {
         return CsvReader.builder()
                 .detectBomHeader(true)
                 .allowUnclosedQuote(false)
-                // readRows() counts fields, so that its message can name the expected count.
+                // readRows() counts fields for a better message.
                 .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
                 .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
                 .maxBufferSize(2 * LONGEST_ROW)
@@ -92,7 +83,6 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
                         StandardCharsets.UTF_8);
     }
 
-    /** Returns the columns of the list in a header; each of them may stand there only once. */
     private static List<String> columns(List<String> header) {
         List<String> columns = new ArrayList<>(ANGLES);
         if (header.contains(WAVELENGTH)) {
@@ -160,11 +150,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
         return text.length() <= 80 ? text : text.substring(0, 80) + "...";
     }
 
-    /**
-     * Returns the directions relative to the patch rotated further about the normal.
-     *
-     * @param radians rotation in radians, counterclockwise as seen from outside
-     */
+    /** Returns the directions relative to the patch rotated further, counterclockwise as seen from outside. */
     public DirectionList seenByTurned(double radians) {
         return new DirectionList(columns, rows, turnDegrees + Math.toDegrees(radians));
     }
@@ -177,7 +163,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
         return columns.contains(WAVELENGTH);
     }
 
-    /** Returns a row of the file: angles in degrees and, in a spectral list, the wavelength in nanometers. */
+    /** Angles in degrees and, in a spectral list, nanometers. */
     public double[] row(int index) {
         return rows.get(index).clone();
     }

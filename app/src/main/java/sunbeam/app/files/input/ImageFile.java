@@ -20,27 +20,21 @@ import javax.imageio.stream.ImageInputStream;
 import sunbeam.precompute.files.InputException;
 
 /**
- * Reader of PNG, JPEG, BMP, GIF and TIFF files, which it recognizes by their first bytes. It checks an image's size before it allocates
- * memory.
+ * Reader of PNG, JPEG, BMP, GIF and TIFF files, by their first bytes. It checks sizes before it allocates memory.
  *
- * @param what role of the image in messages, such as "texture"
- * @param largestSide largest number of columns, and of rows
- * @param mostPixels largest number of pixels, so that a small compressed file does not take minutes to read
- * @param workingBytes bytes per pixel that the caller needs in addition to the decoder's samples
+ * @param what role in messages, such as "texture"
+ *
+ * @param mostPixels limit, so that a small compressed file does not take minutes to read
+ * @param workingBytes bytes per pixel besides the decoder's samples
  */
 public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {
-    /** Names of the JDK's readers; readers of other plug-ins are untested on damaged files. */
+    /** The JDK's readers; plug-ins are untested on damaged files. */
     private static final Set<String> FORMATS = Set.of("png", "jpeg", "bmp", "gif", "tif");
 
-    /** Warnings of decoders that invent missing pixels. After other warnings, such as surplus bytes, the picture is complete. */
+    /** Warnings of invented pixels; after others, such as surplus bytes, the picture is complete. */
     private static final Pattern MISSING = Pattern.compile("Truncated|premature end|profile is invalid");
 
-    /**
-     * Reads a picture that Sunbeam has written.
-     *
-     * @param remedy end of the message if the file is no picture
-     * @throws InputException if the file is missing or no picture
-     */
+    /** Reads a picture that Sunbeam has written, or throws an {@link InputException} that may end with the remedy. */
     public static BufferedImage ours(Path file, String remedy) {
         return InputException.naming(file, () -> {
             BufferedImage image = ImageIO.read(file.toFile());
@@ -51,12 +45,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
         });
     }
 
-    /**
-     * Returns the image, of any type.
-     *
-     * @param heapBytes maximum size of the heap
-     * @throws InputException if the file is missing, no such image, too large or damaged
-     */
+    /** @throws InputException if the file is missing, no such image, too large for a heap of this size, or damaged */
     public BufferedImage read(Path file, long heapBytes) {
         InputException.requireRegular(file);
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
@@ -121,7 +110,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
                     "has " + width + " x " + height + " pixels; make it smaller, " + mostPixels / 1_000_000
                             + " million at most");
         }
-        // A reader takes memory for a whole tile, which may be larger than the picture.
+        // A tile, which takes memory, may be larger than the picture.
         long pixels = Math.max((long) width * height, (long) reader.getTileWidth(0) * reader.getTileHeight(0));
         if (pixels > mostPixels) {
             throw wrong(

@@ -10,7 +10,7 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.units.Decimals;
 
-/** Reader of a refractive index by wavelength, in the format of refractiveindex.info. */
+/** Reader of refractive indices in the format of refractiveindex.info. */
 public final class IndexFile {
     private static final long LARGEST_BYTES = 1 << 20;
     private static final double FIRST_NM = 380;
@@ -19,13 +19,13 @@ public final class IndexFile {
 
     private IndexFile() {}
 
-    /** True if a text is the name of a file with a refractive index, not the index itself. */
+    /** True for a file's name, not an index. */
     public static boolean isName(String text) {
         return text.strip().toLowerCase(Locale.ROOT).endsWith(".csv");
     }
 
     /**
-     * Reads n and k by the wavelength in micrometers. The file has columns {@code wl,n,k}, or {@code wl,n} and below them {@code wl,k}.
+     * Reads n and k by the wavelength in micrometers: {@code wl,n,k}, or {@code wl,n} and below {@code wl,k}.
      *
      * @throws InputException if the file is missing, is no such table, or does not cover 380 to 780 nm
      */

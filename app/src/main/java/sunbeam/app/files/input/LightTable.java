@@ -28,9 +28,9 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Reader of the color matching functions times the light, by the settings of observer and illuminant. An illuminant's file has two columns:
- * wavelength in nanometers, and power. Power is linear between rows; rows closer than a nanometer are averaged with a triangle of 1 nm full
- * width at half maximum, so that no spectral line is lost.
+ * Reader of the color matching functions times the light of the settings. An illuminant's file has wavelength in nanometers, and power,
+ * linear between rows; rows closer than a nanometer are averaged with a triangle of 1 nm full width at half maximum, so that no spectral
+ * line is lost.
  */
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;
@@ -41,8 +41,6 @@ public final class LightTable {
     private LightTable() {}
 
     /**
-     * Reads the chosen {@link LightSettings}.
-     *
      * @throws InputException if a file cannot be used
      * @throws sunbeam.precompute.setting.SettingException if the light has no power in the chosen band
      */
@@ -56,11 +54,7 @@ public final class LightTable {
         }
     }
 
-    /**
-     * Refuses settings of the light for results that do not depend on it.
-     *
-     * @throws sunbeam.precompute.setting.SettingException if one of the settings is chosen; names the first
-     */
+    /** Refuses the first chosen setting of the light for results that do not depend on it. */
     public static void requireNone(Choices choices, List<Setting<?>> settings) {
         for (Setting<?> setting : settings) {
             if (choices.has(setting)) {
@@ -121,10 +115,7 @@ public final class LightTable {
         return false;
     }
 
-    /**
-     * Averages the power with a triangle of 1 nm full width at half maximum around a wavelength. Simpson's rule is exact for products of
-     * two linear functions.
-     */
+    /** Simpson's rule is exact for products of two linear functions. */
     private static double mean(NavigableMap<Double, Double> powers, double middle, double from, double to) {
         NavigableSet<Double> ends =
                 new TreeSet<>(powers.subMap(from, true, to, true).keySet());

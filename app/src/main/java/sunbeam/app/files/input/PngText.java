@@ -17,20 +17,17 @@ import java.util.zip.CheckedInputStream;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Reader of the text chunks of a PNG file (ISO/IEC 15948, 11.3.4): tEXt and uncompressed iTXt. Sunbeam's pictures have their parameters in
- * such chunks.
- */
+/** Reader of a PNG's text chunks (ISO/IEC 15948, 11.3.4), tEXt and uncompressed iTXt, in which Sunbeam's pictures have their parameters. */
 public final class PngText {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final int LONGEST_TEXT_BYTES = 1 << 20;
 
-    /** Keyword of the text with the hash of a picture's parameters. */
+    /** Keyword of the parameters' hash. */
     public static final String PARAMETERS = "Parameters";
 
     private PngText() {}
 
-    /** Returns the texts of a picture whose parameters have this hash; empty if the file is missing, damaged or has another hash. */
+    /** Returns the texts of a picture with this hash; empty if the file is missing, damaged or another. */
     public static Optional<Map<String, String>> find(Path file, String hash) {
         if (!Files.exists(file)) {
             return Optional.empty();
@@ -38,7 +35,7 @@ public final class PngText {
         try {
             return Optional.of(read(file)).filter(text -> hash.equals(text.get(PARAMETERS)));
         } catch (InputException unreadable) {
-            // Not this picture; the caller decides whether to replace the file.
+            // The caller decides whether to replace the file.
             return Optional.empty();
         }
     }
@@ -76,7 +73,7 @@ public final class PngText {
                 throw new InputException("a text has " + length + " bytes");
             }
             byte[] data = checked.readNBytes(isText ? (int) length : 0);
-            // The checksums of pixels are checked too: the texts do not describe a damaged picture.
+            // Pixels are checked too: the texts do not describe a damaged picture.
             checked.skipNBytes(length - data.length);
             if ((int) checksum.getValue() != stream.readInt()) {
                 throw new InputException(
@@ -95,8 +92,7 @@ public final class PngText {
             text.put(keyword, string(data, keywordEnd + 1, data.length, StandardCharsets.ISO_8859_1));
             return;
         }
-        // An iTXt chunk holds: keyword, 0, compression flag, compression method, language, 0, translated keyword, 0,
-        // text.
+        // iTXt: keyword, 0, compression flag, compression method, language, 0, translated keyword, 0, text.
         if (keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0) {
             throw new InputException("the text '" + keyword + "' is compressed");
         }

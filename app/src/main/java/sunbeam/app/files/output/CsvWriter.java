@@ -14,17 +14,13 @@ import java.util.stream.Collectors;
 import sunbeam.precompute.text.Text;
 
 /**
- * Writer of tables as comma-separated text: a header row, then one row per line; a line feed ends each line. Numbers have 13 significant
- * digits in scientific notation (a relative rounding error of at most 5e-13), or are {@code NaN} or {@code Infinity}.
+ * Writer of comma-separated text with a header row and line feeds. Numbers have 13 significant digits in scientific notation, or are {@code
+ * NaN} or {@code Infinity}.
  */
 public final class CsvWriter {
     private CsvWriter() {}
 
-    /**
-     * Returns a table as text: a header and a line for each row; names and texts are quoted if necessary.
-     *
-     * @param rows rows with the same columns, at least one
-     */
+    /** Returns a table of at least one row, all with the same columns, quoted where necessary. */
     public static String text(List<? extends Map<String, ?>> rows) {
         StringWriter text = new StringWriter();
         var csv = de.siegmar.fastcsv.writer.CsvWriter.builder()
@@ -38,10 +34,9 @@ public final class CsvWriter {
     }
 
     /**
-     * Returns a table of numbers, written row by row.
+     * Returns a table of numbers, written row by row, counted from 0.
      *
-     * @param names names of the columns, at least one; letters, digits, {@code _ . -} and blanks only
-     * @param row function from the row's number, from 0, to a value for each column
+     * @param names at least one; letters, digits, {@code _ . -} and blanks only
      */
     public static AtomicFile.StreamContent numbers(List<String> names, int rows, IntFunction<double[]> row) {
         return stream -> {

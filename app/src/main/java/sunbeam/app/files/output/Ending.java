@@ -28,12 +28,9 @@ public enum Ending {
     }
 
     /**
-     * Throws an exception if the ending of a name does not fit the content, since other programs could not read the file. Standard output
-     * and devices need no ending.
+     * Refuses an ending that does not fit the content, since other programs could not read the file. Standard output and devices need none.
      *
-     * @param option option that gave the name
-     * @param named name given by the user; null if the user gave none
-     * @throws UsageException if the ending does not fit
+     * @param named null if the user gave none
      */
     public void require(String option, Path named) {
         if (named == null

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.zip.Deflater;
 
 /**
- * File in OpenEXR 2 format: one part, scan lines in blocks of 16, ZIP compression.
+ * File in OpenEXR 2 format: scan lines in ZIP blocks of 16.
  *
- * @param channels names of the channels, one letter each, in the order of the samples: against the alphabet, in which the file has them
+ * @param channels one letter each, in the order of the samples: against the alphabet, in which the file has them
  */
 public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
     private static final int MAGIC = 20000630;
@@ -34,25 +34,17 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         }
     }
 
-    /** Samples by their index: row by row from the top, the channels of a pixel side by side. */
+    /** Row by row from the top, the channels of a pixel side by side. */
     interface Samples {
         void put(int index, ByteBuffer bytes);
     }
 
-    /**
-     * Returns a file of half floats.
-     *
-     * @param rgb red, green and blue as bits of half floats, row by row from the top
-     */
+    /** @param rgb red, green and blue as bits of half floats, row by row from the top */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
         return new ExrFile(width, height, "RGB", Type.HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
     }
 
-    /**
-     * Returns a file of floats.
-     *
-     * @param rgba red, green, blue and alpha, row by row from the top
-     */
+    /** @param rgba red, green, blue and alpha, row by row from the top */
     public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
         return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
     }
@@ -107,7 +99,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         header.write(value);
     }
 
-    /** Returns a block: number of its first line, length in bytes, and the lines, each with one channel after the other. */
+    /** Number of its first line, length in bytes, and the lines, each with one channel after the other. */
     private byte[] block(int from, int to) {
         int count = channels.length();
         ByteBuffer lines =
@@ -130,7 +122,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
                 .array();
     }
 
-    /** Returns the bytes at even positions, then those at odd positions, as differences from byte to byte plus 128, deflated. */
+    /** Bytes at even, then at odd positions, as differences plus 128, deflated. */
     private static byte[] packed(byte[] raw) {
         byte[] separated = new byte[raw.length];
         int half = (raw.length + 1) / 2;
@@ -143,11 +135,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         return deflated(separated, Deflater.DEFAULT_COMPRESSION);
     }
 
-    /**
-     * Returns bytes compressed to zlib's format.
-     *
-     * @param effort compression level of {@link Deflater}, 0 to 9 or -1 for its default
-     */
+    /** Returns zlib's format; {@code effort} is a level of {@link Deflater}, 0 to 9 or -1. */
     public static byte[] deflated(byte[] bytes, int effort) {
         Deflater deflater = new Deflater(effort);
         try {

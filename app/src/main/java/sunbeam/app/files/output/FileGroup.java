@@ -8,11 +8,8 @@ import java.util.Map;
 import sunbeam.app.terminal.UsageException;
 
 /**
- * Files of one name and several endings, such as {@code blaze.png}, {@code blaze.csv} and {@code blaze.json}: all appear or none. If
- * Sunbeam chooses the name, all have the same number, the lowest that is free for every ending.
- *
- * @param stem the files' path without their endings
- * @param endings endings of the files, each with its dot
+ * Files of one name and several endings, with their dots: all appear or none, with the same lowest number that is free for every ending if
+ * Sunbeam chooses the name.
  */
 public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     public FileGroup {
@@ -23,7 +20,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     }
 
     /**
-     * Creates the group of a name that the user may have given with one of the endings, which is left out.
+     * Creates the group of a name that may have one of the endings.
      *
      * @throws UsageException for a path that names no file
      */
@@ -40,11 +37,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
         return new FileGroup(path.resolveSibling(stem), endings, overwrite);
     }
 
-    /**
-     * Checks that all files can be written now.
-     *
-     * @throws OutputException if a file cannot be written
-     */
+    /** @throws OutputException if a file cannot be written */
     public void checkWritable() {
         plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
     }
@@ -59,10 +52,8 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     }
 
     /**
-     * Writes all files.
+     * Writes contents by ending, of all or some of the group's files.
      *
-     * @param contents contents by ending, some or all of the group's
-     * @return paths of the files, in the order of {@code contents}
      * @throws OutputException if a file cannot be written; then none appears
      */
     public List<Path> write(Map<String, AtomicFile.StreamContent> contents) {

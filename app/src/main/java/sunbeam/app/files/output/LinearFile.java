@@ -13,10 +13,9 @@ public final class LinearFile {
     private LinearFile() {}
 
     /**
-     * Returns the content of a file: CIE XYZ for {@code .npy}, linear Rec. 709 with alpha for {@code .exr}, 32-bit floats.
+     * Returns CIE XYZ for {@code .npy}, linear Rec. 709 with alpha for {@code .exr}, 32-bit floats.
      *
-     * @param file path of the file, by whose ending the format is chosen
-     * @param xyz CIE XYZ, {@code height x width x 3}, row 0 on top, NaN where there is no surface
+     * @param xyz {@code height x width x 3}, row 0 on top, NaN where there is no surface
      */
     public static AtomicFile.StreamContent of(Path file, float[] xyz, int width, int height) {
         boolean isExr = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr");

@@ -10,32 +10,27 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 
-/** Writer of NumPy's .npy format, version 1.0: float32, little endian, C order (the last index runs fastest), any number of dimensions. */
+/** Writer of NumPy's .npy format, version 1.0: float32, little endian, C order. */
 public final class NpyWriter {
     private static final int ALIGNMENT = 64;
     private static final int PREFIX_BYTES = 10;
     private static final int BUFFER_VALUES = 1 << 14;
-    /** Earliest time in a zip file, in any time zone. */
+    /** Earliest time in a zip file. */
     private static final LocalDateTime ZIP_EPOCH = LocalDateTime.of(1980, 1, 1, 0, 0);
 
     private NpyWriter() {}
 
-    /**
-     * Writes a whole array to a stream, which stays open.
-     *
-     * @param shape length of each dimension, none negative; empty for a single value
-     */
+    /** Writes a whole array; a shape without dimensions is a single value. */
     public static void write(OutputStream stream, float[] values, int... shape) throws IOException {
         writeHeader(stream, shape);
         writeValues(stream, values);
     }
 
-    /** Writes the header of an array. */
     public static void writeHeader(OutputStream stream, int... shape) throws IOException {
         stream.write(header(shape));
     }
 
-    /** Writes some values of an array, little endian, after its header and the values before them. */
+    /** Writes values after the header and those before them. */
     public static void writeValues(OutputStream stream, float[] values) throws IOException {
         ByteBuffer buffer = ByteBuffer.allocate(BUFFER_VALUES * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
         for (int done = 0; done < values.length; done += BUFFER_VALUES) {
@@ -45,7 +40,7 @@ public final class NpyWriter {
         }
     }
 
-    /** Returns an entry of a .npz or similar archive with a fixed time: equal contents give equal files. */
+    /** Returns an entry of a fixed time: equal contents give equal archives. */
     public static ZipEntry entry(String name) {
         ZipEntry entry = new ZipEntry(name);
         entry.setTimeLocal(ZIP_EPOCH);
@@ -53,11 +48,11 @@ public final class NpyWriter {
     }
 
     private static byte[] header(int... shape) {
-        // The shape is one of Python's tuples: (), (3,), (2, 3).
+        // Python's tuples: (), (3,), (2, 3).
         String tuple = Arrays.stream(shape).mapToObj(Integer::toString).collect(Collectors.joining(", "));
         String dictionary =
                 "{'descr': '<f4', 'fortran_order': False, 'shape': (" + tuple + (shape.length == 1 ? "," : "") + "), }";
-        // Blanks and a line feed pad the header, so that the values are aligned.
+        // Padded, so that the values are aligned.
         int length = PREFIX_BYTES + dictionary.length() + 1;
         int padding = (ALIGNMENT - length % ALIGNMENT) % ALIGNMENT;
         byte[] text = (dictionary + " ".repeat(padding) + "\n").getBytes(StandardCharsets.US_ASCII);

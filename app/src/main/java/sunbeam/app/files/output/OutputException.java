@@ -7,9 +7,8 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
-/** Thrown if an output file cannot be written; the message names the file, the reason and the remedy. */
+/** Failure to write an output; the message names file, reason and remedy. */
 public class OutputException extends RuntimeException {
-    /** Thrown if an output file exists and may not be replaced. */
     public static final class Exists extends OutputException {
         public Exists(String message) {
             super(message);
@@ -28,7 +27,7 @@ public class OutputException extends RuntimeException {
         super(message, cause);
     }
 
-    /** Returns the exception with a message about an operating system's failure to write the target. */
+    /** Returns the exception for an operating system's failure. */
     public static OutputException of(Path target, IOException cause) {
         if (StandardOutput.isMeant(target)) {
             return new OutputException(toStandardOutput(reason(rootOf(cause))), cause);
@@ -44,7 +43,7 @@ public class OutputException extends RuntimeException {
                 + "): the program that reads it has ended, or the disk that it goes to is full";
     }
 
-    /** Returns the operating system's own failure, which image writers wrap in an "I/O error". */
+    /** Image writers wrap the operating system's failure in an "I/O error". */
     private static IOException rootOf(IOException failure) {
         return failure.getCause() instanceof IOException cause ? rootOf(cause) : failure;
     }

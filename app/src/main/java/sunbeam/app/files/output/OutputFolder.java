@@ -19,26 +19,18 @@ import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 
-/** Folders of outputs: their creation, checks, free names and temporary files. */
 public final class OutputFolder {
     private static final int HOOK_TRIES = 50;
     private static final int HOOK_WAIT_MILLISECONDS = 10;
 
-    /**
-     * Age at which a temporary file counts as abandoned. Processes of other machines may share the folder, so that process numbers do not
-     * tell whether a process still runs.
-     */
+    /** Age of abandoned temporary files. Other machines may share the folder, so process numbers do not tell. */
     private static final Duration LONG_AGO = Duration.ofDays(1);
 
     static final int MOST_NAMES = 10_000;
 
     private OutputFolder() {}
 
-    /**
-     * Creates the folder if it is missing; its parent must exist.
-     *
-     * @throws OutputException if it cannot be created, or a file is in its place
-     */
+    /** Creates a missing folder in an existing one. */
     public static void create(Path folder) {
         requireFolder(folder);
         try {
@@ -50,7 +42,6 @@ public final class OutputFolder {
         }
     }
 
-    /** Creates the folder and its parents. */
     public static void createWithParents(Path folder) {
         Path above = folder.toAbsolutePath().getParent();
         if (above != null && !Files.exists(above)) {
@@ -59,13 +50,7 @@ public final class OutputFolder {
         create(folder);
     }
 
-    /**
-     * Creates the folder if it is missing, and runs the writer. A new folder that stays empty is removed, also if the process is ended
-     * (Ctrl-C).
-     *
-     * @param writer writer of the files, which itself removes unfinished ones
-     * @throws OutputException if the folder cannot be created
-     */
+    /** Creates a missing folder for the writer's files; a new one that stays empty is removed, also on Ctrl-C. */
     public static <T> T filled(Path folder, Supplier<T> writer) {
         boolean isNew = !Files.exists(folder);
         create(folder);
@@ -78,7 +63,7 @@ public final class OutputFolder {
         }
     }
 
-    /** Removes the folder once it is empty. It may have to wait for the shutdown hooks of the folder's files, which run in any order. */
+    /** May wait for the shutdown hooks of the folder's files, which run in any order. */
     private static void removeOnceEmpty(Path folder, int tries) {
         try {
             for (int i = 0;
@@ -96,19 +81,14 @@ public final class OutputFolder {
                 "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output", failure);
     }
 
-    /**
-     * Creates the folder. If it exists and may not be used, creates the first free one of {@code folder-2}, {@code folder-3} and so on.
-     *
-     * @param mayUse whether an existing folder may be used
-     * @throws OutputException if no folder can be created
-     */
+    /** Creates the folder, or the first free one of {@code folder-2} and so on if it exists and may not be used. */
     public static Path claim(Path folder, boolean mayUse) {
         int most = mayUse ? 0 : MOST_NAMES;
         for (int number = 1; number <= most; number++) {
             try {
                 return Files.createDirectory(numberedAtEnd(folder, number));
             } catch (FileAlreadyExistsException taken) {
-                // The next number may be free.
+                // The next may be free.
             } catch (IOException failure) {
                 throw creationFailure(folder, failure);
             }
@@ -125,7 +105,7 @@ public final class OutputFolder {
     }
 
     /**
-     * Checks before a long computation that the folder exists or can probably be created, without creating it where its parent exists.
+     * Checks that the folder exists or can probably be created, without creating it where its parent exists.
      *
      * @throws OutputException if the folder cannot be created
      */
@@ -153,11 +133,7 @@ public final class OutputFolder {
         return folder != null ? folder : target.toAbsolutePath();
     }
 
-    /**
-     * Checks that a target may be written.
-     *
-     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing
-     */
+    /** @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing */
     static void checkTarget(Path target, Overwrite overwrite) {
         if (StandardOutput.isMeant(target)) {
             return;
@@ -185,8 +161,8 @@ public final class OutputFolder {
     }
 
     /**
-     * True if the target is a device, which is written in place. A failure to find out is reported, since a file mistaken for a device
-     * would be overwritten. A link in a folder that all users may write to is replaced, since another user may have made it.
+     * True for a device, which is written in place. A failure to find out is reported, since a file would be overwritten. A link in a
+     * folder that all may write to is replaced: another user may have made it.
      */
     static boolean isDevice(Path target) {
         try {
@@ -206,14 +182,14 @@ public final class OutputFolder {
                 && Files.getPosixFilePermissions(folder).contains(PosixFilePermission.OTHERS_WRITE);
     }
 
-    /** Returns the default name of an output with a number: {@code blaze.png}, {@code blaze-2.png} and so on. */
+    /** Returns {@code blaze.png}, {@code blaze-2.png} and so on. */
     static Path numbered(Path plain, int number) {
         String name = plain.getFileName().toString();
         int dot = name.lastIndexOf('.');
         return numbered(plain, number, dot > 0 ? dot : name.length());
     }
 
-    /** Returns the name of a folder, or of a file without its ending, with a number at its end. */
+    /** Returns the name of a folder or stem with a number. */
     static Path numberedAtEnd(Path plain, int number) {
         return numbered(plain, number, plain.getFileName().toString().length());
     }
@@ -223,11 +199,7 @@ public final class OutputFolder {
         return number == 1 ? plain : plain.resolveSibling(name.substring(0, at) + "-" + number + name.substring(at));
     }
 
-    /**
-     * Checks that the next number may be tried.
-     *
-     * @throws OutputException if it may not
-     */
+    /** @throws OutputException if the next number may not be tried */
     static void requireNext(Overwrite overwrite, Path name, int number, FileAlreadyExistsException taken) {
         if (overwrite != Overwrite.NUMBER) {
             throw OutputException.of(name, taken);
@@ -238,17 +210,14 @@ public final class OutputFolder {
         }
     }
 
-    /**
-     * Creates an empty file, {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner, which is wrong
-     * because the file becomes the output.
-     */
+    /** Creates {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner. */
     static Path createTemporary(Path folder) throws IOException {
         String stem = ".sunbeam-" + ProcessHandle.current().pid() + "-";
         for (int number = 0; ; number++) {
             try {
                 return Files.createFile(folder.resolve(stem + number + ".part"));
             } catch (FileAlreadyExistsException taken) {
-                // Taken by another output of this process, or by another machine's process of the same number.
+                // Another output, or another machine's process of this number, has taken it.
             }
         }
     }
@@ -269,7 +238,7 @@ public final class OutputFolder {
         }
     }
 
-    /** Removes temporary files of killed processes; failures are ignored, since leftovers are harmless. */
+    /** Removes temporary files of killed processes; leftovers are harmless. */
     static void sweep(Path folder) {
         Instant longAgo = Instant.now().minus(LONG_AGO);
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, ".sunbeam-[0-9]*-[0-9]*.part")) {

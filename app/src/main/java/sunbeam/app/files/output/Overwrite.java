@@ -1,11 +1,11 @@
 package sunbeam.app.files.output;
 
-/** Treatment of a file that exists where an output is to be written. */
+/** Treatment of an existing file. */
 public enum Overwrite {
-    /** The existing file stays, and writing fails. */
+    /** Writing fails. */
     REFUSE,
-    /** The existing file is replaced when the new one is complete. */
+    /** The new file replaces it when complete. */
     REPLACE,
-    /** The existing file stays, and the new one gets the first free name of {@code stem-2}, {@code stem-3} and so on. */
+    /** The new one gets the first free name of {@code stem-2}, {@code stem-3} and so on. */
     NUMBER
 }

@@ -18,28 +18,23 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import sunbeam.app.terminal.Environment;
 
-/**
- * Writer of 8-bit PNG files that say how they were made, with an sRGB chunk and text chunks (tEXt, or iTXt for texts beyond Latin-1). The
- * keyword {@code Software} is added if the caller does not give it.
- */
+/** Writer of 8-bit PNG files with an sRGB chunk and text chunks (tEXt, or iTXt beyond Latin-1), by default {@code Software}. */
 public final class PngWriter {
     private static final String NATIVE_FORMAT = "javax_imageio_png_1.0";
 
     private PngWriter() {}
 
     /**
-     * Writes a PNG file, whole or not at all.
+     * Writes an sRGB picture, whole or not at all; returns its path.
      *
-     * @param image picture in sRGB
-     * @param text values by keyword, in the order to be written; a keyword has 1 to 79 printable ASCII characters
-     * @return path of the written file, which has a number if {@code overwrite} is {@link Overwrite#NUMBER} and the name was taken
+     * @param text values by keyword of 1 to 79 printable ASCII characters
      * @throws OutputException if the file cannot be written
      */
     public static Path write(Path target, Overwrite overwrite, BufferedImage image, Map<String, String> text) {
         return AtomicFile.write(target, overwrite, stream -> write(stream, image, text));
     }
 
-    /** Writes a PNG file to a stream, which stays open; otherwise like {@link #write(Path, Overwrite, BufferedImage, Map)}. */
+    /** Writes to a stream, which stays open. */
     public static void write(OutputStream stream, BufferedImage image, Map<String, String> text) throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
         try (MemoryCacheImageOutputStream output = new MemoryCacheImageOutputStream(stream)) {

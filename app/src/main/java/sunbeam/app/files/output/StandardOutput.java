@@ -7,13 +7,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import sunbeam.precompute.text.Quoted;
 
-/** Standard output as the target of a file, which a command line names {@code -}. A file of this name is {@code ./-}. */
+/** Standard output as a target, {@code -}; a file of this name is {@code ./-}. */
 public final class StandardOutput {
     private static final Path NAME = Path.of("-");
 
     private StandardOutput() {}
 
-    /** True if a target that the user named is standard output. */
     public static boolean isMeant(Path target) {
         return NAME.equals(target);
     }
@@ -22,7 +21,6 @@ public final class StandardOutput {
         return isMeant(target) ? "written to standard output" : Quoted.oneLine(target.toString());
     }
 
-    /** Copies a complete file to standard output, which stays open. */
     static void copy(Path file) throws IOException {
         Files.copy(file, new FileOutputStream(FileDescriptor.out));
     }

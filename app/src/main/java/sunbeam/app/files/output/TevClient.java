@@ -16,9 +16,8 @@ import java.util.concurrent.TimeoutException;
 import sunbeam.app.terminal.Messages;
 
 /**
- * Sends pictures to the viewer tev, which listens on this machine. Packets are little endian: length of the whole packet, operation, and
- * the operation's data (tev's README, "Over the Network"). If tev ends, or receives nothing for {@value #PATIENCE_MILLISECONDS} ms, one
- * warning is printed, and drawing goes on.
+ * Sends pictures to the viewer tev on this machine, in little-endian packets of length, operation and data (tev's README, "Over the
+ * Network"). If tev ends or receives nothing for {@value #PATIENCE_MILLISECONDS} ms, one warning is printed, and drawing goes on.
  */
 public final class TevClient implements AutoCloseable {
     public static final int PORT = 14158;
@@ -28,7 +27,7 @@ public final class TevClient implements AutoCloseable {
     private static final String[] CHANNELS = {"R", "G", "B", "A"};
     private static final int LARGEST_OVERHEAD_BYTES = 256;
 
-    /** Longest wait for a connection, and for each packet: a viewer on the same machine receives a picture in less than a second. */
+    /** For a connection and each packet: a viewer on this machine receives a picture in less than a second. */
     static final int PATIENCE_MILLISECONDS = 5000;
 
     private final Socket socket = new Socket();
@@ -39,11 +38,7 @@ public final class TevClient implements AutoCloseable {
         this.err = err;
     }
 
-    /**
-     * Connects to tev on this machine.
-     *
-     * @throws OutputException if no program listens on the port, or does not answer
-     */
+    /** @throws OutputException if no program listens on the port, or does not answer */
     public static TevClient connect(int port, PrintWriter err) {
         TevClient client = new TevClient(err);
         try {
@@ -61,7 +56,7 @@ public final class TevClient implements AutoCloseable {
         }
     }
 
-    /** Creates a black picture, which replaces one of the same name. */
+    /** Creates a black picture, also in place of one. */
     public void create(String name, int width, int height) {
         ByteBuffer packet = packet(CREATE, 1, name, 0);
         packet.putInt(width).putInt(height);
@@ -70,11 +65,9 @@ public final class TevClient implements AutoCloseable {
     }
 
     /**
-     * Fills a rectangle of a picture.
+     * Fills a rectangle, given by its left column and top row.
      *
-     * @param x left column of the rectangle
-     * @param y top row of the rectangle
-     * @param xyz {@code height x width x 3}, CIE XYZ, NaN where there is no surface; tev gets linear Rec. 709 and alpha
+     * @param xyz {@code height x width x 3}, NaN where there is no surface; tev gets linear Rec. 709 and alpha
      */
     public void update(String name, int x, int y, int width, int height, float[] xyz) {
         float[] rgba = LinearFile.rgba(xyz);
@@ -138,7 +131,7 @@ public final class TevClient implements AutoCloseable {
         }
     }
 
-    /** Closes the connection, which ends a write that still waits. */
+    /** Ends also a write that still waits. */
     private void end(String reason) {
         close();
         err.println(Messages.warning("tev takes no more pictures (" + reason + "); drawing goes on"));

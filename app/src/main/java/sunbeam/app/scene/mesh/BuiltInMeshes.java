@@ -10,7 +10,6 @@ import sunbeam.precompute.text.Quoted;
 public final class BuiltInMeshes {
     private BuiltInMeshes() {}
 
-    /** Returns the names, in the order in which help shows them. */
     public static List<String> names() {
         return List.of("snake", "plane", "sphere", "cylinder", "disc");
     }
@@ -41,7 +40,7 @@ public final class BuiltInMeshes {
         };
     }
 
-    /** Generates a square in z = 0 about the origin, facing up; u along x, v along y. */
+    /** Faces up; u along x, v along y. */
     static Mesh plane(double side, int cells) {
         return new Mesh.Builder()
                 .grid(
@@ -55,26 +54,25 @@ public final class BuiltInMeshes {
     }
 
     /**
-     * Generates a sphere about the origin; u to the east, v from the south to the north pole. At the poles each triangle has its own
-     * vertex, because east is ambiguous there.
+     * Generates a sphere; u to the east, v from south to north. At the poles, where east is ambiguous, each triangle has its own vertex.
      */
     static Mesh sphere(double radius, int columns, int rows) {
         return revolution(columns, rows, true, v -> {
-            // Exact at the poles, where the sine of a rounded pi would leave a tiny ring.
+            // The sine of a rounded pi would leave a tiny ring.
             double outward = v == 0 || v == 1 ? 0 : Math.sin(Math.PI * v);
             double upward = -Math.cos(Math.PI * v);
             return new Profile(radius * outward, radius * upward, outward, upward);
         });
     }
 
-    /** Generates an open cylinder about the z axis, from z = 0 upwards; u around, v upwards. */
+    /** From z = 0 upwards about the z axis; u around, v upwards. */
     static Mesh cylinder(double radius, double height, int columns, int rows) {
         return revolution(columns, rows, false, v -> new Profile(radius, v * height, 1, 0));
     }
 
     /**
-     * Generates the coated ring of a compact disc (radii of 20 and 59 mm) that lies on z = 0, with round edges and without bottom; u along
-     * the tracks, v from the outer edge to the inner one.
+     * Generates the coated ring of a compact disc (radii of 20 and 59 mm) on z = 0, with round edges and without bottom; u along the
+     * tracks, v inwards.
      */
     private static Mesh disc(int columns, int rows) {
         double edge = 1.2e-3;
@@ -89,10 +87,10 @@ public final class BuiltInMeshes {
         });
     }
 
-    /** Point of a profile in meters, and its unit normal's components away from the axis and along it. */
+    /** Point in meters, and its unit normal away from the axis and along it. */
     private record Profile(double radius, double height, double outward, double upward) {}
 
-    /** Turns a profile, a function of v, about the z axis; u turns counter-clockwise. */
+    /** Turns a profile over v about the z axis; u turns counter-clockwise. */
     private static Mesh revolution(int columns, int rows, boolean closed, DoubleFunction<Profile> profile) {
         Mesh.Builder builder = new Mesh.Builder().grid(columns, rows, (u, v) -> {
             // Both sides of the seam have bitwise equal points.

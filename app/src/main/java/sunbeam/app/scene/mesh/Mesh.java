@@ -7,7 +7,7 @@ import org.joml.Vector3dc;
 import sunbeam.app.scene.mesh.format.FloatList;
 
 /**
- * Triangle mesh with normals, tangents and texture coordinates. Arrays are shared, not copied; they must not be changed.
+ * Triangle mesh. Arrays are shared; they must not be changed.
  *
  * @param positions 3 per vertex, meters, z up
  * @param normals 3 per vertex, unit length, outwards
@@ -33,20 +33,15 @@ public record Mesh(
         return indices.length / 3;
     }
 
-    /** Returns a vector of an array with three numbers for each. */
     static Vector3d vector(float[] values, int index) {
         return new Vector3d(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
     }
 
-    /**
-     * Returns the engine's vertex data, with the visible share of the sky as the magnitude of the tangents' w.
-     *
-     * @param sky visible share of the sky of each vertex, 0 to 1
-     */
+    /** Returns vertex data with the visible share of the sky (0 to 1 for each vertex) as the magnitude of the tangents' w. */
     public VertexData toVertexData(float[] sky) {
         float[] tangentsWithSky = tangents.clone();
         for (int i = 0; i < sky.length; i++) {
-            // A magnitude above 0 keeps the sign, which is the handedness.
+            // Above 0, since the sign is the handedness.
             tangentsWithSky[4 * i + 3] *= Math.max(sky[i], 1e-3f);
         }
         return new VertexData(positions, normals, tangentsWithSky, textureCoordinates, indices);
@@ -56,7 +51,7 @@ public record Mesh(
         return new VertexData(positions, normals, tangents, textureCoordinates, indices);
     }
 
-    /** Collects vertices and triangles of a generated mesh. All tangent frames are right-handed. */
+    /** Collects a generated mesh, with right-handed tangent frames. */
     static final class Builder {
         private final FloatList positions = new FloatList();
         private final FloatList normals = new FloatList();
@@ -64,10 +59,8 @@ public record Mesh(
         private final FloatList textureCoordinates = new FloatList();
         private final IntStream.Builder indices = IntStream.builder();
 
-        /** Position in meters, outward unit normal, and unit tangent orthogonal to it. */
         record Point(Vector3dc position, Vector3dc normal, Vector3dc tangent) {}
 
-        /** Adds a vertex and returns its index. */
         int vertex(Point point, double u, double v) {
             int number = positions.size() / 3;
             add(positions, point.position);
@@ -91,12 +84,12 @@ public record Mesh(
             indices.add(third);
         }
 
-        /** Parametric surface over (u, v) in [0, 1]; normal = tangent x (direction of growing v), so that the grid is right-handed. */
+        /** Surface over (u, v) in [0, 1]; normal = tangent x (direction of growing v). */
         interface Surface {
             Point at(double u, double v);
         }
 
-        /** Samples a surface with (columns + 1) (rows + 1) vertices. A cell with an edge of length 0 gets one triangle. */
+        /** Samples a surface. A cell with an edge of length 0 gets one triangle. */
         Builder grid(int columns, int rows, Surface surface) {
             int[][] vertices = new int[rows + 1][columns + 1];
             Vector3dc[][] points = new Vector3dc[rows + 1][columns + 1];

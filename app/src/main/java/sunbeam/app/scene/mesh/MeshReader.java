@@ -16,28 +16,20 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * Reads mesh files, OBJ, PLY and glTF: positions with z up (glTF's y up is turned), faces of 3 to 1000 corners. Lines and points are
- * ignored, as are materials, except that a glTF's first texture selects the texture coordinates.
- *
- * <p>The reader repairs and completes a mesh, and warns of what it changed:
+ * Reads mesh files, OBJ, PLY and glTF: positions with z up, faces of 3 to 1000 corners, without lines, points and materials; a glTF's first
+ * texture selects the texture coordinates. It repairs a mesh, and warns of what it changed:
  *
  * <ul>
- * <li>Triangles without area are dropped.
- * <li>A mesh far from the origin, in map coordinates for example, is moved to the origin, because float32 would change its shape.
- * <li>Missing normals are computed as means over the triangles around a position ({@link VertexAssembly}).
- * <li>Missing tangents (only glTF may have some) follow the texture's u, made orthogonal to the normal; a mirrored texture gives
- *       a left-handed frame. Where the texture gives no direction the tangent follows x (y where the surface faces along
- *       x).
- * <li>If any face lacks texture coordinates, all get new ones, projected from above: x to u and y to v, the longer side from 0 to 1.
- * Tangents then follow x, and all frames are right-handed.
+ * <li>Triangles without area are dropped. A mesh far from the origin is moved there, because float32 would change its shape.
+ * <li>Missing normals are means over the triangles around a position ({@link VertexAssembly}).
+ * <li>Missing tangents follow the texture's u, or x (y where the surface faces along x) where it gives no direction; a mirrored texture
+ *       gives a left-handed frame.
+ * <li>If a face lacks texture coordinates, all are projected from above: x to u and y to v, the longer side from 0 to 1, right-handed.
  * </ul>
  */
 public final class MeshReader {
-    // Longest side in meters: a smaller mesh is hardly wider than the coherence area of sunlight (65 um), so that a
-    // pixel
-    // does not average many such areas; a larger one has more than a centimeter per pixel in a picture 1000 pixels
-    // wide,
-    // and its unit is most likely wrong.
+    // Longest side in meters: pixels of a smaller mesh do not average many coherence areas of sunlight (65 um); a larger one has more than
+    // a centimeter per pixel, most likely in a wrong unit.
     private static final double LEAST = 100e-6;
     private static final double MOST = 10;
 

@@ -8,33 +8,24 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Name of a mesh, and its unit. A file with a built-in mesh's name needs its folder: {@code ./snake}.
+ * Mesh by name. A file with a built-in mesh's name needs its folder: {@code ./snake}.
  *
  * @param name a built-in mesh, or a file: OBJ, PLY or glTF
  * @param unit unit of the file's numbers; meters for built-in meshes
  */
 public record MeshSource(String name, MeshUnit unit) {
-    /**
-     * A loaded mesh.
-     *
-     * @param warnings one line for each kind of data that the reader dropped, moved or computed
-     */
+    /** Mesh with a line for each kind of data that the reader dropped, moved or computed. */
     public record Loaded(Mesh mesh, List<String> warnings) {
         public Loaded {
             warnings = List.copyOf(warnings);
         }
     }
 
-    /** Creates the source of a built-in mesh, or of a file in meters. */
     public static MeshSource of(String name) {
         return new MeshSource(name, MeshUnit.M);
     }
 
-    /**
-     * Loads the mesh.
-     *
-     * @throws InputException if there is no such mesh, or the file cannot be used
-     */
+    /** @throws InputException if there is no such mesh, or the file cannot be used */
     public Loaded load() {
         if (BuiltInMeshes.names().contains(name)) {
             if (unit != MeshUnit.M) {

@@ -11,17 +11,16 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
 /**
- * Share of the sky that is visible from a mesh and from the ground below it, weighted by the cosine to the normal (ambient occlusion).
- * Arrays are shared, not copied.
+ * Share of the sky visible from a mesh and the ground below it, weighted by the cosine to the normal (ambient occlusion). Arrays are
+ * shared.
  *
- * @param ofVertices visible share for each vertex, 0 to 1, relative to the sky on its normal's side
- * @param ofGround visible share for squares of the ground, 0 to 1, row by row from the least x and y
+ * @param ofVertices 0 to 1, relative to the sky on the normal's side
+ * @param ofGround 0 to 1 for squares of the ground, from the least x and y
  */
 public record SkyVisibility(float[] ofVertices, float[] ofGround) {
-    /** Half the side of the square of ground with computed visibility, about the mesh's middle, in radii of the mesh. */
+    /** Half the side of the computed ground about the mesh's middle, in radii of the mesh. */
     public static final double GROUND_REACH = 1.6;
 
-    /** Number of ground squares along a side. */
     public static final int GROUND_SIDE = 160;
 
     public static SkyVisibility of(Mesh mesh, BlobCache cache) {
@@ -50,7 +49,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         return bytes.array();
     }
 
-    /** Returns the height of the ground on which a mesh lies: its least z, meters. */
+    /** Returns the least z, meters. */
     public static double ground(Mesh mesh) {
         double lowest = Double.POSITIVE_INFINITY;
         for (int i = 2; i < mesh.positions().length; i += 3) {
@@ -59,17 +58,14 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         return lowest;
     }
 
-    /** Computes the visibility by depth maps of the mesh from many directions. */
     private static final class DepthMaps {
         private static final int DIRECTIONS = 64;
         private static final int FEW_DIRECTIONS = 12;
-        // Number of triangles beyond which fewer directions are used.
         private static final int MANY_TRIANGLES = 200_000;
         private static final int TEXELS = 384;
-        // Least height of an occluder above a point, in radii of the mesh: about two texels of a depth map, so that a
-        // surface does not occlude itself.
+        // Height of an occluder in radii of the mesh: two texels, so that a surface does not occlude itself.
         private static final double MARGIN = 0.012;
-        // Golden angle in radians: successive directions of a spiral turn by it and cover the sky evenly.
+        // Golden angle: a spiral that turns by it covers the sky evenly.
         private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
         private final Mesh mesh;
@@ -79,7 +75,6 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         private final float[] vertexShares;
         private final float[] groundShares = new float[GROUND_SIDE * GROUND_SIDE];
 
-        /** @param radius radius of a sphere about the middle that contains the mesh, meters */
         DepthMaps(Mesh mesh, Vector3dc middle, double radius) {
             this.mesh = mesh;
             this.middle = new Vector3d(middle);
@@ -97,7 +92,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             IntStream.range(0, directions)
                     .parallel()
                     .mapToObj(i -> new DepthMap(direction(i, directions)))
-                    // The order is fixed, because rounded sums of floats depend on it.
+                    // Rounded sums of floats depend on the order.
                     .forEachOrdered(map -> map.addVisibility(cosineSums, zSum));
             for (int i = 0; i < cosineSums.length; i++) {
                 vertexShares[i] = cosineSums[i] > 0 ? vertexShares[i] / cosineSums[i] : 0;
@@ -114,7 +109,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             return new SkyVisibility(vertexShares, groundShares);
         }
 
-        /** Depth map of the mesh; depth grows towards the sky, in meters from the middle. */
+        /** Depth map; depth grows towards the sky, in meters from the middle. */
         private final class DepthMap {
             private final Vector3d direction;
             private final Vector3d right;
@@ -145,7 +140,6 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 return (0.5 + 0.49 * distance / radius) * TEXELS;
             }
 
-            /** Draws a triangle; a texel stores the largest depth. */
             private void rasterize(double[] x, double[] y, double[] z, int a, int b, int c) {
                 double area = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
                 if (area == 0) {

@@ -8,65 +8,59 @@ import sunbeam.app.scene.texture.ScaleRelief;
 import sunbeam.app.scene.texture.SnakeHead;
 
 /**
- * Body of the built-in snake: outline, center line, smooth skin, and positions of its scales. The parameter is the place along the body: 0
- * snout, 1 tip of the tail, proportional to length.
- *
- * <p>The center line winds from the tip of the tail inwards on the ground for more than two turns. In the middle it rises; then it winds
- * back outwards over its own coils, where the head rests.
+ * Body of the built-in snake: outline, center line, skin, and scales' positions. The parameter is the place along the body, 0 snout to 1
+ * tip of the tail, proportional to length. The center line winds inwards from the tail on the ground for more than two turns, rises, and
+ * winds back outwards over its own coils.
  */
 public final class SnakeBody {
-    /** Largest half width of the body, meters. */
+    // Largest half width of the body, meters.
     static final double RADIUS = 0.013;
-
-    /** Place along the body where the head ends and the neck begins. */
+    // Place where the head ends.
     static final double NECK = 0.045;
-
-    // Approximate length, meters.
+    // Approximate, meters.
     private static final double LENGTH = 1.1;
 
-    // Squared half width of the head over the place, in RADIUS^2. It grows linearly from the snout, which makes a
-    // round end. The neck has 80 % of the width of the wedge-shaped head.
+    // Squared half width over the place, in RADIUS^2: linear from the snout, which makes a round end. The neck has 80 % of the head's
+    // width.
     private static final Curve SQUARED_HEAD = new Curve(
             -0.0035, -0.22, 0, 0, 0.0035, 0.22, 0.0105, 0.44, 0.021, 0.64, 0.0275, 0.61, 0.0345, 0.49, NECK, 0.41);
-    // Half width over the place, in RADIUS. The point beyond the tip keeps the tail a cone.
+    // Half width over the place, in RADIUS; beyond the tip, so that the tail is a cone.
     private static final Curve BODY = new Curve(
             NECK, 0.64, 0.11, 0.68, 0.25, 0.88, 0.42, 1, 0.58, 0.98, 0.76, 0.72, 0.9, 0.34, 1, 0.05, 1.1, -0.24);
-    // Ratio of height to width over the place: a flat head, a round neck, a body that sags a little.
+    // Height over width: a flat head, a round neck, a body that sags a little.
     private static final Curve FLATNESS = new Curve(0, 0.72, 0.0225, 0.62, NECK, 0.86, 0.2, 0.9, 0.8, 0.92, 1, 1);
 
-    // Distance from the z axis and lift above the ground, in RADIUS, over the angle in turns from the tip of the tail.
-    // Neighboring coils touch and overlap by a few percent of their width; the tail and the neck lie apart.
+    // Distance from the z axis and lift, in RADIUS, over turns from the tip of the tail. Coils overlap by a few percent of their width;
+    // tail and neck lie apart.
     private static final Curve DISTANCE = new Curve(
             0, 7.26, 0.06, 6.5, 0.15, 6.1, 0.3, 5.97, 0.45, 5.73, 0.6, 5.46, 0.75, 5.35, 0.9, 5.34, 1.05, 5.03, 1.2,
             4.73, 1.35, 4.37, 1.5, 3.94, 1.65, 3.6, 1.8, 3.5, 1.9, 3.47, 2, 3.25, 2.15, 2.99, 2.3, 2.72, 2.6, 2.05,
             2.75, 1.9, 2.9, 2.2, 3.1, 3.3, 3.3, 5);
     private static final Curve LIFT = new Curve(0, 0, 2.12, 0, 2.4, 0.9, 2.65, 1.7, 3.05, 1.95, 3.3, 1.9);
-    // Angle in turns from which on the neck and the head are straight.
+    // Turns from which on neck and head are straight.
     private static final double STRAIGHT = 3.07;
     private static final double HEAD_LENGTH = 5 * RADIUS;
-    // Place along the body in front of which the center line keeps its height, so that the snout points forwards.
+    // Place in front of which the center line keeps its height: the snout points forwards.
     private static final double CHIN = 0.017;
-    // Ratio of the coils' extents along x and y.
     private static final double STRETCH = 1.02;
-    // Steps of the numerical derivatives, in shares of the body's length and in radians; large against rounding
-    // (1e-13) and small against the skin's features.
+    // Steps of numerical derivatives, large against rounding (1e-13) and small against the skin's features.
     private static final double PLACE_STEP = 2e-4;
     private static final double ANGLE_STEP = 1e-3;
 
-    // Center of the eyes: place along the body, and angle from the middle of the back.
+    // Place of the eyes, and angle from the middle of the back.
     private static final double EYE = NECK * SnakeHead.EYE_ALONG;
     private static final double EYE_ANGLE = Math.PI * SnakeHead.EYE_AROUND;
 
     private static final int SAMPLES = 4000;
     private static final int HEAD_SAMPLES = 300;
     private static final Vector3d[] POINTS = new Vector3d[SAMPLES + 1];
-    // Length of the center line from the snout to each point, meters.
+    // Meters from the snout to each point.
     private static final double[] LENGTHS = new double[SAMPLES + 1];
 
-    // Half width of the body, in RADIUS, below which scales stop shrinking; smaller ones would be invisible.
+    // In RADIUS; smaller scales would be invisible.
     private static final double NARROWEST = 0.2;
-    // Numbers of scales from the neck to each sample, up to a common factor: the integral of 1 / (half width in RADIUS)
-    // over the body behind the head, whose length counts as 1. A scale's length is proportional to the body's width.
+    // Numbers of scales from the neck, up to a factor: the integral of RADIUS / half width over the body behind the head, because a scale's
+    // length follows the body's width.
     private static final double[] SCALES = new double[SAMPLES + 1];
 
     static {
@@ -92,12 +86,11 @@ public final class SnakeBody {
         return RADIUS * relative;
     }
 
-    /** Returns the height of the back above the center line, meters. */
     static double halfHeight(double place) {
         return halfWidth(place) * FLATNESS.at(place);
     }
 
-    /** Returns the depth of the belly, which is flatter than the back, below the center line, meters. */
+    /** The belly is flatter than the back. */
     static double bellyDepth(double place) {
         return 0.82 * halfHeight(place);
     }
@@ -112,7 +105,7 @@ public final class SnakeBody {
         return LENGTHS[SAMPLES];
     }
 
-    /** Returns the center of the cross-section at a place along the body, meters; high enough for the belly to lie on the ground. */
+    /** Meters; high enough for the belly to lie on the ground. */
     static Vector3d center(double place) {
         double wanted = place * length();
         int found = Arrays.binarySearch(LENGTHS, wanted);
@@ -121,7 +114,7 @@ public final class SnakeBody {
         return POINTS[low].lerp(POINTS[low + 1], t, new Vector3d()).add(0, 0, bellyDepth(Math.max(place, CHIN)));
     }
 
-    /** @param angle radians from the middle of the belly, growing over the side that is right when looking towards the tail */
+    /** @param angle radians from the middle of the belly, to the right when looking towards the tail */
     static Vector3d point(double place, double angle) {
         Vector3d forward = direction(place);
         Vector3d right = new Vector3d(forward).cross(0, 0, 1).normalize();
@@ -145,7 +138,7 @@ public final class SnakeBody {
         double along = (place - EYE) / 0.0028;
         double across = side / Math.toRadians(17);
         double square = along * along + across * across;
-        // The fourth power of the distance gives a flat dome with a steep rim.
+        // A flat dome with a steep rim.
         return 0.13 * Math.exp(-square * square);
     }
 
@@ -159,7 +152,7 @@ public final class SnakeBody {
         return new Mesh.Builder.Point(point(place, angle), normal, tangent);
     }
 
-    /** Returns the texture coordinate u at a place: it grows by the same amount with each scale. */
+    /** Grows by the same amount with each scale. */
     static double u(double place) {
         if (place <= NECK) {
             return BEGIN * place / NECK;
@@ -170,23 +163,19 @@ public final class SnakeBody {
         return BEGIN + (1 - BEGIN) * length / SCALES[SAMPLES];
     }
 
-    /** Returns the number of scales in a row for u from 0 to 1. */
     public static double scalesPerUnit(int rows) {
-        // Width of a row in half widths of the body. The girth of the elliptic cross-section is about 5.8 half widths.
+        // The girth of the elliptic cross-section is about 5.8 half widths.
         double row = 5.8 * ScaleRelief.DORSAL / rows;
         double body = (1 - NECK) * LENGTH / RADIUS;
         return SCALES[SAMPLES] * body / (row * ScaleRelief.LENGTH) / (1 - BEGIN);
     }
 
-    /**
-     * Smooth function through given points: monotone between them (Fritsch and Butland 1984), with zero slope at both ends and constant beyond.
-     */
+    /** Monotone function through points (Fritsch and Butland 1984), of zero slope at both ends, constant beyond. */
     private static final class Curve {
         private final double[] x;
         private final double[] y;
         private final double[] slope;
 
-        /** @param points x0, y0, x1, y1, ... with ascending x */
         Curve(double... points) {
             int count = points.length / 2;
             x = new double[count];
@@ -199,7 +188,7 @@ public final class SnakeBody {
             for (int i = 1; i < count - 1; i++) {
                 double before = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
                 double after = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-                // The harmonic mean keeps the cubic monotone; the slope is 0 at an extremum.
+                // The harmonic mean keeps the cubic monotone.
                 slope[i] = before * after <= 0 ? 0 : 2 * before * after / (before + after);
             }
         }

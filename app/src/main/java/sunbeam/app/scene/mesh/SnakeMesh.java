@@ -4,11 +4,9 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * The built-in snake, generated deterministically: a coiled body 1.1 m long with head, neck and tapering tail, lying on z = 0. It has about
- * 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the snout (0) to the tip of the tail (1), with equal steps from
- * scale to scale ({@link SnakeBody}); v runs once around the body, from the middle of the belly (0) over the back (0.5) to the belly
- * again (1), proportional to the angle about the center line. Tangents follow the body towards the tail: the direction field of the
- * nanostructure.
+ * The built-in snake: a coiled body 1.1 m long on z = 0, about 14,000 vertices and 27,000 triangles. Texture coordinate u runs from the
+ * snout (0) to the tip of the tail (1), equally from scale to scale ({@link SnakeBody}); v around the body, from the belly (0) over the
+ * back (0.5), proportional to the angle. Tangents, which direct the nanostructure, follow the body towards the tail.
  */
 public final class SnakeMesh {
     private static final int COLUMNS = 40;
@@ -31,10 +29,7 @@ public final class SnakeMesh {
         return snake.builder.build(true);
     }
 
-    /**
-     * Returns the positions of the rings along the body, 0 to 1: closer where the body is thin, so that scales keep their shape; closest on
-     * the head.
-     */
+    /** Returns the rings' places: closer where the body is thin, so that scales keep their shape; closest on the head. */
     private double[] ringPlaces() {
         int samples = 20_000;
         double[] weight = new double[samples + 1];
@@ -56,13 +51,13 @@ public final class SnakeMesh {
         return result;
     }
 
-    /** Returns the angle of a column from the middle of the belly, radians; columns are closer on the visible back. */
+    /** Radians from the belly; columns are closer on the visible back. */
     private static double angle(double column) {
         double turn = 2 * Math.PI * column / COLUMNS;
         return turn + 0.3 * Math.sin(turn);
     }
 
-    /** Adds a ring, with one more vertex than columns: the seam under the belly has both v = 0 and v = 1. */
+    /** Adds a ring with a seam of v = 0 and v = 1 under the belly. */
     private int[] ring(int ring) {
         int[] vertices = new int[COLUMNS + 1];
         double place = places[ring];
@@ -91,10 +86,7 @@ public final class SnakeMesh {
         }
     }
 
-    /**
-     * Closes the round snout, whose tip faces forwards. Each triangle has its own vertex at the tip, whose tangent points towards that
-     * triangle.
-     */
+    /** Each triangle has its own vertex at the tip, whose tangent points towards the triangle. */
     private void closeSnout(int[] ring) {
         Vector3d forwards = SnakeBody.direction(0).negate();
         Vector3d tip = SnakeBody.point(0, 0);
@@ -107,7 +99,7 @@ public final class SnakeMesh {
         }
     }
 
-    /** Closes the conical tail. Each triangle has its own vertex at the tip, whose normal is that of its side of the cone. */
+    /** Each triangle has its own vertex at the tip, with the normal of its side of the cone. */
     private void closeTail(int[] ring) {
         Vector3d tip = SnakeBody.point(1, 0);
         for (int column = 0; column < COLUMNS; column++) {

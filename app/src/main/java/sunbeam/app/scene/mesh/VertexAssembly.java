@@ -10,8 +10,8 @@ import org.joml.Vector3f;
 import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
- * Merges corners into vertices: corners become one vertex if they share position, texture coordinate, normal and handedness. A vertex has
- * the file's tangent, or if there is none the mean of its triangles' tangents, weighted by area; both are made orthogonal to the normal.
+ * Merges corners of equal position, texture coordinate, normal and handedness into vertices. A vertex has the file's tangent, or the mean
+ * of its triangles' tangents, weighted by area; both are made orthogonal to the normal.
  */
 final class VertexAssembly {
     private final RawMesh mesh;
@@ -24,13 +24,7 @@ final class VertexAssembly {
     private long computedNormals;
     private int undirected;
 
-    /**
-     * Orientation of the texture on a triangle.
-     *
-     * @param along direction of the texture's growing u (Lengyel 2001), with twice the triangle's area as its length; zero if the texture
-     *     has no area
-     * @param mirrored whether the texture appears mirrored from outside
-     */
+    /** @param along direction of growing u (Lengyel 2001), twice the triangle's area long; zero if the texture has no area */
     private record TriangleTangent(Vector3d along, boolean mirrored) {
 
         static TriangleTangent of(RawMesh mesh, int first) {
@@ -44,7 +38,7 @@ final class VertexAssembly {
             double v2 = (double) uv[c + 1] - uv[a + 1];
             double area = u1 * v2 - u2 * v1;
             double size = (Math.abs(u1) + Math.abs(u2)) * (Math.abs(v1) + Math.abs(v2));
-            // With float32 texture coordinates a thinner triangle cannot be distinguished from a line.
+            // In float32 a thinner triangle cannot be distinguished from a line.
             if (Math.abs(area) <= 1e-9 * size) {
                 return new TriangleTangent(new Vector3d(), false);
             }
@@ -60,10 +54,8 @@ final class VertexAssembly {
         }
     }
 
-    /** Indices, key of the normal and handedness (1 or -1) that the corners of one vertex share. */
     private record Vertex(int position, int textureCoordinate, int normalKey, int hand) {}
 
-    /** @param alwaysRightHanded whether frames stay right-handed where the texture is mirrored */
     VertexAssembly(RawMesh mesh, boolean alwaysRightHanded) {
         this.mesh = mesh;
         this.alwaysRightHanded = alwaysRightHanded;
@@ -75,7 +67,7 @@ final class VertexAssembly {
         return computedNormals;
     }
 
-    /** Returns the number of vertices for which neither the file's tangent nor the texture gives a direction; their tangent follows x. */
+    /** Returns the number of vertices without direction; their tangent follows x. */
     int undirected() {
         return undirected;
     }
@@ -103,8 +95,7 @@ final class VertexAssembly {
 
     private Mesh toMesh() {
         int count = vertices.size();
-        // The mesh is not known to be closed: a file's triangles may leave holes, cross each other, or be turned
-        // inside out.
+        // Not known to be closed: a file's triangles may leave holes or be turned inside out.
         Mesh result = new Mesh(
                 new float[3 * count], new float[3 * count], new float[4 * count], new float[2 * count], indices, false);
         for (int i = 0; i < count; i++) {
@@ -150,18 +141,15 @@ final class VertexAssembly {
     }
 
     /**
-     * Unit normals of corners. The file's normal is used if it has one of length above 0, else the mean of the normals of the triangles around
-     * the position, weighted by area. A file may repeat a position, at seams of textures and at hard edges. Each copy of the position has its
-     * own mean; the mean over all copies replaces it if the angle between the two is small.
+     * Unit normals of corners: the file's if its length is above 0, else the mean over the triangles around the position, weighted by area.
+     * Each copy of a position, at seams and hard edges, has its own mean; the mean over all copies replaces it if the angle between the two
+     * is small.
      */
     private static final class CornerNormals {
-        // Cosine of the largest angle, 41 degrees, between the mean of one copy of a position and the mean over all
-        // copies
-        // that replaces it. A hard edge of 90 degrees stays hard: the mean over it is 45 degrees from either side.
+        // Cosine of 41 degrees. A hard edge of 90 stays hard: the mean over it is 45 from either side.
         private static final double LEAST_COSINE = 0.75;
 
         private final RawMesh mesh;
-        // Sum of triangle normals for each position, weighted by area.
         private final float[] sums;
 
         CornerNormals(RawMesh mesh) {
@@ -185,7 +173,7 @@ final class VertexAssembly {
             Map<Vector3d, Vector3d> means = new HashMap<>();
             for (int i = 0; i < sums.length / 3; i++) {
                 Vector3d own = Mesh.vector(sums, i);
-                // Unit vectors: the mean must not depend on how faces are divided into triangles.
+                // Unit vectors: the division into triangles must not matter.
                 means.computeIfAbsent(position(i), place -> new Vector3d())
                         .fma(1 / Math.max(1e-300, own.length()), own);
             }
@@ -202,13 +190,13 @@ final class VertexAssembly {
 
         private Vector3d position(int i) {
             double[] all = mesh.positions();
-            // Adding 0.0 turns -0.0 into 0.0: the two are equal but have different hashes.
+            // -0.0 becomes 0.0, which has another hash.
             return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
         }
 
         /**
-         * Returns a key of a corner's normal; corners of one position with the same key have the same normal. The key is the index of the
-         * file's normal, -1 for the mean around the position, or -2 - t for the normal of the corner's own triangle, number t.
+         * Returns a key that corners of one position and normal share: index of the file's normal, -1 for the mean around the position, or
+         * -2 - t for the normal of triangle t.
          */
         int key(int corner) {
             int given = mesh.normal(corner);
@@ -217,7 +205,7 @@ final class VertexAssembly {
             }
             Vector3d mean = Mesh.vector(sums, mesh.position(corner));
             Vector3d own = mesh.areaNormal(corner - corner % 3);
-            // Where triangles lie back to back the mean is zero or faces the back of some; these use their own normal.
+            // Triangles back to back may have a mean of zero or facing the back; they use their own normal.
             return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
         }
 

@@ -9,15 +9,13 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Text;
 
 /**
- * Textures of a mesh: colors, scales, directions and places of its nanostructure. Arrays are shared, not copied.
+ * Textures of a mesh. Arrays are shared.
  *
- * @param relief relief of the scales, encoded by {@link ScaleRelief}
- * @param directions flow map: direction of the nanostructure's x axis at each place. Red is the direction's component along the tangent
- *     (right in the picture), green along the bitangent (up); the bytes 1, 128 and 255 mean -1, 0 and 1. Blue and alpha are ignored.
- *     Shaders interpolate the vectors, not doubled angles as for undirected lines, because a height map turned by 180 degrees is another
- *     surface
- * @param patches map of the patches, with one exact color for each
- * @param patchColor color of this body's patch in that map, 0xRRGGBB
+ * @param directions flow map of the nanostructure's x axis: red along the tangent (right in the picture), green along the bitangent (up);
+ *     the bytes 1, 128 and 255 mean -1, 0 and 1. Vectors are interpolated, not doubled angles, because a height map turned by 180 degrees
+ *     is another surface
+ * @param patches map with one exact color for each patch
+ * @param patchColor this body's color in that map, 0xRRGGBB
  */
 public record Body(
         BodyTexture colors,
@@ -26,19 +24,18 @@ public record Body(
         BodyTexture directions,
         BodyTexture patches,
         int patchColor) {
-    /** Name of plain white instead of a texture, of the mesh's own tangents, or of one patch everywhere, instead of a map. */
+    /** Plain white, the mesh's own tangents, or one patch everywhere. */
     public static final String NONE = "none";
 
-    /** Color of the single patch if there is no map, 0xRRGGBB. */
+    /** Color of the single patch without a map. */
     public static final int WHITE = 0xffffff;
 
     private static final int ZERO = 128;
-    // Least length of a vector, a sixteenth of the longest, in steps of a byte; eight bits resolve the direction of a
-    // shorter one too coarsely.
+    // Sixteenth of the longest vector, in steps of a byte, which resolve the direction of a shorter one too coarsely.
     private static final int SHORTEST = 8;
 
     /**
-     * Loads or generates the textures, with one patch everywhere.
+     * Loads the textures, with one patch everywhere.
      *
      * @throws InputException if texture or orientation map cannot be used
      */
@@ -82,11 +79,9 @@ public record Body(
     }
 
     /**
-     * Loads a map of patches, and checks its colors.
+     * Loads a map of exactly these colors, 0xRRGGBB.
      *
-     * @param nameOrFile {@link #NONE} or an image file
-     * @param colors colors that the map must have, and no others, 0xRRGGBB
-     * @throws InputException if the file cannot be used, or its colors are not exactly these
+     * @throws InputException if the file or its colors cannot be used
      */
     public static BodyTexture patches(String nameOrFile, Set<Integer> colors) {
         if (nameOrFile.equals(NONE)) {

@@ -4,18 +4,18 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import sunbeam.precompute.color.Srgb;
 
-/** Color of a snake's body as a function of the place. */
+/** Color of a snake's body. */
 interface BodyColors {
 
     /**
-     * Returns the color at a place of the body: linear sRGB, each channel 0 to 1.
+     * Returns linear sRGB, 0 to 1, at a place.
      *
-     * @param along texture coordinate u, 0 at the snout, 1 at the tip of the tail
+     * @param along texture coordinate u, from the snout
      * @param around angle from the middle of the back over pi: 0 on the back, -1 and 1 in the middle of the belly
      */
     Vector3dc at(double along, double around);
 
-    /** Converts 0xRRGGBB to linear light, in which colors mix. */
+    /** In linear light colors mix. */
     static Vector3dc ofSrgb(int rgb) {
         return new Vector3d(Srgb.linear(rgb >> 16 & 0xff), Srgb.linear(rgb >> 8 & 0xff), Srgb.linear(rgb & 0xff));
     }
@@ -25,10 +25,7 @@ interface BodyColors {
         return t * t * (3 - 2 * t);
     }
 
-    /**
-     * A sunbeam snake (Xenopeltis unicolor): nearly black brown without markings, so that only diffraction colors it; paler flanks, a pale
-     * belly and pale lips. {@link ScaleRelief} has the pale scales above the belly.
-     */
+    /** Sunbeam snake (Xenopeltis unicolor): nearly black brown, so that only diffraction colors it, with a pale belly and lips. */
     final class Xenopeltis implements BodyColors {
         private static final Vector3dc BACK = ofSrgb(0x33231b);
         private static final Vector3dc FLANK = ofSrgb(0x4a3429);
@@ -44,7 +41,7 @@ interface BodyColors {
             Vector3dc skin = BACK.lerp(FLANK, step(0.3, 0.7, side), new Vector3d());
             double mottled = mottle.at(along, around);
             Vector3dc uneven = skin.mul(1 + 0.12 * grain.at(along, around) + 0.12 * mottled, new Vector3d());
-            // The upper lip is pale; behind the head the edge sinks to that of the belly's shields.
+            // The upper lip is pale; behind the head the edge sinks to the belly's shields.
             double edge = 0.52 + 0.2 * step(0.6, 1, along / ScaleRelief.BEGIN);
             Vector3dc pale = uneven.lerp(BELLY, step(edge, edge + 0.04, side), new Vector3d());
             return along < ScaleRelief.BEGIN ? head.at(along / ScaleRelief.BEGIN, side, pale) : pale;
@@ -52,8 +49,8 @@ interface BodyColors {
     }
 
     /**
-     * A corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, with red saddles on the back that are edged in black,
-     * smaller blotches on the flanks between them, and a belly checkered in black and cream.
+     * Corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, black-edged red saddles on the back, smaller blotches
+     * on the flanks between them, a checkered belly.
      */
     final class Elaphe implements BodyColors {
         private static final Vector3dc GROUND = ofSrgb(0xc98243);
@@ -62,15 +59,13 @@ interface BodyColors {
         private static final Vector3dc EDGE = ofSrgb(0x1d1210);
         private static final Vector3dc CREAM = ofSrgb(0xe6d8bd);
 
-        // Corn snakes have 27 to 40 saddles on the body and a dozen smaller ones on the tail.
+        // On the body 27 to 40, smaller ones on the tail.
         private static final double SADDLES = 38;
-        // Where the belly begins on either side: back 0, middle of the belly 1.
+        // On either side: back 0, middle of the belly 1.
         private static final double BELLY_BEGIN = 0.76;
-        // Shields along the belly; each check is two shields long.
+        // Each check is two shields long.
         private static final int BELLY_SHIELDS = 150;
-        // Superellipse distance beyond which no marking has color: its outline at 1 wobbles by 0.11, and its edge
-        // reaches
-        // 0.04 farther.
+        // Superellipse distance without color: the outline at 1 wobbles by 0.11, its edge reaches 0.04 farther.
         private static final double FARTHEST = 1.16;
         private static final double OUTER_EDGE = -0.04;
 
@@ -89,7 +84,6 @@ interface BodyColors {
             return body((along - ScaleRelief.BEGIN) / (1 - ScaleRelief.BEGIN), around);
         }
 
-        /** A spear from the neck, and a band from each eye to the corner of the mouth. */
         private Vector3dc head(double along, double around) {
             double side = Math.abs(around);
             Vector3dc ground = GROUND.lerp(FLANK, step(0.3, 0.6, side), new Vector3d());
@@ -113,7 +107,7 @@ interface BodyColors {
             return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
         }
 
-        /** Returns a marking's color: red inside, black along its outline, the ground's outside. */
+        /** Red inside, black along the outline. */
         private static Vector3dc mark(Vector3dc ground, double depth) {
             if (depth <= OUTER_EDGE) {
                 return ground;
@@ -122,7 +116,7 @@ interface BodyColors {
             return edged.lerp(SADDLE, step(0.24, 0.36, depth), new Vector3d());
         }
 
-        /** Returns relative sizes of successive markings along the body, 1 in the mean; they vary by at most the spread. */
+        /** Relative sizes along the body; they vary by at most the spread. */
         private static double[] sizes(double spread, double around) {
             SkinNoise sizes = new SkinNoise(2, 60, 2);
             double[] all = new double[(int) SADDLES + 2];
@@ -132,7 +126,7 @@ interface BodyColors {
             return all;
         }
 
-        /** Returns the depth inside the nearest saddle: 1 in its middle, 0 on its outline, negative outside. */
+        /** Depth inside the nearest saddle: 1 in its middle, 0 on its outline. */
         private double saddle(double along, double side) {
             return depth(along * SADDLES, 0.36, side, 0.42, saddleSizes);
         }
@@ -147,9 +141,7 @@ interface BodyColors {
             return 1 - superellipse((place - (number + 0.5)) / (halfLength * size), beside / (halfWidth * size));
         }
 
-        /**
-         * Returns the distance from the middle, relative to a rounded rectangle (x and y from -1 to 1); approximate beyond {@link #FARTHEST}.
-         */
+        /** Distance from the middle of a rounded rectangle (x and y from -1 to 1); approximate beyond {@link #FARTHEST}. */
         private static double superellipse(double x, double y) {
             double least = Math.max(Math.abs(x), Math.abs(y));
             if (least > FARTHEST) {

@@ -17,37 +17,29 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 
 /**
- * A picture for a mesh, sRGB. Its left edge is texture coordinate u = 0, its bottom v = 0; it repeats beyond its edges.
+ * Picture for a mesh, sRGB, which repeats. Its left edge is u = 0, its bottom v = 0.
  *
- * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top. Shared, not copied
+ * @param rgba row 0 on top; shared
  */
 public record BodyTexture(int width, int height, byte[] rgba) {
-    /** Name of a neutral dark body, on which a nanostructure's colors show. */
+    /** Neutral dark body, on which diffraction shows. */
     public static final String DARK = "dark";
 
     private static final int COLUMNS = 4096;
     private static final int ROWS = 512;
-    // The largest side that common OpenGL 3.3 drivers support.
+    // Limit of common OpenGL 3.3 drivers.
     private static final int LARGEST_SIDE = 8192;
-    // 4 bytes each for decoded rows, RGBA and the upload.
+    // Decoded rows, RGBA and the upload.
     private static final int BYTES_PER_PIXEL = 12;
 
-    /** Returns the names of the built-in textures, in the order in which help shows them. */
     public static List<String> names() {
         return List.of("elaphe", "xenopeltis", DARK, Body.NONE);
     }
 
     /**
-     * Loads a built-in texture by its name, or a picture from a file.
+     * Loads a built-in texture or a picture.
      *
-     * <ul>
-     * <li>{@code elaphe}: a corn snake, red saddles with dark edges on orange-brown, a checkered belly
-     * <li>{@code xenopeltis}: a sunbeam snake, dark brown with a pale belly
-     * <li>{@code dark}: dark gray
-     * <li>{@code none}: plain white
-     * </ul>
-     *
-     * @param nameOrFile a name, or an image file in sRGB ({@link sunbeam.app.files.input.ImageFile})
+     * @param nameOrFile a name, or an image file ({@link sunbeam.app.files.input.ImageFile})
      * @throws sunbeam.precompute.files.InputException if there is no such texture, or the file cannot be used
      */
     public static BodyTexture load(String nameOrFile, BlobCache cache) {
@@ -76,12 +68,11 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         });
     }
 
-    /** Returns a texture of a single texel. */
     static BodyTexture ofTexel(int red, int green, int blue, int alpha) {
         return new BodyTexture(1, 1, new byte[] {(byte) red, (byte) green, (byte) blue, (byte) alpha});
     }
 
-    /** Returns the texels of opaque pictures: the colors are 0xRRGGBB by column and row. */
+    /** Colors are 0xRRGGBB by column and row. */
     static byte[] opaque(int width, IntStream rows, int height, IntBinaryOperator rgb) {
         byte[] rgba = new byte[4 * width * height];
         rows.forEach(row -> {
@@ -97,7 +88,6 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return rgba;
     }
 
-    /** Returns the color of a texel, 0xRRGGBB. */
     int color(int texel) {
         return (rgba[4 * texel] & 0xff) << 16 | (rgba[4 * texel + 1] & 0xff) << 8 | (rgba[4 * texel + 2] & 0xff);
     }
@@ -105,8 +95,8 @@ public record BodyTexture(int width, int height, byte[] rgba) {
     /**
      * Reads an image file. Transparent texels keep their color and become opaque.
      *
-     * @param what role of the image in messages, such as "texture"
-     * @param alternative end of the message if there is no such file
+     * @param what role in messages, such as "texture"
+     * @param alternative end of the message about a missing file
      * @throws InputException if the file is missing or cannot be used
      */
     static BodyTexture read(String what, Path file, String alternative) {
@@ -124,10 +114,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return new BodyTexture(width, height, opaque(width, IntStream.range(0, height), height, colors(image)));
     }
 
-    /**
-     * Returns an image's colors by column and row. Java takes gray samples for linear light, but in files they follow the sRGB curve; only
-     * samples of more than 16 bits, such as floats, are linear.
-     */
+    /** Java takes gray samples for linear light, but in files they follow the sRGB curve; only those of more than 16 bits are linear. */
     private static IntBinaryOperator colors(BufferedImage image) {
         Raster samples = image.getRaster();
         boolean gray = image.getColorModel().getColorSpace().getType() == ColorSpace.TYPE_GRAY;

@@ -6,64 +6,61 @@ import java.util.stream.IntStream;
 import sunbeam.app.files.cache.BlobCache;
 
 /**
- * Relief of a snake's scales: convex plates in rows along the body, neighboring rows offset by half a scale. Each scale covers the front of
- * the next; the belly has shields across its whole width, one per length of a scale. The relief is a texture that repeats along the body
- * and goes once around it, v from belly to belly; below it lies the relief of the head, {@link #HEAD_SHARE} of the texture's height. Red and
- * green encode slopes along u and v, {@link #STEEPEST} times -1 to 1; blue the share of pale pigment; alpha a factor of the skin's
- * lightness, 0 to {@link #LIGHTEST}.
+ * Relief of a snake's scales: convex plates in rows, neighbors offset by half a scale, each over the front of the next; on the belly a
+ * shield per length of a scale. The texture repeats along the body and goes once around, v from belly to belly; below it lies the head's
+ * relief. Red and green encode slopes along u and v, {@link #STEEPEST} times -1 to 1; blue pale pigment; alpha a factor of lightness, 0 to
+ * {@link #LIGHTEST}.
  */
 public final class ScaleRelief {
-    /** Texture coordinate u where the head ends and scales begin; on the head it is proportional to length. */
+    /** End of the head in u; on it u is proportional to length. */
     public static final double BEGIN = 0.08;
 
-    /** Scales along the repeating texture, each slightly different. */
+    /** Along the repeating texture, each slightly different. */
     public static final int SCALES_ALONG = 8;
 
-    /** Length of a scale in widths of a row: scales are two rows wide. */
+    /** In widths of a row; scales are two rows wide. */
     public static final double LENGTH = 2.1;
 
-    /** Share of the girth covered by rows of scales; the belly takes the rest. */
+    /** Share of the girth; the belly takes the rest. */
     public static final double DORSAL = 0.76;
 
-    /** Largest slope that red and green encode. */
+    /** Slope that red or green 1 encodes. */
     public static final double STEEPEST = 0.4;
 
     /** Lightness that alpha 1 encodes. */
     public static final double LIGHTEST = 1.25;
 
-    /** Share of the texture's height that the head's relief takes, from v = 0 on. */
+    /** Head's share of the texture's height, from v = 0 on. */
     public static final double HEAD_SHARE = 0.2;
 
     private static final int TEXELS = 1024;
     private static final int HEAD_ROWS = 256;
-    // Heights in widths of a row: of a scale's dome, of its rise over its own length towards the rear, of the drop at
-    // its rim.
+    // In widths of a row: dome, rise over a scale's length towards the rear, drop at its rim.
     private static final double DOME = 0.085;
     private static final double TILT = 0.22;
     private static final double RIM = 0.0175;
-    // Half width of the keel, as a share of half a scale's width.
+    // Half width, of half a scale's width.
     private static final double KEEL = 0.5;
-    // Rows of a smooth snake's scales with pale rims, above the lowest row, which is pale.
+    // Rows with pale rims above the lowest row, which is pale.
     private static final int PALE_RIMS = 2;
-    // Half the girth of the head in its lengths.
+    // In lengths of the head.
     private static final double HALF_GIRTH = 0.5;
-    // Largest random variation of the scales' slopes, and of their lightness relative to 1.
+    // Random variation of slopes, and of lightness relative to 1.
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
-    // Distances from a scale's middle to its rear end and its covered front end in lengths of a scale, and to its sides
-    // in widths of a row.
+    // From a scale's middle to its rear and covered front end in lengths of a scale, and to its sides in widths of a row.
     private static final double REAR_LENGTH = 0.6;
     private static final double FRONT_LENGTH = 0.9;
     private static final double HALF_WIDTH = 1.04;
-    // Edge, as in {@link Plate}, up to which a plate darkens the plate below it.
+    // {@link Plate} edge up to which a plate darkens the one below.
     private static final double SHADED_EDGE = 1.6;
-    // Step of numerical derivatives, in lengths of a scale and widths of a row.
+    // Step of derivatives, in lengths of a scale and widths of a row.
     private static final double STEP = 1e-3;
     private static final int FIRST_ROW = 64;
     private static final int POINTS_PER_AXIS = 2;
 
     private final Scales scales;
-    // Largest magnitude of a row's number; row 0 is the middle of the back.
+    // Row 0 is the middle of the back.
     private final int outermostRow;
 
     private ScaleRelief(Scales scales) {
@@ -111,13 +108,12 @@ public final class ScaleRelief {
     }
 
     /**
-     * A plate and a point's position on it.
+     * Point on a plate.
      *
-     * @param number index that seeds the plate's random variation
-     * @param along distance from its middle towards the tail, in lengths of a scale
-     * @param beside distance from its middle to the side, 1 at its edge
+     * @param number seed of the plate's random variation
+     * @param along from its middle towards the tail, in lengths of a scale
+     * @param beside from its middle to the side, 1 at its edge
      * @param edge 0 in its middle, 1 on its outline, larger outside
-     * @param isShield whether it is a shield of the belly, not a scale
      */
     private record Plate(int number, double along, double beside, double edge, boolean isShield) {}
 
@@ -138,7 +134,7 @@ public final class ScaleRelief {
     }
 
     /**
-     * Adds slopes along u and v, lightness and share of pale pigment at a point.
+     * Adds slopes along u and v, lightness and pale pigment.
      *
      * @param x along the body, in lengths of a scale
      * @param y around the body from the middle of the back, in widths of a row
@@ -208,7 +204,6 @@ public final class ScaleRelief {
                 Math.floorMod(scale, SCALES_ALONG) + SCALES_ALONG * (row + FIRST_ROW), along, beside, edge, false);
     }
 
-    /** Returns the belly's shield at a point; its rear edge bends towards the tail in the middle. */
     private Plate shield(double x, double y) {
         double halfGirth = scales.rows() / (2 * DORSAL);
         double beside = (halfGirth - Math.abs(y)) / (halfGirth - outermostRow);
@@ -219,8 +214,8 @@ public final class ScaleRelief {
     }
 
     /**
-     * Returns the height of a plate's surface, continued beyond its outline, in widths of a row. The place is (x, y), which lies (dx, dy)
-     * from the point at which the plate was found.
+     * Returns the height of a plate, continued beyond its outline, in widths of a row at (x, y), which lies (dx, dy) from the plate's
+     * point.
      */
     private double height(double x, double y, Plate plate, double dx, double dy) {
         Plate there = plate.isShield
@@ -235,7 +230,7 @@ public final class ScaleRelief {
 
     private Plate shieldBeside(double x, double y, Plate plate) {
         Plate there = shield(x, y);
-        // The place may lie beyond the shield's end, on the next one; this continues the plate's own shield.
+        // Beyond its end lies the next shield; this continues the plate's own.
         double along = there.along + Math.rint(plate.along - there.along);
         return new Plate(plate.number, along, there.beside, shieldEdge(along), true);
     }
@@ -249,7 +244,7 @@ public final class ScaleRelief {
         return SkinNoise.hash((number + 1) * 0x9e3779b9);
     }
 
-    /** Encodes a slope with random dither, which hides the steps of bytes. */
+    /** Random dither hides the steps of bytes. */
     private static byte slope(double slope, double noise) {
         double steps = 127 * Math.max(-0.99, Math.min(0.99, slope / STEEPEST));
         return (byte) (128 + Math.round(steps + 0.5 * noise));

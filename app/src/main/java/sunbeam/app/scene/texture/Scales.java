@@ -1,12 +1,11 @@
 package sunbeam.app.scene.texture;
 
-/** The scales of the built-in snake. */
+/** Scales of the built-in snake. */
 public enum Scales {
-    /** Smooth skin. */
     NONE(0, 0),
-    /** A sunbeam snake's scales: broad and smooth, in 15 rows. */
+    /** A sunbeam snake's: broad and smooth. */
     SMOOTH(15, 0),
-    /** A rat snake's scales: narrower, in 21 rows, keeled on the back. */
+    /** A rat snake's: narrower, keeled on the back. */
     KEELED(21, 0.03);
 
     private final int rows;
@@ -17,12 +16,12 @@ public enum Scales {
         this.keel = keel;
     }
 
-    /** Returns the number of rows around the body, without the belly's shields; 0 for no scales. */
+    /** Around the body, without the belly's shields. */
     public int rows() {
         return rows;
     }
 
-    /** Returns the height of the keels in widths of a row. */
+    /** In widths of a row. */
     double keel() {
         return keel;
     }

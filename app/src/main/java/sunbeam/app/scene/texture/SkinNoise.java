@@ -1,17 +1,12 @@
 package sunbeam.app.scene.texture;
 
-/**
- * Smooth deterministic noise between -1 and 1 over the body, seamless at the belly.
- *
- * @param cellsAlong number of independent values along the body
- * @param cellsAround number of independent values around it
- */
+/** Smooth noise between -1 and 1 over the body, seamless at the belly, of independent values along and around it. */
 record SkinNoise(int seed, int cellsAlong, int cellsAround) {
-    /** Returns the value at a place: along the body from 0 to 1, around it from -1 to 1. */
+    /** Along the body from 0 to 1, around it from -1 to 1. */
     double at(double along, double around) {
         double x = along * cellsAlong;
         double y = 0.5 * (around + 1) * cellsAround;
-        // x and y are not negative, so a cast equals the floor; it is faster.
+        // A cast equals the floor of numbers from 0 on, and is faster.
         int left = (int) x;
         int below = (int) y;
         double fx = smooth(x - left);
@@ -29,9 +24,7 @@ record SkinNoise(int seed, int cellsAlong, int cellsAround) {
         return hash(seed + 0x9e3779b9 * column + 0x85ebca6b * Math.floorMod(row, cellsAround));
     }
 
-    /**
-     * Returns a pseudorandom value from -1 to 1: the finalizer of MurmurHash3 (A. Appleby) spreads neighboring numbers over all 32 bits.
-     */
+    /** Pseudorandom from -1 to 1: the finalizer of MurmurHash3 (A. Appleby) spreads neighbors over all 32 bits. */
     static double hash(int number) {
         int h = (number ^ number >>> 16) * 0x85ebca6b;
         h = (h ^ h >>> 13) * 0xc2b2ae35;

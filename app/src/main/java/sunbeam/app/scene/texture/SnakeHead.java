@@ -3,30 +3,30 @@ package sunbeam.app.scene.texture;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Eyes, line of the mouth and shields of a snake's head: their colors over the skin's, and their relief. */
+/** Eyes, mouth and shields of a snake's head: their colors over the skin's, and relief. */
 public final class SnakeHead {
-    /** Center of the eyes along the head: snout 0, neck 1. */
+    /** Along the head: snout 0, neck 1. */
     public static final double EYE_ALONG = 0.27;
 
-    /** Center of the eyes around the head: top 0, bottom 1. */
+    /** Around the head: top 0, bottom 1. */
     public static final double EYE_AROUND = 0.32;
 
-    // Half the size of an eye, as shares of the head's length and of its half girth.
+    // Half sizes, as shares of the head's length and half girth.
     private static final double EYE_LENGTH = 0.058;
     private static final double EYE_HEIGHT = 0.086;
     private static final Vector3dc PUPIL = BodyColors.ofSrgb(0x060505);
-    // Positions of the shields' seams across the top of the head, snout 0 to neck 1. The frontal shield lies between
-    // the third and the fourth; the seam along the middle of the head goes around it on both sides.
+    // Across the top of the head, snout 0 to neck 1. The frontal shield lies between the third and the fourth; the seam along the middle
+    // goes around it.
     private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
     private static final double SEAM_WIDTH = 0.009;
     private static final double DARKEST_SEAM = 0.72;
-    // Depths of a seam and of the shields' round edges, in lengths of the head: a tenth of a millimeter each.
+    // In lengths of the head: a tenth of a millimeter each.
     private static final double GROOVE_DEPTH = 0.0022;
     private static final double ROUNDING = 0.002;
-    // Lower edge of the top's shields, and half width of the frontal shield; top 0, bottom 1.
+    // Edge of the top's shields and half width of the frontal one; top 0, bottom 1.
     private static final double TOP_EDGE = 0.27;
     private static final double FRONTAL_HALF_WIDTH = 0.1;
-    // Line of the mouth, and width of the lips above and below it; top 0, bottom 1.
+    // Line of the mouth and width of each lip; top 0, bottom 1.
     private static final double MOUTH = 0.62;
     private static final double LIP_WIDTH = 0.1;
 
@@ -36,7 +36,7 @@ public final class SnakeHead {
         this.iris = iris;
     }
 
-    /** Returns the color of a place: {@code along} from snout 0 to neck 1, {@code side} from top 0 to bottom 1. */
+    /** Returns the color: {@code along} from snout 0 to neck 1, {@code side} from top 0 to bottom 1. */
     Vector3dc at(double along, double side, Vector3dc skin) {
         Vector3d color = skin.mul(1 - (1 - DARKEST_SEAM) * seam(along, side, 1), new Vector3d());
         double mouth = line(side - MOUTH + 0.07 * (along - 0.4) * (along - 0.4), 0.013)
@@ -51,10 +51,10 @@ public final class SnakeHead {
     }
 
     /**
-     * Returns the height of the shields, whose edges sink to the seams, in lengths of the head.
+     * Returns the height in lengths of the head; the shields' edges sink to the seams.
      *
      * @param along from snout 0 to neck 1
-     * @param around from the top to either side: top 0, bottom 1 and -1
+     * @param around top 0, bottom 1 and -1
      */
     static double height(double along, double around) {
         double side = Math.abs(around);

@@ -72,12 +72,14 @@ public final class BuiltInPatches {
         /** 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
         private static final int CHANNEL_BITS = 184;
 
+        /** At half depth, meters. */
         private static final double PIT_WIDTH = 500e-9;
 
         private static final double PIT_DEPTH = 110e-9;
         /** Walls with a cosine profile, meters. */
         private static final double WALL_WIDTH = 150e-9;
 
+        // Channel bits.
         private static final int SHORTEST_RUN = 3;
         private static final int LONGEST_RUN = 11;
         private static final double RUN_RATIO = 0.7;

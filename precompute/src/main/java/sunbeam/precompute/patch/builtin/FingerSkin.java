@@ -84,6 +84,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     /** Waviness of the ground, root mean square in meters. */
     private static final double WAVINESS = 34e-9;
 
+    /** Periods along the side. */
     private static final int WAVINESS_MODES = 24;
     /** Standard deviation of the grain's smoothing, meters. */
     private static final double GRAIN_LENGTH = 60e-9;
@@ -91,8 +92,10 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     /** Table entries per sample, 16 nm apart. */
     private static final int OVERSAMPLING = 4;
 
+    /** Half width of an edge's transition, in its standard deviations. */
     private static final double EDGE_MARGIN = 2.5;
 
+    /** Distance between rows, relative to its mean. */
     private static final double CLOSEST = 0.35;
 
     public HeightMap generate() {
@@ -208,6 +211,9 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
     /**
      * Shape of the plate of a row of fingers, which lies on the plate above and dives under the one below. Heights are in meters above the
      * mean surface.
+     *
+     * <p>Let t be 0 at the tips and 1 where the next row begins, phi 0 on a finger's ridge and 1 midway to its neighbor. The edge is at t =
+     * length (1 - (1 - phi^tipExponent)^baseExponent).
      *
      * @param length from the tips to the notches' bottom, as a fraction of the rows' distance
      * @param tipExponent exponent; small: pointed tips; large: blunt ones

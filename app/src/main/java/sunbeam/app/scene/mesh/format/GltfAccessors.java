@@ -32,8 +32,8 @@ import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads accessors of glTF 2.0 (its section 3.6.2): dense and sparse ones, of all types of numbers. Their buffers are the file's binary
- * chunk, base64 data in its text, or files in its folder or below; other addresses are refused.
+ * Reads accessors of glTF 2.0 (its section 3.6.2), dense and sparse. Buffers are the file's binary chunk, base64 data in its text, or files
+ * in its folder or below; other addresses are refused.
  */
 final class GltfAccessors {
     private static final int MOST_ELEMENTS = 3 * RawMesh.Builder.MOST_ELEMENTS;
@@ -60,14 +60,14 @@ final class GltfAccessors {
         this.binary = binary;
     }
 
-    /** Type of numbers, and their place in a buffer view. */
+    /** Numbers of a type in a buffer view. */
     private record Place(Integer componentType, Integer view, Integer offset) {
         static Place of(Accessor accessor) {
             return new Place(accessor.getComponentType(), accessor.getBufferView(), accessor.getByteOffset());
         }
     }
 
-    /** Returns the number of elements, at most three times {@link RawMesh.Builder#MOST_ELEMENTS}: the corners of that many triangles. */
+    /** Returns at most three times {@link RawMesh.Builder#MOST_ELEMENTS}, the corners of as many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
         if (count == null || count > MOST_ELEMENTS) {
@@ -114,7 +114,7 @@ final class GltfAccessors {
         }
     }
 
-    /** Divides normalized integers by their type's largest value (glTF 2.0, 3.6.2.2). */
+    /** Divides normalized integers by their largest value (glTF 2.0, 3.6.2.2). */
     private static void normalize(Accessor accessor, double[] values) {
         if (!Boolean.TRUE.equals(accessor.isNormalized()) || accessor.getComponentType() == null) {
             return;
@@ -134,7 +134,7 @@ final class GltfAccessors {
         }
     }
 
-    /** Returns the numbers of a buffer view, element by element. The index is that of the accessor, for messages. */
+    /** Returns the numbers of a buffer view; the accessor's index is for messages. */
     private double[] numbers(Integer index, Place place, int components, int count) throws IOException {
         BufferView view = entry(gltf.getBufferViews(), place.view, "buffer view");
         ByteBuffer all = view(view);
@@ -164,7 +164,7 @@ final class GltfAccessors {
         return new InputException("accessor " + index + " " + what);
     }
 
-    /** Returns an entry of one of the document's lists; "what" names its kind in messages. */
+    /** Returns an entry of a list of the document; "what" names its kind in messages. */
     <T> T entry(List<T> list, Integer index, String what) {
         int count = list == null ? 0 : list.size();
         if (index == null || index < 0 || index >= count) {
@@ -174,7 +174,7 @@ final class GltfAccessors {
         return list.get(index);
     }
 
-    /** Returns the bytes of a buffer view, little-endian, after a check that they lie in its buffer. */
+    /** Returns a buffer view's bytes, little-endian, after a check that they lie in its buffer. */
     private ByteBuffer view(BufferView view) throws IOException {
         ByteBuffer buffer = buffer(view.getBuffer());
         long offset = view.getByteOffset() == null ? 0 : view.getByteOffset();
@@ -241,7 +241,7 @@ final class GltfAccessors {
 
     private static String decoded(String uri) {
         try {
-            // In a path, unlike in a form's data, a plus sign does not stand for a blank.
+            // In a path, unlike a form's data, a plus sign is no blank.
             return URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException broken) {
             throw new IllegalArgumentException(

@@ -27,8 +27,8 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads the JSON of glTF 2.0 into jgltf's classes. Its own reader would open any URI and allocate any stated size; here size, depth and
- * number of values are limited, and no URI is opened. The message about a value of a wrong type or out of range names its path.
+ * Reads the JSON of glTF 2.0 into jgltf's classes, whose own reader would open any URI and allocate any stated size. Size, depth and number
+ * of values are limited; messages about a value name its path.
  */
 final class GltfDocument {
     private static final int MOST_VALUES = 1_000_000;
@@ -49,11 +49,11 @@ final class GltfDocument {
             "bufferViews",
             "buffers");
 
-    /** Transforms of nodes; an empty list is an error there, not an omission. */
+    /** An empty list is an error there, not an omission. */
     private static final Set<String> TRANSFORMS = Set.of("matrix", "translation", "rotation", "scale");
 
     private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
-    /** Required extensions that are read, or do not affect positions, directions and faces. */
+    /** Required extensions that are read or do not affect geometry. */
     private static final Pattern HARMLESS =
             Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
 
@@ -118,8 +118,8 @@ final class GltfDocument {
     }
 
     /**
-     * Refuses null and numbers beyond the range of float32, except in extensions and extras. Removes empty lists, which some programs write
-     * though glTF forbids them; converts numbers such as 2.0 to integers.
+     * Refuses null and numbers beyond float32, except in extensions and extras. Removes empty lists, which some programs write against the
+     * rules; converts 2.0 to an integer.
      */
     private static JsonNode checkAndNormalize(JsonPointer path, JsonNode value) {
         if (value.isNull() || (value.isNumber() && !Float.isFinite(value.floatValue()))) {
@@ -151,7 +151,7 @@ final class GltfDocument {
                         + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
     }
 
-    /** Returns the place where the parser stopped, if known; the parser's own message is for programmers. */
+    /** The parser's own message is for programmers. */
     private static String place(JsonProcessingException wrong) {
         return wrong.getLocation() == null
                 ? ""

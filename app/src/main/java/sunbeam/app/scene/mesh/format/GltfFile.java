@@ -19,20 +19,18 @@ import org.joml.Quaterniond;
 import sunbeam.precompute.files.InputException;
 
 /**
- * Reader of a glTF 2.0 file's geometry, a text or binary chunks: all meshes of its scene where the scene's nodes place them, with normals, tangents and the texture
- * coordinates of each material's first texture. glTF's y is up, so (x, y, z) becomes (x, -z, y). Points and lines are ignored; skinned and
- * morphed meshes are refused.
+ * Reader of a glTF 2.0 file's geometry: the meshes that its scene's nodes place, with y up, so that (x, y, z) becomes (x, -z, y). Points
+ * and lines are ignored; skinned and morphed meshes are refused.
  */
 final class GltfFile {
     static final String MAGIC = "glTF";
-    // The same four characters, little-endian.
     private static final int MAGIC_NUMBER = 0x46546C67;
 
-    // A longer text contains its buffers as base64, and its parsed tree would fill the heap.
+    // The parsed tree of a longer text, with buffers as base64, would fill the heap.
     private static final int MOST_JSON_BYTES = 24 << 20;
     private static final int HEADER_BYTES = 12;
     private static final int CHUNK_HEADER_BYTES = 8;
-    // Chunk types: "JSON" and "BIN\0" in little-endian ASCII.
+    // "JSON" and "BIN\0" in little-endian ASCII.
     private static final int JSON = 0x4E4F534A;
     private static final int BINARY = 0x004E4942;
 
@@ -49,7 +47,6 @@ final class GltfFile {
         this.primitives = new GltfPrimitives(gltf, accessors);
     }
 
-    /** Reads a file; its binary part is memory-mapped. */
     static RawMesh read(Path file) throws IOException {
         ByteBuffer all = map(file);
         if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {

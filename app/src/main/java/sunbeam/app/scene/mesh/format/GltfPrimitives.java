@@ -21,12 +21,9 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 
-/**
- * Collects primitives of glTF: triangles, strips and fans, with or without indices. Texture coordinates are those of the
- * material's first texture.
- */
+/** Collects primitives of glTF: triangles, strips and fans. */
 final class GltfPrimitives {
-    // Limit for primitives times placements: a small file can place many primitives many times.
+    // Primitives times placements, of which a small file can have many.
     private static final int MOST_PRIMITIVES = 1_000_000;
 
     private final GlTF gltf;
@@ -43,7 +40,7 @@ final class GltfPrimitives {
         return mesh.build();
     }
 
-    /** Adds a primitive; points, lines and primitives scaled to nothing are ignored. */
+    /** Ignores points, lines and primitives scaled to nothing. */
     void add(MeshPrimitive primitive, Matrix4d place) throws IOException {
         if (++primitives > MOST_PRIMITIVES) {
             throw new InputException("its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
@@ -72,7 +69,7 @@ final class GltfPrimitives {
         }
     }
 
-    /** Returns a triangle's corners; in a strip, every second triangle has two corners exchanged (glTF 2.0, 3.7.2.1). */
+    /** In a strip, every second triangle has two corners exchanged (glTF 2.0, 3.7.2.1). */
     private static int[] corners(int mode, int triangle) {
         return switch (mode) {
             case GL_TRIANGLE_STRIP -> new int[] {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
@@ -95,7 +92,7 @@ final class GltfPrimitives {
         return indices;
     }
 
-    /** Indices of a primitive's first position, texture coordinate and normal in the whole mesh; -1 if it has none. */
+    /** Indices of a primitive's first position, texture coordinate and normal in the mesh, or -1. */
     private record Offsets(int position, int textureCoordinate, int normal) {
         int[] polygon(int... vertices) {
             int[] polygon = new int[9];
@@ -124,7 +121,6 @@ final class GltfPrimitives {
             for (int i = 0; i < vertices; i++) {
                 Vector2d uv =
                         texture.transform.transformPosition(new Vector2d(coordinates[2 * i], coordinates[2 * i + 1]));
-                // glTF's v grows downwards.
                 mesh.addTextureCoordinate(uv.x, 1 - uv.y);
             }
         }
@@ -161,11 +157,8 @@ final class GltfPrimitives {
     }
 
     /**
-     * The texture coordinates of a primitive: the set that its material's first texture uses, transformed by its extension
-     * KHR_texture_transform. Without a texture they are the first set, not transformed.
-     *
-     * @param set number n of the attribute TEXCOORD_n
-     * @param transform transform of coordinates whose v grows downwards
+     * Texture coordinates TEXCOORD_n of the material's first texture with its KHR_texture_transform, whose v grows downwards; without a
+     * texture the first set.
      */
     private record TextureCoordinates(int set, Matrix3x2d transform) {
         private static final String TRANSFORM = "KHR_texture_transform";
@@ -188,8 +181,7 @@ final class GltfPrimitives {
             if (!(ownSet instanceof Integer number) || !(rotation instanceof Number radians)) {
                 throw damaged();
             }
-            // The rotation is counter-clockwise in the picture, as in the extension's first example; the extension's
-            // formula has the other sign.
+            // Counter-clockwise in the picture, as in the extension's first example; its formula has the other sign.
             return new TextureCoordinates(
                     number,
                     new Matrix3x2d()

@@ -10,18 +10,12 @@ import java.util.Locale;
 import java.util.function.Predicate;
 import sunbeam.precompute.files.InputException;
 
-/**
- * A format of mesh files, recognized by a file's first bytes.
- *
- * @param endings file name endings, without the dot
- * @param start test of a file's first {@link #HEAD_BYTES} bytes, as Latin-1 characters
- */
+/** Format of mesh files, recognized by the first {@link #HEAD_BYTES} bytes as Latin-1. */
 public record MeshFormat(List<String> endings, Predicate<String> start, Reader reader) {
     private static final int HEAD_BYTES = 64;
-    // 512 MiB.
     private static final long MOST_BYTES = 1L << 29;
 
-    /** All formats; a file that matches no other is OBJ, which has no signature. */
+    /** A file that matches no other is OBJ, which has no signature. */
     private static final List<MeshFormat> ALL = List.of(
             new MeshFormat(List.of("ply"), head -> head.startsWith("ply\n") || head.startsWith("ply\r"), PlyFile::read),
             new MeshFormat(
@@ -30,17 +24,13 @@ public record MeshFormat(List<String> endings, Predicate<String> start, Reader r
                     GltfFile::read),
             new MeshFormat(List.of("obj"), head -> true, ObjFile::read));
 
-    /** Reader of a file's geometry; throws an {@link InputException}, whose message does not name the file, if it is damaged. */
+    /** Throws an {@link InputException} for damaged files; the message does not name the file. */
     @FunctionalInterface
     public interface Reader {
         RawMesh read(Path file) throws IOException;
     }
 
-    /**
-     * Reads a file's geometry.
-     *
-     * @throws InputException if the file is missing, too large or damaged
-     */
+    /** @throws InputException if the file is missing, too large or damaged */
     public static RawMesh read(Path file) {
         InputException.requireRegular(file);
         return InputException.naming(file, () -> {

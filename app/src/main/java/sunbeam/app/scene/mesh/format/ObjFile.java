@@ -10,10 +10,7 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Reader of an OBJ file's geometry, line by line: positions, normals, texture coordinates, and faces, which are divided into triangles. All
- * else (groups, materials, lines, curves) is ignored.
- */
+/** Reader of an OBJ file's positions, normals, texture coordinates and faces; all else is ignored. */
 final class ObjFile {
     private static final int LONGEST_LINE = 1 << 16;
     private static final String UTF8_MARK = "\u00EF\u00BB\u00BF";
@@ -31,7 +28,7 @@ final class ObjFile {
     }
 
     static RawMesh read(Path file) throws IOException {
-        // In Latin 1 no byte is invalid, so that names in any encoding can be skipped; geometry is ASCII.
+        // No byte is invalid Latin-1, so that names in any encoding can be skipped.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
             return new ObjFile(reader).mesh();
         }
@@ -58,7 +55,7 @@ final class ObjFile {
         return mesh.build();
     }
 
-    /** Reads a line with its continuations; null at the end. */
+    /** Reads a line with continuations; null at the end. */
     private String readLine() throws IOException {
         line = nextLine;
         StringBuilder text = new StringBuilder();
@@ -83,9 +80,9 @@ final class ObjFile {
         return any ? text.substring(marked ? UTF8_MARK.length() : 0) : null;
     }
 
-    /** Reads the first numbers of the line; further ones (weights, colors, a third texture coordinate) are ignored. */
+    /** Further numbers (weights, colors, a third texture coordinate) are ignored. */
     private static double[] numbers(StringTokenizer words, String what, int count) {
-        // A one-dimensional texture has only u; v is 0.
+        // A one-dimensional texture has only u.
         int least = count == 2 ? 1 : count;
         if (words.countTokens() < least) {
             throw new InputException("a " + what + " needs " + least + " numbers, not " + words.countTokens());
@@ -118,7 +115,7 @@ final class ObjFile {
         mesh.addFace(polygon);
     }
 
-    /** Reads v, v/vt, v//vn or v/vt/vn into three indices of the polygon: position, texture coordinate, normal; -1 for a missing one. */
+    /** Reads v, v/vt, v//vn or v/vt/vn into three indices; -1 for a missing one. */
     private void corner(String word, int[] polygon, int at) {
         String[] parts = word.split("/", -1);
         boolean isWellFormed = parts.length <= 3 && (parts.length < 2 || !parts[parts.length - 1].isEmpty());
@@ -137,7 +134,7 @@ final class ObjFile {
                 Quoted.of(word) + " is no corner of a face; write v, v/vt, v//vn or v/vt/vn with whole numbers");
     }
 
-    /** Converts an index of the file, 1 for the first element or -1 for the last so far, to an index from 0. */
+    /** Converts an index, 1 for the first element or -1 for the last so far. */
     private int index(String word, String written, int count, String what) {
         if (!INDEX.matcher(written).matches()) {
             throw noCorner(word);

@@ -124,7 +124,7 @@ final class PlyFile {
         return IntStream.of(columns).allMatch(column -> column >= 0);
     }
 
-    /** Reads a property's numbers in the current row, into the previous row's array if that has the right length. */
+    /** The previous row's array is reused if it has the right length. */
     private double[] next(PlyHeader.Property property, double[] reusable) throws IOException {
         double length = property.length().isPresent() ? number(property.length().get()) : 1;
         int most = isStrips() ? 3 * RawMesh.Builder.MOST_ELEMENTS : 2 * RawMesh.Builder.MOST_POLYGON_CORNERS;
@@ -149,7 +149,7 @@ final class PlyFile {
                 .toArray();
     }
 
-    /** @param corners vertex indices of strips; -1 or the list's end ends a strip. Every second triangle has two corners exchanged */
+    /** @param corners -1 or the list's end ends a strip. Every second triangle has two corners exchanged */
     private void strips(double[] corners) {
         int start = 0;
         for (int i = 0; i < corners.length; i++) {

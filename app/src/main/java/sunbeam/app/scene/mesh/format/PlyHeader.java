@@ -11,11 +11,6 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Header of a PLY file.
- *
- * @param elements elements in the order of the file
- */
 record PlyHeader(Encoding encoding, List<Element> elements) {
     private static final int MOST_LINES = 1000;
     private static final int LONGEST_LINE = 1000;
@@ -26,16 +21,12 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         BINARY_BIG_ENDIAN
     }
 
-    /**
-     * Column of an element: in each row a number, or a list of numbers.
-     *
-     * @param length type of the number that gives a list's length; empty if the column has single numbers
-     */
+    /** Column of numbers, or of lists whose length has a type. */
     record Property(String name, Optional<SampleType> length, SampleType type) {}
 
     record Element(String name, int count, List<Property> properties) {
 
-        /** Returns the index of the property with the first of these names that occurs, or -1. */
+        /** Returns the first of these names that occurs, or -1. */
         int column(String... names) {
             List<String> all = properties.stream().map(Property::name).toList();
             return Stream.of(names)
@@ -79,7 +70,7 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         throw new InputException("the header has more than " + MOST_LINES + " lines; export the mesh again");
     }
 
-    /** Reads up to the next \n; returns an empty line at the end of the file. */
+    /** Empty at the end of the file. */
     private static String line(InputStream stream) throws IOException {
         StringBuilder line = new StringBuilder();
         for (int next = stream.read(); next != '\n' && next >= 0; next = stream.read()) {

@@ -5,11 +5,10 @@ import java.util.function.IntFunction;
 import org.joml.Vector3d;
 
 /**
- * Divides polygons, also concave ones, into triangles by cutting off ears (Meisters 1975), in the polygon's mean plane (Newell's normal). A
- * polygon of n corners takes O(n^2) steps at worst.
+ * Divides polygons, also concave ones, into triangles by cutting off ears (Meisters 1975) in the mean plane (Newell's normal); O(n^2) steps
+ * at worst.
  */
 final class PolygonTriangulation {
-    // Ring of the remaining corners.
     private final int[] previous;
     private final int[] next;
     private final boolean[] isReflex;
@@ -42,7 +41,7 @@ final class PolygonTriangulation {
         }
     }
 
-    /** Returns corner numbers, three per triangle, of a polygon with three indices per corner, position first. */
+    /** Returns corner numbers, three per triangle; the polygon has three indices per corner, position first. */
     static int[] of(IntFunction<Vector3d> positions, int[] polygon) {
         return polygon.length == 9 ? new int[] {0, 1, 2} : new PolygonTriangulation(positions, polygon).cut();
     }
@@ -54,7 +53,7 @@ final class PolygonTriangulation {
             Vector3d next = points[(i + 1) % points.length].sub(points[0], new Vector3d());
             normal.add(one.cross(next));
         }
-        // A polygon without area has no plane; any serves, because its triangles are dropped as degenerate.
+        // Without area any plane serves: the triangles are dropped as degenerate.
         return normal.length() > 0 ? normal.normalize() : new Vector3d(0, 0, 1);
     }
 
@@ -77,8 +76,8 @@ final class PolygonTriangulation {
     }
 
     /**
-     * Returns the first ear from the second corner on, so that a convex polygon becomes a fan about its first corner. A self-crossing
-     * polygon may have no ear; then its second corner is cut off.
+     * Returns the first ear from the second corner on, so that a convex polygon becomes a fan; the second corner if a self-crossing polygon
+     * has none.
      */
     private int ear(int second, int remaining) {
         int corner = second;
@@ -91,7 +90,7 @@ final class PolygonTriangulation {
         return second;
     }
 
-    /** Removes a corner; only its neighbors can become ears, or cease to be. */
+    /** Only the neighbors can become ears, or cease to be. */
     private void remove(int corner) {
         int one = previous[corner];
         int other = next[corner];
@@ -112,9 +111,7 @@ final class PolygonTriangulation {
         isEar[corner] = !isReflex[corner] && isEmpty(previous[corner], corner, next[corner]);
     }
 
-    /**
-     * True if no corner lies in the triangle. It is enough to test reflex corners: if any corner lies in the triangle, a reflex one does.
-     */
+    /** If any corner lies in the triangle, a reflex one does. */
     private boolean isEmpty(int one, int tip, int other) {
         for (int corner = next[other]; corner != one; corner = next[corner]) {
             if (isReflex[corner]

@@ -10,8 +10,6 @@ import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 
 /**
- * Triangles of a file: each corner has its own three indices.
- *
  * @param positions 3 per position, in double precision
  * @param textureCoordinates 2 per texture coordinate
  * @param normals 3 per normal, of any length
@@ -21,10 +19,9 @@ import sunbeam.precompute.files.InputException;
  */
 public record RawMesh(
         double[] positions, float[] textureCoordinates, float[] normals, float[] tangents, int[] corners) {
-    // Ratio of a triangle's height to its longest side below which the height is due to rounding.
+    // Height over longest side of a triangle, below which it is due to rounding.
     private static final double THINNEST = 1e-9;
-    // Ratio of the distance from the origin to the mesh's longest side above which the mesh is far; a float32 has
-    // steps of 6e-8 of the distance.
+    // Distance from the origin over longest side; a float32 has steps of 6e-8 of the distance.
     private static final double FAR = 500;
 
     public int cornerCount() {
@@ -43,7 +40,7 @@ public record RawMesh(
         return corners[3 * corner + 2];
     }
 
-    /** True if a normal has a tangent; a negative index is no normal. */
+    /** A negative index is no normal. */
     public boolean hasTangent(int normal) {
         return normal >= 0 && tangents.length > 0 && tangentOf(normal).length() > 0;
     }
@@ -52,7 +49,6 @@ public record RawMesh(
         return new Vector3d(tangents[4 * normal], tangents[4 * normal + 1], tangents[4 * normal + 2]);
     }
 
-    /** Returns the handedness of a normal's tangent, 1 or -1. */
     public int hand(int normal) {
         return tangents[4 * normal + 3] < 0 ? -1 : 1;
     }
@@ -62,7 +58,7 @@ public record RawMesh(
         return new Vector3d(positions[at], positions[at + 1], positions[at + 2]);
     }
 
-    /** Returns the normal of the triangle whose first corner is given, with twice the triangle's area as its length. */
+    /** Returns the normal, with twice the triangle's area as its length. */
     public Vector3d areaNormal(int first) {
         Vector3d origin = positionOf(first);
         Vector3d one = positionOf(first + 1).sub(origin);
@@ -84,7 +80,6 @@ public record RawMesh(
         return new RawMesh(moved, textureCoordinates, normals, tangents, corners);
     }
 
-    /** Returns the least and the largest coordinates of the triangles' corners. */
     private Vector3d[] bounds() {
         Vector3d least = new Vector3d(Double.POSITIVE_INFINITY);
         Vector3d most = new Vector3d(Double.NEGATIVE_INFINITY);
@@ -96,10 +91,7 @@ public record RawMesh(
         return new Vector3d[] {least, most};
     }
 
-    /**
-     * Returns the center of the bounding box of a mesh so far from the origin that float32 coordinates would change its shape by 3e-5 of
-     * its longest side or more; else empty.
-     */
+    /** Returns the center of a mesh so far away that float32 would change its shape by 3e-5 of its longest side. */
     public Optional<Vector3d> farCenter() {
         Vector3d[] ends = bounds();
         Vector3d size = ends[1].sub(ends[0], new Vector3d());
@@ -108,7 +100,7 @@ public record RawMesh(
         return isFar ? Optional.of(center) : Optional.empty();
     }
 
-    /** Returns the mesh without triangles of no area, which have no normal and are invisible. */
+    /** Drops triangles of no area, which have no normal. */
     public RawMesh withoutDegenerate() {
         int[] remaining = IntStream.range(0, cornerCount() / 3)
                 .filter(triangle -> !isDegenerate(3 * triangle))
@@ -125,10 +117,7 @@ public record RawMesh(
         return areaNormal(first).length() <= THINNEST * longest;
     }
 
-    /**
-     * Returns the mesh with texture coordinates projected from above, x to u and y to v, scaled so that the longer side spans 0 to 1.
-     * Tangents then follow x.
-     */
+    /** Projects texture coordinates from above, x to u and y to v; the longer side spans 0 to 1. */
     public RawMesh withPlanarCoordinates() {
         Vector3d[] ends = bounds();
         Vector3d size = ends[1].sub(ends[0]);
@@ -145,21 +134,16 @@ public record RawMesh(
         return new RawMesh(positions, coordinates, normals, tangents, planar);
     }
 
-    /** Collects a file's geometry; refuses numbers and amounts beyond the limits of meshes. */
+    /** Collects a file's geometry within the limits of meshes. */
     static final class Builder {
-        /**
-         * Largest number of positions, normals, texture coordinates or triangles. It fits into a heap of 1 GiB and is a hundred times the
-         * thesis's snake.
-         */
+        /** Positions, normals, texture coordinates or triangles: fits into a heap of 1 GiB. */
         static final int MOST_ELEMENTS = 2_000_000;
 
-        /** Corners of one face; the time of its triangulation grows with their square. */
+        /** The time of a face's triangulation grows with the square. */
         static final int MOST_POLYGON_CORNERS = 1000;
 
-        // Largest magnitude of a coordinate; beyond it squared areas leave float32's range.
+        // Beyond this coordinate squared areas leave float32's range.
         private static final double FARTHEST = 1e9;
-
-        // In double precision, because meshes may lie far from the origin.
         private final ResizableDoubleArray positions = new ResizableDoubleArray(64);
         private final FloatList textureCoordinates = new FloatList();
         private final FloatList normals = new FloatList();
@@ -191,7 +175,7 @@ public record RawMesh(
             add("normal", normals(), normals::add, xyz);
         }
 
-        /** Adds the tangent of a normal, with its handedness. Either all normals have one or none. */
+        /** Adds the tangent of a normal; all normals have one or none. */
         void addTangent(double... xyzHand) {
             add("tangent", tangents.size() / 4, tangents::add, xyzHand);
         }
@@ -207,7 +191,6 @@ public record RawMesh(
             }
         }
 
-        /** Checks that the mesh may get more positions and triangles. */
         void requireRoom(int morePositions, int moreTriangles) {
             requireRoom(positions() + (long) morePositions, "position");
             requireRoom(triangles + (long) moreTriangles, "triangle");
@@ -233,7 +216,7 @@ public record RawMesh(
             }
         }
 
-        /** Adds a face as triangles; a corner has three indices: position, texture coordinate or -1, normal or -1. */
+        /** A corner has three indices: position, texture coordinate or -1, normal or -1. */
         void addFace(int[] polygon) {
             requireRoom(0, polygon.length / 3 - 2);
             for (int corner : PolygonTriangulation.of(this::position, polygon)) {

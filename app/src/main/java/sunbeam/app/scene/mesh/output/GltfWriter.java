@@ -25,12 +25,9 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.terminal.Environment;
 
-/**
- * Writes a mesh as binary glTF 2.0: positions in meters, y up ((x, y, z) as (x, z, -y)), texture coordinates with v downwards, normals,
- * tangents, and the skin as its material.
- */
+/** Writes a mesh as binary glTF 2.0: y up ((x, y, z) as (x, z, -y)), v downwards, with tangents and the skin as its material. */
 public final class GltfWriter {
-    // Roughness of skin below its nanostructure: neither a mirror nor chalk.
+    // Skin below its nanostructure: neither mirror nor chalk.
     private static final double ROUGHNESS = 0.5;
 
     private final List<Map<String, ?>> accessors = new ArrayList<>();
@@ -40,7 +37,6 @@ public final class GltfWriter {
 
     private GltfWriter() {}
 
-    /** Writes the file; the stream stays open. */
     public static void write(OutputStream stream, Mesh mesh, Optional<SkinMaps> maps) throws IOException {
         GltfWriter writer = new GltfWriter();
         GlTF gltf = new ObjectMapper().convertValue(writer.document(mesh, maps), GlTF.class);
@@ -94,7 +90,6 @@ public final class GltfWriter {
         return turned;
     }
 
-    /** Adds positions with their bounds, which glTF requires. */
     private int positions(float[] positions) {
         float[] least = {positions[0], positions[1], positions[2]};
         float[] most = least.clone();
@@ -131,7 +126,7 @@ public final class GltfWriter {
         view.putAll(Map.of("buffer", 0, "byteOffset", binary.size(), "byteLength", content.length));
         views.add(view);
         binary.writeBytes(content);
-        // The next view begins at a multiple of four bytes, as glTF requires.
+        // glTF requires multiples of four bytes.
         binary.writeBytes(new byte[(4 - content.length % 4) % 4]);
         return views.size() - 1;
     }

@@ -9,16 +9,14 @@ import java.nio.charset.StandardCharsets;
 import sunbeam.app.scene.mesh.Mesh;
 
 /**
- * Writes meshes as Wavefront OBJ: a position, a texture coordinate and a normal for each vertex. Each number is the shortest decimal that
- * reads back as the same float. The format has no tangents; {@link sunbeam.app.scene.mesh.MeshReader} computes them from the texture
- * coordinates.
+ * Writes meshes as Wavefront OBJ; each number is the shortest decimal that reads back as the same float. The format has no tangents; {@link
+ * sunbeam.app.scene.mesh.MeshReader} computes them.
  */
 public final class ObjWriter {
     private ObjWriter() {}
 
-    /** Writes the text; the stream stays open. */
     public static void write(OutputStream stream, Mesh mesh) throws IOException {
-        // The buffer lets the encoder work on blocks; word by word, writing takes twice as long.
+        // Unbuffered, writing takes twice as long.
         Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
         writer.write(
                 "# Sunbeam mesh: meters, z up; " + mesh.vertices() + " vertices, " + mesh.triangles() + " triangles\n");

@@ -15,7 +15,6 @@ public final class PlyWriter {
 
     private PlyWriter() {}
 
-    /** Writes the file; the stream stays open. */
     public static void write(OutputStream stream, Mesh mesh) throws IOException {
         stream.write(header(mesh).getBytes(StandardCharsets.US_ASCII));
         stream.write(content(mesh));

@@ -13,19 +13,18 @@ import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Srgb;
 
 /**
- * Skin of a mesh as two pictures over its texture coordinates, for other programs; computed as in shaders/include/relief.glsl.
+ * Skin of a mesh as two pictures for other programs (shaders/include/relief.glsl).
  *
  * @param albedo sRGB: the body's texture times the scales' lightness
- * @param normals the scales' normals in the tangent frame, components from -1 to 1 encoded as 0 to 255; empty for smooth skin
+ * @param normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin
  */
 public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // A scale of the snake is about 27 texels long and 36 wide.
     private static final int WIDTH = 8192;
     private static final int HEIGHT = 512;
-    // Numbers of points averaged in a texel, along the body and across: as dense as the texels of the relief texture.
+    // Points in a texel, as dense as the texels of the relief texture.
     private static final int POINTS_ALONG = 5;
     private static final int POINTS_ACROSS = 2;
-    // Slopes along u and v, lightness, share of pale pigment.
     private static final double[] SMOOTH = {0, 0, 1, 0};
     // PALE of shaders/include/relief.glsl, linear.
     private static final double[] PALE = {0.61, 0.52, 0.39};
@@ -56,14 +55,14 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 albedo[column] = rgb(color(body.colors(), u, v), relief[2], relief[3]);
                 normals[column] = normal(relief);
             }
-            // Rows do not overlap in the image's array, so threads may write them in parallel.
+            // Rows do not overlap, so threads may write in parallel.
             maps.albedo.setRGB(0, row, width, 1, albedo, 0, width);
             maps.normals.ifPresent(image -> image.setRGB(0, row, width, 1, normals, 0, width));
         });
         return maps;
     }
 
-    /** Returns the index of a texel's first byte; u repeats, v is clamped to 0 to 1. */
+    /** Returns the first byte's index; u repeats, v is clamped. */
     private static int byteIndex(BodyTexture texture, double u, double v) {
         int column = (int) Math.floor((u - Math.floor(u)) * texture.width());
         int row = (int) Math.floor((1 - v) * texture.height());
@@ -80,7 +79,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         };
     }
 
-    /** Returns means over a texel of size (du, dv): slopes along u and v, lightness of the skin and share of pale pigment. */
+    /** Returns means over a texel of size (du, dv): slopes along u and v, lightness, share of pale pigment. */
     private static double[] relief(BodyTexture relief, double reliefsPerU, double u, double v, double du, double dv) {
         // Both reliefs fade out over 1/120 of u where the head ends.
         double share = Math.min(1, 120 * Math.abs(u - ScaleRelief.BEGIN));
