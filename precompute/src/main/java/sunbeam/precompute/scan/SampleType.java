@@ -6,6 +6,8 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Binary format of one sample. */
 @SuppressWarnings("ImmutableEnumChecker") // the decoders have no state
@@ -47,15 +49,18 @@ public enum SampleType {
 
     /** @throws ScanException unless the width is 8, 16, 32 or 64 bits */
     public static SampleType signed(int bits) {
-        return switch (bits) {
-            case 8 -> SIGNED_8;
-            case 16 -> SIGNED_16;
-            case 32 -> SIGNED_32;
-            case 64 -> SIGNED_64;
-            default ->
-                throw new ScanException(
-                        "stores samples of " + bits + " bits, which no reader knows; export it in another format");
-        };
+        return Stream.of(SIGNED_8, SIGNED_16, SIGNED_32, SIGNED_64)
+                .filter(type -> Byte.SIZE * type.size == bits)
+                .findFirst()
+                .orElseThrow(() -> new ScanException(
+                        "stores samples of " + bits + " bits, which no reader knows; export it in another format"));
+    }
+
+    /** Finds a type by its kind, such as SIGNED, and the decimal number of its bytes. */
+    public static Optional<SampleType> find(String kind, String bytes) {
+        return Stream.of(values())
+                .filter(type -> type.name().startsWith(kind + "_") && bytes.equals(String.valueOf(type.size)))
+                .findFirst();
     }
 
     /** @throws ScanException for an unknown code */

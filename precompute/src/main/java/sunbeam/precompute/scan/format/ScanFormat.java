@@ -28,16 +28,16 @@ public record ScanFormat(String name, Check check, Opener opener) {
                     "\\*File list",
                     "\\*EC File list",
                     "\\*Force file list"),
-            ScanFormat.of("Nanosurf (.nid)", NanosurfReader::channels, "[DataSet]"),
-            new ScanFormat("WSxM", WsxmReader::recognizes, WsxmReader::channels),
-            ScanFormat.of("Molecular Imaging (.mi)", AgilentReader::channels, "fileType      Image"),
-            ScanFormat.of("Digital Surf (.sur)", DigitalSurfReader::channels, "DIGITAL SURF", "DSCOMPRESSED"),
-            new ScanFormat("ISO 25178-71 (.sdf)", SurfaceDataReader::recognizes, SurfaceDataReader::channels),
-            ScanFormat.of("NumPy (.npy)", NumpyReader::channels, "\u0093NUMPY"),
-            new ScanFormat("ISO 25178-72 (.x3p)", X3pReader::recognizes, X3pReader::channels),
-            new ScanFormat("JPK", JpkReader::recognizes, JpkReader::channels),
-            new ScanFormat("Park Systems TIFF", ParkReader::recognizes, ParkReader::channels),
-            new ScanFormat("Igor binary wave (.ibw)", IgorWaveReader::recognizes, IgorWaveReader::channels));
+            ScanFormat.of("Nanosurf (.nid)", TextHeaderReaders::nanosurf, "[DataSet]"),
+            new ScanFormat("WSxM", TextHeaderReaders::isWsxm, TextHeaderReaders::wsxm),
+            ScanFormat.of("Molecular Imaging (.mi)", TextHeaderReaders::agilent, "fileType      Image"),
+            ScanFormat.of("Digital Surf (.sur)", BinaryHeaderReaders::digitalSurf, "DIGITAL SURF", "DSCOMPRESSED"),
+            new ScanFormat("ISO 25178-71 (.sdf)", SurfaceDataReaders::isSdf, SurfaceDataReaders::sdf),
+            ScanFormat.of("NumPy (.npy)", BinaryHeaderReaders::numpy, "\u0093NUMPY"),
+            new ScanFormat("ISO 25178-72 (.x3p)", SurfaceDataReaders::isX3p, SurfaceDataReaders::x3p),
+            new ScanFormat("JPK", TiffTagReaders::isJpk, TiffTagReaders::jpk),
+            new ScanFormat("Park Systems TIFF", TiffTagReaders::isPark, TiffTagReaders::park),
+            new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave));
 
     /** Fast test; throws no exception for any content. */
     @FunctionalInterface
