@@ -30,7 +30,6 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
-import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
@@ -61,21 +60,22 @@ public final class SceneReader {
      * @throws sunbeam.precompute.setting.SettingException when a value cannot be used
      */
     public static Scene read(Path file) {
-        return new SceneReader(JsonFile.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene"))).scene();
+        return new SceneReader(JsonObject.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene")))
+                .scene();
     }
 
     /** True for a scene, which may be invalid. */
     public static boolean isScene(Path file) {
         try {
             return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
-                    && JsonFile.read(file).has("camera");
+                    && JsonObject.read(file).has("camera");
         } catch (InputException notJson) {
             return false;
         }
     }
 
     static Scene readBuiltIn(String name, InputStream stream) throws IOException {
-        return new SceneReader(JsonFile.read(name, stream), Optional.empty()).scene();
+        return new SceneReader(JsonObject.read(name, stream), Optional.empty()).scene();
     }
 
     private Scene scene() {

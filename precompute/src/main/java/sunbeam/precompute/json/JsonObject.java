@@ -1,12 +1,21 @@
 package sunbeam.precompute.json;
 
+import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonPointer;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.util.JsonParserDelegate;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import java.io.IOException;
-import java.util.ArrayList;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -25,28 +34,99 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Object of a JSON file: callers read it key by key, then {@link #requireNoOthers} refuses other keys. Messages name file, line, key, value
- * and remedy, in an {@link InputException}, or for settings in a {@link sunbeam.precompute.setting.SettingException}.
+ * Object of a JSON file of at most 1 MiB: callers read it key by key, then {@link #requireNoOthers} refuses other keys. A key may occur only
+ * once in an object. Messages name file, line, key, value and remedy, in an {@link InputException}, or for settings in a {@link
+ * sunbeam.precompute.setting.SettingException}.
  */
 public final class JsonObject {
-    private final String file;
-    private final String path;
+    private static final int MOST_BYTES = 1 << 20;
+    private static final int DEEPEST = 20;
+    private static final ObjectMapper JSON = new ObjectMapper(JsonFactory.builder()
+            .streamReadConstraints(
+                    StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build())
+            .build());
+
+    private final LineParser parser;
     private final JsonPointer place;
+    // Keys of the enclosing objects, each with a dot after it.
+    private final String path;
     private final JsonNode node;
-    private final Map<JsonPointer, Integer> lines;
     private final Set<String> known = new TreeSet<>();
 
-    /**
-     * @param path keys of the enclosing objects, each with a dot after it
-     * @param place position of the object in the file
-     * @param lines line of each value of the file, from 1
-     */
-    JsonObject(String file, String path, JsonPointer place, JsonNode node, Map<JsonPointer, Integer> lines) {
-        this.file = file;
-        this.path = path;
+    private JsonObject(LineParser parser, JsonPointer place, String path, JsonNode node) {
+        this.parser = parser;
         this.place = place;
+        this.path = path;
         this.node = node;
-        this.lines = lines;
+    }
+
+    /** @throws InputException when it cannot be read, is too large or no JSON object */
+    public static JsonObject read(Path file) {
+        InputException.requireRegular(file);
+        try (InputStream stream = Files.newInputStream(file)) {
+            return read(file.toString(), stream);
+        } catch (IOException failure) {
+            throw InputException.of(file, failure);
+        }
+    }
+
+    /** Reads a stream, which stays open; messages have the name. */
+    public static JsonObject read(String name, InputStream stream) throws IOException {
+        byte[] content = stream.readNBytes(MOST_BYTES + 1);
+        if (content.length > MOST_BYTES) {
+            throw new InputException(name + " is larger than 1 MiB; name another file");
+        }
+        try (LineParser parser = new LineParser(name, JSON.createParser(content))) {
+            return parser.root();
+        }
+    }
+
+    /** Parser that records the line, from 1, of each value and refuses a repeated key. */
+    private static final class LineParser extends JsonParserDelegate {
+        private final String name;
+        private final Map<JsonPointer, Integer> lines = new HashMap<>();
+
+        LineParser(String name, JsonParser parser) {
+            super(parser);
+            this.name = name;
+        }
+
+        JsonObject root() {
+            try {
+                if (nextToken() != JsonToken.START_OBJECT) {
+                    throw new InputException(name + ", line 1: it must be one JSON object, { ... }");
+                }
+                JsonNode root = JSON.readTree(this);
+                if (nextToken() != null) {
+                    throw wrong("something follows the closing brace; remove it");
+                }
+                return new JsonObject(this, JsonPointer.empty(), "", root);
+            } catch (IOException broken) {
+                // Jackson's message is for programmers.
+                throw new InputException(
+                        name + ", line " + currentLocation().getLineNr() + ": no valid JSON near column "
+                                + currentLocation().getColumnNr()
+                                + "; check quotes, commas and brackets (at most " + DEEPEST + " within each other)",
+                        broken);
+            }
+        }
+
+        @Override
+        public JsonToken nextToken() throws IOException {
+            JsonToken token = super.nextToken();
+            if (token != null && !token.isStructEnd()) {
+                JsonPointer at = getParsingContext().pathAsPointer();
+                boolean known = lines.put(at, currentTokenLocation().getLineNr()) != null;
+                if (known && token == JsonToken.FIELD_NAME) {
+                    throw wrong("the key " + Quoted.of(currentName()) + " stands twice; remove one");
+                }
+            }
+            return token;
+        }
+
+        private InputException wrong(String problem) {
+            return new InputException(name + ", line " + currentTokenLocation().getLineNr() + ": " + problem);
+        }
     }
 
     public Optional<JsonNode> find(String key) {
@@ -59,17 +139,17 @@ public final class JsonObject {
     }
 
     public List<String> others() {
-        List<String> keys = new ArrayList<>();
-        node.fieldNames().forEachRemaining(keys::add);
-        keys.removeAll(known);
-        return keys;
+        return node.propertyStream()
+                .map(Map.Entry::getKey)
+                .filter(key -> !known.contains(key))
+                .toList();
     }
 
     public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new InputException(Text.format(
                         "%s, line %d: the key %s is missing; add for example %s: %s",
-                        file, lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
+                        parser.name, parser.lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
     }
 
     public JsonObject object(String key, String example) {
@@ -82,56 +162,41 @@ public final class JsonObject {
 
     public List<JsonObject> objects(String key, int most) {
         JsonNode list = find(key).orElse(MissingNode.getInstance());
-        if (!list.isMissingNode() && (!list.isArray() || list.size() > most)) {
-            throw complaint(key, "must be a list of at most " + most + " objects, [ { ... } ]");
-        }
+        boolean fits = list.isMissingNode() || (list.isArray() && list.size() <= most);
+        require(fits, key, "must be a list of at most " + most + " objects, [ { ... } ]");
         return IntStream.range(0, list.size())
                 .mapToObj(i -> inner(key, list.get(i), place.appendProperty(key).appendIndex(i)))
                 .toList();
     }
 
     private JsonObject inner(String key, JsonNode value, JsonPointer at) {
-        if (!value.isObject()) {
-            throw complaint(key, "must be an object, { ... }");
-        }
-        return new JsonObject(file, path + key + ".", at, value, lines);
+        require(value.isObject(), key, "must be an object, { ... }");
+        return new JsonObject(parser, at, path + key + ".", value);
     }
 
     public String text(String key, JsonNode value) {
-        if (!value.isTextual()) {
-            throw complaint(key, "must be a text in quotes");
-        }
+        require(value.isTextual(), key, "must be a text in quotes");
         return value.textValue();
     }
 
     /** Parses a text with a unit; {@code parse} may throw IllegalArgumentException. */
     public <T> T quantity(String key, JsonNode value, Function<String, T> parse) {
-        if (!value.isTextual()) {
-            throw complaint(key, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
-        }
+        require(value.isTextual(), key, "must be a text in quotes with its unit, such as \"65 um\" or \"30 deg\"");
         return checked(key, () -> parse.apply(value.textValue()));
     }
 
     public double number(String key, JsonNode value, double least, double most) {
-        if (!value.isNumber()) {
-            throw complaint(key, "must be a number without quotes and unit");
-        }
+        require(value.isNumber(), key, "must be a number without quotes and unit");
         double number = value.doubleValue();
-        if (!(number >= least && number <= most)) {
-            throw complaint(
-                    key,
-                    Text.format(
-                            "%s is out of range; give %s to %s",
-                            Decimals.format(number), Decimals.format(least), Decimals.format(most)));
-        }
+        String range = "; give " + Decimals.format(least) + " to " + Decimals.format(most);
+        require(number >= least && number <= most, key, Decimals.format(number) + " is out of range" + range);
         return number;
     }
 
     public List<JsonNode> sequence(String key, JsonNode value, int count) {
-        if (!value.isArray() || value.size() != count) {
-            throw complaint(key, "must be a list of " + count + " values, [ ... ]");
-        }
-        return IntStream.range(0, count).mapToObj(value::get).toList();
+        boolean fits = value.isArray() && value.size() == count;
+        require(fits, key, "must be a list of " + count + " values, [ ... ]");
+        return value.valueStream().toList();
     }
 
     /**
@@ -177,16 +242,15 @@ public final class JsonObject {
                     return text;
                 });
             case FLAG -> {
-                if (!value.isBoolean()) {
-                    throw complaint(key, "must be true or false, without quotes");
-                }
+                require(value.isBoolean(), key, "must be true or false, without quotes");
                 yield value.asText();
             }
             case NUMBER -> {
-                if (value.isTextual() && Decimals.parse(value.textValue()).isEmpty()) {
-                    yield value.textValue();
-                }
-                yield Decimals.format(number(key, value, -Double.MAX_VALUE, Double.MAX_VALUE));
+                boolean word =
+                        value.isTextual() && Decimals.parse(value.textValue()).isEmpty();
+                yield word
+                        ? value.textValue()
+                        : Decimals.format(number(key, value, -Double.MAX_VALUE, Double.MAX_VALUE));
             }
         };
     }
@@ -220,6 +284,12 @@ public final class JsonObject {
         return new InputException(name(key) + ": " + problem);
     }
 
+    private void require(boolean condition, String key, String problem) {
+        if (!condition) {
+            throw complaint(key, problem);
+        }
+    }
+
     /** An IllegalArgumentException of the action becomes an {@link InputException}. */
     public <T> T checked(String key, Supplier<T> action) {
         try {
@@ -230,14 +300,12 @@ public final class JsonObject {
     }
 
     public void requireNoOthers() {
-        for (String key : others()) {
-            throw complaint(key, "unknown key; known are " + String.join(", ", known));
-        }
+        others().forEach(key -> require(false, key, "unknown key; known are " + String.join(", ", known)));
     }
 
     /** Returns file, line and key for messages; the line is that of this object if the key is absent. */
     public String name(String key) {
-        int line = lines.getOrDefault(place.appendProperty(key), lines.get(place));
-        return Text.format("%s, line %d: %s", file, line, Quoted.of(path + key));
+        int line = parser.lines.getOrDefault(place.appendProperty(key), parser.lines.get(place));
+        return parser.name + ", line " + line + ": " + Quoted.of(path + key);
     }
 }

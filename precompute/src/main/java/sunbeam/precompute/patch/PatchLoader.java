@@ -16,7 +16,6 @@ import java.util.function.Supplier;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.files.OwnFolder;
-import sunbeam.precompute.json.JsonFile;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
@@ -159,13 +158,8 @@ public final class PatchLoader {
     }
 
     /**
-     * JSON file that describes a patch beside the file of its heights:
-     *
-     * <pre>{@code { "heights":   "elaphe.png",   file in the descriptor's folder or below it; required "width":     "65 um",        extent
-     * along x; required if the file does not state it "maxHeight": "375 nm",       height of full scale: 255 of 8 bits, 65535 of 16 bits,
-     * 1.0 of floats "note":      "shed skin"     remark, which the program ignores } }</pre>
-     *
-     * <p>and other settings of {@link PatchSettings#OF_FILES}. Descriptors are untrusted, so they may name no file outside their folder.
+     * JSON file that describes a patch: {@code "heights"}, a file in the descriptor's folder or below, {@link PatchSettings#OF_FILES}, and a
+     * {@code "note"}, which the program ignores. Descriptors are untrusted, so they may name no file outside their folder.
      */
     record PatchDescriptor(Path file, Path heights, Choices choices) {
         /**
@@ -174,7 +168,7 @@ public final class PatchLoader {
          */
         static PatchDescriptor read(Path file) {
             MeasuredHeights.requireReadable(file);
-            JsonObject keys = JsonFile.read(file);
+            JsonObject keys = JsonObject.read(file);
             String heights = keys.text("heights", keys.required("heights", "\"scan.png\""));
             Path inside = inside(file, keys.name("heights"), heights);
             Choices choices = keys.choices(PatchSettings.OF_FILES);

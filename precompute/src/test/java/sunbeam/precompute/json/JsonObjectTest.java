@@ -32,7 +32,7 @@ class JsonObjectTest {
 
     private static JsonObject plan(String json) throws IOException {
         byte[] bytes = ("{\n\"plan\": {\n" + json + "\n}}").getBytes(StandardCharsets.UTF_8);
-        return JsonFile.read("scene.json", new ByteArrayInputStream(bytes)).object("plan", "{}");
+        return JsonObject.read("scene.json", new ByteArrayInputStream(bytes)).object("plan", "{}");
     }
 
     @Test
@@ -100,7 +100,7 @@ class JsonObjectTest {
             json.writeEndObject();
         }
         assertThat(text.toString()).contains("\"terms\":12,\"error\":0.001");
-        JsonObject read = JsonFile.read(
+        JsonObject read = JsonObject.read(
                 "copy.json", new ByteArrayInputStream(text.toString().getBytes(StandardCharsets.UTF_8)));
         assertThat(read.choices(ALL)).isEqualTo(choices);
     }

@@ -28,7 +28,8 @@ import sunbeam.precompute.units.Lengths;
  * </ul>
  */
 public final class MeshReader {
-    // Longest side in meters: pixels of a smaller mesh do not average many coherence areas of sunlight (65 um); a larger one has more than
+    // Longest side in meters: pixels of a smaller mesh do not average many coherence areas of sunlight (65 um); a
+    // larger one has more than
     // a centimeter per pixel, most likely in a wrong unit.
     private static final double LEAST = 100e-6;
     private static final double MOST = 10;

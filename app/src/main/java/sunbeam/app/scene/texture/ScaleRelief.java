@@ -48,7 +48,8 @@ public final class ScaleRelief {
     // Random variation of slopes, and of lightness relative to 1.
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
-    // From a scale's middle to its rear and covered front end in lengths of a scale, and to its sides in widths of a row.
+    // From a scale's middle to its rear and covered front end in lengths of a scale, and to its sides in widths of a
+    // row.
     private static final double REAR_LENGTH = 0.6;
     private static final double FRONT_LENGTH = 0.9;
     private static final double HALF_WIDTH = 1.04;
