@@ -235,7 +235,7 @@ class ScanFormatTest {
             quoteCharacter = '"')
     void namesTheRemedy(String type, String shape, String complaint) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(numpyFile("<" + type, shape))) {
-            assertThatThrownBy(() -> NumpyReader.channels(bytes)).hasMessageContaining(complaint);
+            assertThatThrownBy(() -> BinaryHeaderReaders.numpy(bytes)).hasMessageContaining(complaint);
         }
     }
 
@@ -243,7 +243,7 @@ class ScanFormatTest {
     @ValueSource(strings = {"<", ">"})
     void readsHalfFloats(String order) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(numpyFile(order + "f2", "(2, 3)"))) {
-            assertThat(NumpyReader.channels(bytes).get(0).samples().read())
+            assertThat(BinaryHeaderReaders.numpy(bytes).get(0).samples().read())
                     .containsExactly(1, -2, Math.pow(2, -24), 65504, Double.POSITIVE_INFINITY, Double.NaN);
         }
     }
