@@ -24,12 +24,8 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.setting.Setting;
 
-/**
- * Help of a command, with options in groups; the groups for experts and for every command come last. The short form has the options that
- * most users need, each with the first sentence of its description; the complete form has all options, whole descriptions, and exit codes.
- */
+/** Help of a command, with options in groups. The short form has the common options, each with the first sentence of its description. */
 final class CommandHelp {
-    /** Option that prints the complete form. */
     static final String COMPLETE = "--help-all";
 
     private static final Set<String> LAST = Set.of("--output", "--force", "--resume", "--json");
@@ -125,7 +121,7 @@ final class CommandHelp {
                 : !EXPERT.contains(option.longestName());
     }
 
-    /** Returns a copy of an option for the help. In the short form its description has only the first sentence and the default. */
+    /** Returns a copy of an option for the help: in the short form, with the first sentence of its description and the default. */
     private static OptionSpec shown(OptionSpec option, boolean complete) {
         String[] sentences = String.join(" ", option.description()).split("(?<=\\.) (?=[A-Za-z-])");
         String shown = Arrays.stream(sentences)

@@ -8,11 +8,7 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
 
-/**
- * Reports a failed command: one line on standard error and an exit code.
- *
- * @param debug whether stack traces are printed, known once the command line has been parsed
- */
+/** Reports a failed command by one line on standard error and an exit code, and by a stack trace with {@code --debug}. */
 record Failures(PrintWriter err, BooleanSupplier debug) {
     private static final String BUG_REMEDY = "; run again with --debug and report what it prints";
 

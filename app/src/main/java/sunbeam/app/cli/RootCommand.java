@@ -85,7 +85,6 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         return debug;
     }
 
-    /** True if only failures are printed; valid once the command line has been parsed. */
     boolean quiet() {
         return quiet;
     }

@@ -74,10 +74,7 @@ public final class Sunbeam {
         }
     }
 
-    /**
-     * Runs the command. Help is printed as it is, with the terminal's bold letters. All other output may hold text from files; its control
-     * characters are made harmless.
-     */
+    /** Runs the command. Control characters in its output, which may come from files, are made harmless; those of the help stay. */
     private int execute(CommandLine root, ParseResult parsed, boolean quiet) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
@@ -93,7 +90,6 @@ public final class Sunbeam {
         return collection.isPresent() ? run(collection.get(), parsed.subcommand()) : new RunLast().execute(parsed);
     }
 
-    /** Runs a command line inside the program. */
     private Collection.Outcome inner(List<String> words) {
         StringWriter stdout = new StringWriter();
         StringWriter stderr = new StringWriter();
@@ -111,10 +107,7 @@ public final class Sunbeam {
         }
     }
 
-    /**
-     * Refuses arguments with U+FFFD, by which Java replaces bytes that are not UTF-8: as a file name such an argument would mean another
-     * file.
-     */
+    /** Refuses arguments with U+FFFD, by which Java replaces bytes that are not UTF-8: a file of this name would be another one. */
     private static void requireText(String... arguments) {
         for (String argument : arguments) {
             if (argument.indexOf('\ufffd') >= 0) {
@@ -132,8 +125,7 @@ public final class Sunbeam {
     }
 
     /**
-     * Returns all commands, in the order of the help. {@code --help} constructs them all, so constructors and option fields must not load
-     * classes of OpenGL or of plots: that would make the help slow.
+     * Returns all commands, in the order of the help. The help constructs them all, so they must not load OpenGL or plots before they run.
      */
     private Map<String, Supplier<Object>> commands() {
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
@@ -158,10 +150,7 @@ public final class Sunbeam {
         return commands;
     }
 
-    /**
-     * Returns the root command with only the command that the arguments name, which starts sooner. Without a known name, and for help, it
-     * has all commands.
-     */
+    /** Returns the root command with only the command that the arguments name, which starts sooner; with all for the help. */
     private CommandLine commandLine(RootCommand command, boolean completeHelp, String... arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();

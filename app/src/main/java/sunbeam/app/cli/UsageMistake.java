@@ -43,7 +43,7 @@ final class UsageMistake {
                 .anyMatch(command -> command.getCommandSpec().optionsMap().containsKey(name));
     }
 
-    /** Returns the suggestions that differ from the argument by a typing mistake only; all suggestions if no one is that close. */
+    /** Returns the suggestions that differ from the argument by a typing mistake only; if there is none, all. */
     private static List<String> closest(List<String> suggestions, String argument) {
         List<String> close = suggestions.stream()
                 .filter(suggestion -> Similar.are(suggestion, argument.split("=", 2)[0]))

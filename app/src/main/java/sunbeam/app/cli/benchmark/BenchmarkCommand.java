@@ -150,10 +150,7 @@ public final class BenchmarkCommand extends FileCommand {
         }
     }
 
-    /**
-     * Measures the thesis's shader, then the requested methods. If no method is chosen, a failure of one of them becomes a remark;
-     * otherwise it is thrown.
-     */
+    /** Measures the thesis's shader, then the requested methods. If none is chosen, a failure of one becomes a remark. */
     private List<Measurement> methods(Meter meter, Patch patch, Choices asked, List<String> remarks) {
         DiffractionSetup setup =
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
@@ -190,10 +187,7 @@ public final class BenchmarkCommand extends FileCommand {
             return choices.only(Methods.SETTINGS).without(common).chosen().isEmpty();
         }
 
-        /**
-         * Returns the chosen method or, if none is chosen, all but the reference. {@code full} and {@code table} appear at several tolerances
-         * unless one is chosen.
-         */
+        /** Returns the chosen method or, if none is chosen, all but the reference, {@code full} and {@code table} at several tolerances. */
         static List<Contender> of(Choices choices) {
             if (!isMethodOpen(choices)) {
                 return List.of(of(choices, Methods.of(choices)));

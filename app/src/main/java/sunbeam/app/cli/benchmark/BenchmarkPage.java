@@ -18,10 +18,7 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
-/**
- * Results of a run as a Markdown page with a table for each patch; it is readable in a terminal, too. Plots (PNG) and all numbers (CSV) are
- * in a folder of the page's name.
- */
+/** Results of a run as a Markdown page with a table for each patch. Plots and all numbers are in a folder of the page's name. */
 final class BenchmarkPage {
     private static final String ENDING = ".md";
     private static final String NUMBERS = "benchmark.csv";

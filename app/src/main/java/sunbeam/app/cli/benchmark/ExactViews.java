@@ -23,10 +23,7 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 
-/**
- * Random views of one light with their exact colors: half of them uniform on the hemisphere, half aimed at orders. Views
- * whose power is below {@link Comparison#FLOOR} are left out.
- */
+/** Random views of one light brighter than {@link Comparison#FLOOR}, with their exact colors: half uniform, half aimed at orders. */
 final class ExactViews {
     // Nearly all views of a grating are dark; the limit ends the search on a patch that is dark everywhere.
     private static final int MOST_TRIES_PER_VIEW = 30;
@@ -49,11 +46,7 @@ final class ExactViews {
         this.count = count;
     }
 
-    /**
-     * Compares a method's radiance with that of the reference under the method's window and average.
-     *
-     * @param drawn the method's tables for directions of this light, on the graphics card
-     */
+    /** Compares a method's radiance, of tables for this light, with the reference under the method's window and average. */
     List<Comparison> compare(RenderContext context, Method method, UploadedTables drawn) {
         List<View> exact =
                 views.computeIfAbsent(method.referenceMethod(setup.patch().heights()), known -> draw(method));
@@ -92,7 +85,7 @@ final class ExactViews {
     private static List<View> bright(Supplier<Query> queries, int wanted, ExactLight exact, Progress progress) {
         List<View> found = new ArrayList<>();
         for (long tried = 0; found.size() < wanted && tried < (long) wanted * MOST_TRIES_PER_VIEW; ) {
-            // The batch is no larger than the number of missing views: on a scan each view is bright and takes seconds.
+            // No larger than the number of missing views: on a scan each view is bright and takes seconds.
             int batch = Math.min(BATCH, wanted - found.size());
             tried += batch;
             List<View> bright = Stream.generate(queries).limit(batch).toList().parallelStream()

@@ -27,8 +27,6 @@ import sunbeam.precompute.text.Text;
  * Measures methods by drawing BRDF maps of one light, without the cache. A time is the median of several frames after a warm-up frame.
  * Short frames, which other processes disturb most, are repeated for half a second. No frame starts after {@link #MOST_SECONDS}; if the
  * warm-up frame takes longer than that, it is the only one.
- *
- * @param size width and height of the maps, pixels
  */
 record Meter(RenderContext context, int size, Direction light) {
     static final int FRAMES = 3;
@@ -83,8 +81,6 @@ record Meter(RenderContext context, int size, Direction light) {
     }
 
     /**
-     * Measures a method.
-     *
      * @param exact views at which the method's error is measured; empty for no measurement
      * @throws sunbeam.precompute.setting.SettingException if the method does not suit the surface
      * @throws jrtr.GraphicsException if the graphics card lacks memory

@@ -27,7 +27,6 @@ import sunbeam.precompute.units.Lengths;
 
 record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
-
     private static final int GAP = 8;
 
     BufferedImage plain() {
@@ -39,11 +38,8 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     }
 
     /**
-     * Draws the maps with rings, marks and captions.
-     *
-     * @param index text about the refractive index for the caption; empty for the default
-     * @param exposed text about the exposure for the caption
-     * @param asked choices of the user, before a scan's size limits the coherence length
+     * Draws the maps with rings, marks and captions of texts about index and exposure; the choices are those before a scan's size limits
+     * the coherence length.
      */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
         Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH, ANGULAR_DIAMETER)));
@@ -54,7 +50,7 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
                 .toList());
     }
 
-    /** Returns one paragraph for the patch, one for light and window, with remarks on what differs from the defaults, and the last one. */
+    /** Returns a paragraph for the patch, one for light and window with remarks on what differs from the defaults, and the last one. */
     static List<String> caption(MaterialMap.Result map, String remarks, Choices asked, String last) {
         Patch patch = map.patch();
         Direction light = map.light();
@@ -113,7 +109,7 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
         return parts.stream().map(words).collect(Collectors.joining(between));
     }
 
-    /** Lays pictures side by side, at most three in a row, tops aligned, transparent between them; a single one is returned unchanged. */
+    /** Lays pictures side by side, at most three in a row, tops aligned, transparent between them; a single one stays. */
     private static BufferedImage sheet(List<BufferedImage> pictures) {
         if (pictures.size() == 1) {
             return pictures.get(0);

@@ -53,8 +53,7 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
  */
 final class MaterialMap {
     // Distance between the directions that stand for a lamp, in deviations of an order under the shorter window, as
-    // that
-    // of the taps in footprint.glsl; and the most of them.
+    // that of the taps in footprint.glsl.
     private static final double SPACING = 1.6;
     private static final int MOST_DIRECTIONS = 8;
 
@@ -75,7 +74,6 @@ final class MaterialMap {
     /**
      * A drawn map with its patch, light and settings.
      *
-     * @param light direction towards the light
      * @param trial validation of the color tables, one for each part of the reflection; empty without tables
      */
     record Result(
@@ -125,7 +123,7 @@ final class MaterialMap {
                 .narrow().stream().flatMap(this::points).toList();
     }
 
-    /** Spreads a lamp's light along its major axis in (u, v), across the plane of incidence; the window blurs both axes as the minor one. */
+    /** Spreads a lamp's light along its major axis in (u, v), across the plane of incidence; the window blurs both axes alike. */
     private Stream<Point> points(SceneLight lamp) {
         double sine = Math.hypot(lamp.towards().x(), lamp.towards().y());
         double minor = lamp.deviation() * Math.max(lamp.towards().z(), Math.sqrt(12) / (SPACING * MOST_DIRECTIONS));

@@ -39,8 +39,8 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * A command over several surfaces, or angles of the light. The command runs once for each of them, as if it were called for that one with
- * {@code --json} and its file as {@code --output}. The reports become a {@link CollectionFolder}. A surface that cannot be used does not stop
+ * A command over several surfaces, or angles of the light. It runs once for each of them, as if it were called for that one with {@code
+ * --json} and its file as {@code --output}. Their reports become a {@link CollectionFolder}. A surface that cannot be used does not stop
  * the others.
  */
 public final class Collection {
@@ -51,7 +51,6 @@ public final class Collection {
     private static final Set<String> OWN =
             Set.of(PatchOptions.TASK, THETA_I, OUTPUT, "--patch", "--json", "--resume", "--force");
 
-    /** Options for single surfaces. */
     private static final List<String> OF_ONE = List.of("--with", "--linear");
 
     /** Failures that all further runs would have, too. */
@@ -66,12 +65,7 @@ public final class Collection {
     private final ParseResult parsed;
     private final Function<List<String>, Outcome> runner;
 
-    /**
-     * Result of a command line that a command has run.
-     *
-     * @param out standard output
-     * @param message the last line of standard error, without the program's name
-     */
+    /** Result of a command line: exit code, standard output, and the last line of standard error, without the program's name. */
     public record Outcome(int code, String out, String message) {
         /** True if the command has written its files, whether or not it has kept its tolerance. */
         public boolean isWritten() {
@@ -79,13 +73,7 @@ public final class Collection {
         }
     }
 
-    /**
-     * One run.
-     *
-     * @param patch name of the surface
-     * @param options options of the run, in the form {@code --name=value}
-     * @param stem name of its files, which no other run has
-     */
+    /** One run: surface, options in the form {@code --name=value}, and name of its files, which no other run has. */
     private record Item(String patch, List<String> options, String stem) {}
 
     private Collection(ParseResult parsed, Function<List<String>, Outcome> runner) {
@@ -126,10 +114,8 @@ public final class Collection {
     }
 
     /**
-     * Runs the command for all surfaces, and returns the exit code: that of the first surface that failed, else 3 if a surface has it.
-     *
-     * @param out receives the summary
-     * @param err receives a line for each surface that failed
+     * Runs the command for all surfaces, and prints a summary, and a line on standard error for each surface that failed. Returns the exit
+     * code of the first one that failed, else 3 if a surface has it.
      */
     public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
         check();

@@ -70,11 +70,7 @@ final class CollectionFolder {
         this.overwrite = overwrite;
     }
 
-    /**
-     * Creates the folder if it is missing, and checks that its table can be written.
-     *
-     * @param resumes whether the reports of earlier runs are read
-     */
+    /** Creates the folder if it is missing, and checks that its table can be written; reads the reports of earlier runs to resume. */
     static CollectionFolder open(Path folder, TaskPart task, Overwrite overwrite, boolean resumes) {
         String part = task.parts() == 1 ? "" : "-" + task.number() + "-of-" + task.parts();
         CollectionFolder opened = new CollectionFolder(folder, part, overwrite);
@@ -132,12 +128,7 @@ final class CollectionFolder {
                         && Files.isRegularFile(picture(stem)));
     }
 
-    /**
-     * Returns the row of a run.
-     *
-     * @param report the JSON that the command printed; empty if it failed
-     * @param message why the run failed
-     */
+    /** Returns the row of a run: of the JSON that the command printed, or, if that is empty, of the message why it failed. */
     ObjectNode row(String patch, String stem, String hash, int code, String report, String message) {
         ObjectNode row = json.createObjectNode()
                 .put("file", patch)

@@ -27,11 +27,7 @@ final class Surfaces {
         return !BuiltInPatches.names().contains(name) && new File(name).isDirectory();
     }
 
-    /**
-     * Returns the names of surfaces.
-     *
-     * @throws InputException if a name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file
-     */
+    /** @throws InputException if a name is neither a built-in patch nor an existing file, or if a folder cannot be read or has no file */
     static List<String> of(List<String> names) {
         for (String name : names) {
             if (!BuiltInPatches.names().contains(name) && !new File(name).exists()) {

@@ -175,7 +175,6 @@ public final class ColorCommand extends FileCommand {
         return judged.code();
     }
 
-    /** Returns the picture and, beside it, the files of its numbers. */
     private FileGroup files(Path picture) {
         String stem = FileNames.stem(picture);
         String ending = picture.getFileName().toString().substring(stem.length());
@@ -220,8 +219,7 @@ public final class ColorCommand extends FileCommand {
     }
 
     /**
-     * Chooses the viewing directions of a surface and plans the method for them. Prints its warnings in one line, or with {@code --explain}
-     * in full.
+     * Plans the method for a surface's views. Prints its warnings in one line, or with {@code --explain} in full.
      *
      * @throws SettingException if the plan needs too much memory or time
      */
@@ -261,10 +259,7 @@ public final class ColorCommand extends FileCommand {
         }
     }
 
-    /**
-     * Returns the exposure for all surfaces. The automatic one is the geometric mean of their exposures, so that a bright surface does not
-     * leave the others black.
-     */
+    /** Returns the exposure for all surfaces; the automatic one is the geometric mean of theirs, so that a bright one leaves none black. */
     private double factor(ToDoubleFunction<List<LinearPicture>> exposed, List<SurfaceColors> surfaces) {
         List<LinearPicture> pictures =
                 surfaces.stream().map(SurfaceColors::meteredColors).toList();

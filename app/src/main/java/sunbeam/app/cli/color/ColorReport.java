@@ -21,12 +21,10 @@ import sunbeam.precompute.units.Decimals;
 /**
  * Result of the command for one surface.
  *
- * @param period period of the surface's lines
  * @param verdict verdict on the colors that the heights allow; its sentence says why there are none
  * @param colored whether the surface has a color of its own, outside its gloss
  * @param azimuthDegrees azimuth of the plane along, degrees
  * @param coherenceLength coherence length of the light, meters, as far as the scan's size allows it
- * @param plan summary of the method's plan
  * @param colors colors by ascending viewing angle, those of strip along first, then those across
  * @param spectrum spectrum of the purest color; of a surface without a color of its own, that in the mirror direction
  * @param purest purest color; empty for a surface without a color of its own
@@ -47,13 +45,11 @@ record ColorReport(
      * above. Unlike a width at half maximum, this band hardly changes with a single bright grain of speckle.
      *
      * @param nanometers wavelengths from 380 to 780 nm, in steps of 1 nm
-     * @param radiances relative radiance at these wavelengths
      * @param from shortest wavelength of the band, meters
      * @param to longest wavelength of the band, meters
      */
     record Spectrum(ViewColor.View view, double[] nanometers, double[] radiances, double from, double to) {
         private static final int FIRST = 380;
-
         private static final int STEPS = 400;
         // Evaluations per nanometer: light as coherent as sunlight has orders 4 nm wide.
         private static final int PER_NANOMETER = 4;
@@ -118,7 +114,7 @@ record ColorReport(
         }
     }
 
-    /** Returns the lines for standard output: the verdict, and the purest color with its direction if the surface has one. */
+    /** Returns the verdict, and the purest color with its direction if the surface has one. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict.sentence()));
         purest.ifPresent(color -> lines.add(Text.format(
@@ -152,10 +148,7 @@ record ColorReport(
         return fields;
     }
 
-    /**
-     * Returns a header and a row for each color; a cell is empty if its value is not defined. Columns of angles have no unit in their names,
-     * the dominant wavelength is in nm.
-     */
+    /** Returns a row for each color; undefined values are empty. Angles have no unit in their names, dominant wavelengths are in nm. */
     static AtomicFile.StreamContent csv(List<ColorReport> reports) {
         List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {

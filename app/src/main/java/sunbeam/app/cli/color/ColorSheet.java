@@ -20,32 +20,23 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Draws the picture: two strips of colors for each surface, a chart of chromaticities and one of spectra. A surface is marked by the same
- * color in all of them.
- */
+/** Picture of the result: two strips of colors for each surface, a chart of chromaticities and one of spectra. */
 final class ColorSheet {
     private static final int WIDTH = 1280;
     private static final int LEFT = 130;
     private static final int RIGHT = 30;
-
     private static final int STRIP = 64;
-
     private static final int GAP = 8;
-
     private static final int LABELS = 22;
-
     private static final int PLOT_HEIGHT = 560;
     /** Largest width of a surface's name, pixels: some 32 letters. */
     private static final int WIDEST_NAME = 270;
 
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
-
     private static final double TICK = 0.1;
     // Largest step between labels, as a share of the range of angles.
     private static final double TICKS = 0.15;
-
     private static final Color LIGHT = new Color(0xF0E442);
 
     private final List<ColorReport> reports;
@@ -92,10 +83,7 @@ final class ColorSheet {
                 .draw();
     }
 
-    /**
-     * Returns the line above a surface's strips. Its purest color is at the exposure that all surfaces share, as in the strips and the
-     * files.
-     */
+    /** Returns the line above a surface's strips; its purest color is at the exposure that all surfaces share. */
     static String title(ColorReport report) {
         String purest = report.purest()
                 .map(color -> "; purest (square) " + color.hex() + " at "

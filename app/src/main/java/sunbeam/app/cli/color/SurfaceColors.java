@@ -38,7 +38,7 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * Colors of one surface in two viewing planes. Plane "along" is perpendicular to the lines of the grating or of the strongest wave, or
- * contains the patch's x axis if there is no wave. Plane "across" is at right angles to it. Unless an azimuth is chosen, the light stands
+ * contains the patch's x axis if there is no wave; plane "across" is at right angles to it. Unless an azimuth is chosen, the light stands
  * in the viewing plane, so that each of two crossed gratings shows its colors in one plane.
  */
 final class SurfaceColors {
@@ -46,7 +46,6 @@ final class SurfaceColors {
     // wavelength: a sum over a Gaussian in such steps errs by 3e-4.
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
-
     private static final int MOST_DIRECTIONS = 400_000;
 
     /** Luminance, relative to a mirror's, below which no color is stated. */
@@ -73,7 +72,6 @@ final class SurfaceColors {
      * Chooses the directions and plans the method for them.
      *
      * @param light light's azimuth, by default that of each plane, and the patch's rotation
-     * @param window coherence window of the light on this surface
      * @param theta angle of the light to the normal, degrees
      * @param angles viewing angles, degrees; the color at each is the mean over a step
      */
@@ -160,8 +158,7 @@ final class SurfaceColors {
     }
 
     private List<float[]> evaluate(RenderContext context, MethodPlan plan, MethodUse use, List<Query> queries) {
-        // Progress of several surfaces appears one after the other on one line of the terminal, so it names the
-        // surface.
+        // Progress of several surfaces appears on one line of the terminal, so it names the surface.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
         try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
@@ -170,10 +167,7 @@ final class SurfaceColors {
         }
     }
 
-    /**
-     * True if a view's color may count as the surface's own: it is bright enough and outside the gloss, the mirror's order and its
-     * surroundings, which are a thousand times brighter than any other order.
-     */
+    /** True if a color is the surface's own: bright enough and outside the gloss, which is a thousand times brighter than any order. */
     private boolean isColor(ViewColor.View view, double[] xyz) {
         return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
     }
@@ -185,7 +179,7 @@ final class SurfaceColors {
                 .toList();
     }
 
-    /** Returns the colors that set the exposure, as a row of pixels: those outside the gloss, or all if the surface has no color. */
+    /** Returns the colors that set the exposure: those outside the gloss, or all if the surface has no color. */
     LinearPicture meteredColors() {
         List<double[]> some = whyColorless().isEmpty() ? outsideGloss() : colors;
         float[] xyz = new float[3 * some.size()];

@@ -15,11 +15,9 @@ import sunbeam.precompute.text.Text;
 /**
  * Color of a surface from one viewing direction.
  *
- * @param view viewing direction and light
  * @param xyz X, Y, Z of the relative radiance, before exposure
  * @param rgb screen color 0xRRGGBB, after exposure
  * @param chromaticity chromaticity of {@code xyz}
- * @param hue dominant wavelength and purity
  * @param lab CIE L*a*b* after exposure; a color brighter than white is first scaled to the luminance of white
  * @param uncertainty error of the computation in CIEDE2000, which 95 % of directions keep
  */
@@ -31,17 +29,15 @@ record ViewColor(
         Chromaticity.Hue hue,
         CieLab lab,
         double uncertainty) {
-    // Quantile of the luminances; in the search for the purest color, colors darker than that weigh less.
+    // Quantile of the luminances; darker colors weigh less in the search for the purest.
     private static final double BRIGHT = 0.9;
 
     /**
-     * Viewing direction and light of a color.
+     * Viewing direction and light of a color; angles in degrees.
      *
      * @param along true in the plane across the lines of the grating, where color spreads most; false in the plane at right angles to it
-     * @param phiDegrees azimuth of the viewing plane, degrees
-     * @param thetaIDegrees angle of the light to the normal, degrees
-     * @param phiIDegrees azimuth of the light, degrees
-     * @param thetaRDegrees angle of the viewer to the normal, degrees, positive towards the plane's azimuth
+     * @param phiDegrees azimuth of the viewing plane
+     * @param thetaRDegrees angle of the viewer to the normal, positive towards the plane's azimuth
      * @param pairs directions whose mean is the color, evenly spread over the step of viewing angles, such as a pupil's aperture
      */
     record View(
@@ -112,7 +108,7 @@ record ViewColor(
         return CieLab.ofXyz(cut * xyz[0], cut * xyz[1], cut * xyz[2]);
     }
 
-    /** Returns all values by name; null for those that are not defined. */
+    /** Returns all values; null for those that are not defined. */
     Map<String, Object> fields() {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("strip", view.strip());

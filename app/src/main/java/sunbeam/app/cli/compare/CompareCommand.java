@@ -92,7 +92,7 @@ public final class CompareCommand extends FileCommand {
                     "The scene's exposure, a factor of its light. Default: fitted by least squares with Huber's weights.")
     private Double factor;
 
-    /** All options of scenes but exposure, tone and primaries: the exposure is fitted, and a camera without a tone curve is assumed. */
+    /** Not exposure, tone and primaries: the exposure is fitted, and a camera without a tone curve is assumed. */
     @Mixin
     private final SettingOptions overrides = SettingOptions.overriding(
             SceneOverrides.SETTINGS.stream()

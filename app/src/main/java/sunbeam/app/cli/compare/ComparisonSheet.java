@@ -13,7 +13,7 @@ import sunbeam.app.scene.SceneColor;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 
-/** Draws a comparison as one picture: photograph and scene, below them a map of their difference and histograms of their hues. */
+/** Picture of a comparison: photograph and scene, below them a map of their difference and histograms of their hues. */
 final class ComparisonSheet {
     private static final int PANEL = 720;
     private static final int MARGIN = 24;
@@ -62,7 +62,7 @@ final class ComparisonSheet {
         int columns = photo.width();
         double[][] rows = new double[photo.height()][columns];
         for (int row = 0; row < rows.length; row++) {
-            // The heat map's rows begin at the bottom, the picture's on top.
+            // The heat map's rows begin at the bottom.
             System.arraycopy(comparison.differences(), (rows.length - 1 - row) * columns, rows[row], 0, columns);
         }
         HeatMap.Values values = new HeatMap.Values(

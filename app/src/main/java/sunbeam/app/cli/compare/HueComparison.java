@@ -13,7 +13,6 @@ import sunbeam.precompute.text.Text;
  *     to 1; NaN if one hue is constant
  * @param turnDegrees mean angle from the first hue to the second, degrees; NaN without pairs
  * @param first histogram of the first hues: share of all colors in each step of {@link #STEP_DEGREES} from 0
- * @param second histogram of the second hues
  */
 record HueComparison(int count, double correlation, double turnDegrees, double[] first, double[] second) {
     static final int STEP_DEGREES = 10;

@@ -25,10 +25,8 @@ import sunbeam.precompute.text.Text;
  * @param covered number of compared pixels
  * @param clipped number of compared pixels that are clipped in the photograph
  * @param differences CIEDE2000 of each pixel, row by row; NaN if a pixel is not compared
- * @param median median of the differences
  * @param high 95th percentile of the differences
  * @param luminance Pearson's correlation of the luminances; NaN if one is constant
- * @param hue comparison of the hues
  * @param lit pixels of the scene that are not black at this exposure
  */
 record PhotoComparison(
@@ -43,10 +41,7 @@ record PhotoComparison(
         LitPixels lit) {
     /** Least coverage of a fully covered pixel, which is 1 but for rounding. */
     private static final float WHOLE = 0.999f;
-    /**
-     * Error, in standard deviations, above which Huber's weights fall. For normal errors the estimate has 95 % of the efficiency of least
-     * squares (P. Huber, 1964).
-     */
+    /** Error, in standard deviations, above which Huber's weights fall: 95 % efficient for normal errors (P. Huber, 1964). */
     private static final double HUBER = 1.345;
     /** Ratio of the standard deviation of normal errors to the median of their absolute values. */
     private static final double DEVIATION = 1.4826;
@@ -57,7 +52,6 @@ record PhotoComparison(
     private static final int MOST_STEPS = 50;
 
     /**
-     * @param scene picture of the scene, of the photograph's size
      * @param given exposure, a factor of the scene's light; empty to fit it
      * @throws InputException if nothing can be compared
      */

@@ -26,9 +26,8 @@ import sunbeam.precompute.files.InputException;
 /**
  * Orientation of a photograph, and color profile of a PNG: Java's decoders ignore both.
  *
- * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): the corner of the stored picture at which the upright picture's top left lies; 1 if
- *     the file has no orientation
- * @param profile color profile of a PNG; empty for JPEG and TIFF, whose decoders apply the profile
+ * @param orientation 1 to 8 (Exif 2.32, tag 0x0112): the corner of the stored picture at which the upright picture's top left lies
+ * @param profile color profile of a PNG; empty for JPEG and TIFF, whose decoders apply it
  * @param hasProfile whether a PNG or TIFF has a profile, which the TIFF decoder silently drops if it is damaged
  */
 record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProfile) {
@@ -40,11 +39,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
     /** Tolerance of this value, so that a gamma of 0.45 counts as sRGB, too. */
     private static final int GAMMA_ROUNDING = 500;
 
-    /**
-     * Reads the tags of a PNG, JPEG or TIFF.
-     *
-     * @throws InputException for damaged tags, and for a PNG whose colors are neither sRGB nor described by a profile
-     */
+    /** @throws InputException for damaged tags, and for a PNG whose colors are neither sRGB nor described by a profile */
     static PhotoTags read(Path file) {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
             return switch (stream.readUnsignedShort()) {

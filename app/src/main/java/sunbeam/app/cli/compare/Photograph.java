@@ -29,9 +29,8 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
     private static final double ROUNDING = 1e-9;
 
     /**
-     * A photograph in linear light.
+     * A photograph in linear light; its coverage is the photograph's alpha.
      *
-     * @param picture linear light; coverage is the photograph's alpha
      * @param clipped for each pixel, row by row: true if any channel of any of the file's pixels in it was at its maximum
      */
     record Linear(ScenePicture picture, boolean[] clipped) {}
@@ -140,7 +139,7 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
      * Converts a photograph's samples to linear light by an ICC profile, or else by the curve of sRGB, also for gray samples.
      *
      * @param channels number of color channels; an alpha channel may follow in the samples
-     * @param white largest value of a sample in these channels
+     * @param white largest value of a sample
      * @param curve linear light of each value of a sample, 0 to 1, used if there is no conversion
      * @param conversion conversion by the profile to linear sRGB of 16 bits; it clips at the gamut of sRGB, as the comparison does for the
      *     scene
@@ -149,8 +148,7 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
         private static final int WHITE_16 = 65_535;
 
         /**
-         * @param space color space of the samples; that of the profile if the file has one
-         * @param hasProfile whether the file has a profile; if {@code space} is a standard one nevertheless, the profile was damaged
+         * @param space color space of the samples; a standard one nevertheless means that the file's profile was damaged
          * @throws InputException for unknown kinds of samples or color spaces, and for a damaged profile
          */
         static Colors of(Path file, Raster raster, int channels, ColorSpace space, boolean hasProfile) {
@@ -186,11 +184,7 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
             return new Colors(file, channels, white, curve, Optional.of(new ColorConvertOp(profiles, null)));
         }
 
-        /**
-         * Returns the linear light of a row of pixels: red, green and blue of sRGB for each pixel, 0 to 1.
-         *
-         * @param samples {@code bands} samples for each pixel, those of color first
-         */
+        /** Returns red, green and blue of linear sRGB, 0 to 1, for a row of pixels of {@code bands} samples each, those of color first. */
         float[] linear(int[] samples, int bands) {
             int columns = samples.length / bands;
             float[] light = new float[3 * columns];

@@ -73,7 +73,7 @@ public final class EvaluateCommand extends FileCommand {
     // Methods that compute power at a wavelength; gem and table compute colors only.
     private static final MethodType[] POWER = {FullMethod.TYPE, NmmMethod.TYPE, PqMethod.TYPE, ReferenceMethod.TYPE};
     // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter
-    // between coherence areas, that of a repeated patch is exact, and that of the option --period is roughly known.
+    // between coherence areas; that of a repeated patch is exact, and that of --period roughly known.
     private static final double GROWN_FACTOR = 1.35;
     private static final double EXACT_FACTOR = 1.1;
     private static final double GIVEN_FACTOR = 1.2;

@@ -33,9 +33,8 @@ import sunbeam.precompute.units.Lengths;
  * A patch's response in the plane of incidence, and the period of its heights to compare it with (docs/evaluation.md).
  *
  * @param period period of the heights, searched among the periods and directions that the options allow
- * @param peaks way in which the ridge was found
  * @param ridge ridge of the first order; empty if the orders overlap, or if none is found
- * @param noRidge reason why there is no ridge; empty if there is one
+ * @param noRidge reason why there is no ridge
  */
 record Evaluation(
         Patch patch,
@@ -44,13 +43,10 @@ record Evaluation(
         Peaks peaks,
         Optional<Ridge> ridge,
         Optional<String> noRidge) {
-    // Least distance between orders, in standard deviations of the window's spectrum. Orders are Gaussians at distances
-    // of 1 / period. At
-    // three deviations 1 % of the mirror order's amplitude is left; at less, it shifts the ridge by some percent.
+    // Least distance between orders, in standard deviations of the window's spectrum: 1 % of the mirror order's
+    // amplitude is left there, and more would shift the ridge by some percent.
     private static final double APART = 3;
-
     private static final int RIDGE_DIGITS = 5;
-
     private static final double NANOMETERS = 1e9;
 
     static Evaluation of(
@@ -110,8 +106,6 @@ record Evaluation(
     }
 
     /**
-     * Returns the report's lines below the verdict.
-     *
      * @param area words for the part of the surface that is averaged over
      * @param explained true to add the numbers of the thesis's Table 4.1
      */
@@ -178,7 +172,7 @@ record Evaluation(
         return tree;
     }
 
-    /** Returns a table with a row for each wavelength in nm and a column for each angle, whose heading is the angle in degrees. */
+    /** Returns a row for each wavelength in nm and a column for each angle, whose heading is the angle in degrees. */
     AtomicFile.StreamContent csv() {
         ResponseGrid grid = response.grid();
         List<String> header = new ArrayList<>(List.of("wavelength_nm"));

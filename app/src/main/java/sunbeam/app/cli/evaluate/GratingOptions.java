@@ -32,7 +32,6 @@ public final class GratingOptions extends SettingOptions {
     // Largest step between angles, in standard deviations of the window's spectrum. A ridge is 1.7 deviations wide at
     // half its height, so three samples lie on its top.
     private static final double COARSEST_STEP = 0.6;
-
     private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
     private static final Setting<Double> PHI_I = new Setting<>(
                     "phiI",
@@ -129,11 +128,7 @@ public final class GratingOptions extends SettingOptions {
         return new GratingPlane(choices().get(THETA_I), choices().get(PHI_I), azimuthRadians);
     }
 
-    /**
-     * Returns the grid of angles and wavelengths, checked against the window's resolution.
-     *
-     * @throws UsageException if the angles' steps are too coarse to resolve a peak, or if no angle sees the first order
-     */
+    /** Returns the grid of angles and wavelengths. Refuses steps too coarse to resolve a peak, and angles that do not see the order. */
     ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
         double[] meters =
                 Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();

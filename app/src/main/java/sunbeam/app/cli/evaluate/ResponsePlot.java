@@ -14,22 +14,16 @@ import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.text.Text;
 
 /**
- * Plot as in the thesis's figures 4.9 to 4.11: the response as a color map over wavelength and angle, and its brightest angles. Curves of
- * the grating equation are drawn for the period of the heights, for both ends of its interval, and for the mean period of the brightest
- * angles.
+ * Plot as in the thesis's figures 4.9 to 4.11: the response over wavelength and angle, its brightest angles, and curves of the grating
+ * equation for the period of the heights, for both ends of its interval, and for the mean period of the brightest angles.
  */
 final class ResponsePlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 800;
     // Lowest response of the color scale relative to the highest.
     private static final double SPAN = 1e-4;
-
     private static final int PEAKS = 0xFF3020;
-
-    /** Light blue of the grating equation for the mean of the brightest angles. */
     private static final int FITTED = 0x40A0FF;
-
-    /** Magenta of the grating equation for the period of the heights. */
     private static final int EQUATION = 0xE868E8;
 
     private ResponsePlot() {}

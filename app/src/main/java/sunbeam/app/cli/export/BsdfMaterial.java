@@ -17,13 +17,12 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 
 /**
- * A color grid converted to the RGL material format (Dupuy and Jakob 2018). For each first direction wi of a grid it has a slice: a map of
- * half vectors h to the unit square, and spectra over the square. The BRDF times the cosine of the second direction is spectrum / (4 wi.z
- * h.z^2); this division leaves the spectra smooth.
+ * A color grid in the RGL material format (Dupuy and Jakob 2018). For each first direction wi it has a slice: a map of half vectors h to
+ * the unit square, and spectra over the square. The BRDF times the cosine of the second direction is spectrum / (4 wi.z h.z^2); this
+ * division leaves the spectra smooth. Slices are ordered by the first direction's azimuth, then by its angle to the normal.
  *
  * @param azimuths density of the square's rows over the half vector's azimuth, the same for all slices
- * @param densities by slice: density of the map of half vectors. Slices are ordered by the first direction's azimuth, then by its angle to
- *     the normal
+ * @param densities by slice: density of the map of half vectors
  * @param spectra by slice: {@code [(band * side + row) * side + column]}
  * @param luminance by slice: probability, not normalized, with which readers sample each point of the square
  */
@@ -107,9 +106,7 @@ record BsdfMaterial(
         return Gain.reflectance(pair.cosThetaD()) * 4 * Math.PI * ratio * ratio / pair.cosThetaI();
     }
 
-    /**
-     * Evaluates the material as readers of the file do: BRDF times the cosine of the second direction, 1/sr, for a wavelength in meters.
-     */
+    /** Evaluates the material as readers do: BRDF times the cosine of the second direction, 1/sr, for a wavelength in meters. */
     double eval(DirectionPair pair, double wavelength) {
         Direction wi = pair.wi();
         Direction sum = new Direction(-pair.u(), -pair.v(), -pair.w());
@@ -167,10 +164,9 @@ record BsdfMaterial(
         return mix(both[0], both[1], band - b);
     }
 
-    /** Computes the spectra of one first direction, the slice's, from its map and from color grids of all bands. */
+    /** Computes the spectra of one first direction from its map and from color grids of all bands. */
     private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
-        // Least cosine of the second direction in the divisor of the luminance, which would else be infinite at the
-        // horizon.
+        // Least cosine of the second direction in the divisor of the luminance, which would be infinite at the horizon.
         private static final double LEAST_COSINE = 0.03;
 
         void fill(float[] spectra, float[] luminance) {

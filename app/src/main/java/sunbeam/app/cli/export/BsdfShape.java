@@ -8,22 +8,17 @@ import sunbeam.precompute.colortable.ColorTable;
  * Numbers of samples along the axes of a tensor file. They grow as the steps of the color grid, and so its orders, get narrower.
  *
  * @param phis number of azimuths of the first direction, from -180 to 180 degrees
- * @param thetas number of the first direction's angles to the normal, from 0 to {@code largest}
- * @param largest largest angle of the first direction to the normal, radians
+ * @param thetas number of the first direction's angles to the normal, from 0 to {@code largest}, radians
  * @param side number of samples along each side of the unit square that holds the second direction
- * @param rows number of azimuths of the half vector at which the density that maps the square to half vectors ({@link HalfVectors}) is
- *     stored
- * @param columns number of the half vector's angles to the normal at which that density is stored
- * @param bands wavelength bands of the spectra
+ * @param rows number of the half vector's azimuths in the density of {@link HalfVectors}
+ * @param columns number of the half vector's angles to the normal in that density
  */
 record BsdfShape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
     // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is unstable.
     private static final double LARGEST_ANGLE = Math.toRadians(88);
-
     private static final int LEAST_COLUMNS = 48;
-    // The following factors are chosen on patch blaze so that each axis causes about the same part of the error.
-    // DIRECTION_STEP times the root of the grid's step is the angle between first directions, radians: between them an
-    // order's place errs by the square of this angle.
+    // Angle between first directions, radians, by the root of the grid's step: between them an order's place errs by
+    // its square. By this factor and the next, measured on patch blaze, each axis causes about the same error.
     private static final double DIRECTION_STEP = 1.3;
     // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
     private static final double SIDE = 0.65;

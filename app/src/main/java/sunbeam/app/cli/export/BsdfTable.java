@@ -18,12 +18,9 @@ import sunbeam.precompute.text.Text;
 /** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
 final class BsdfTable implements TableWriter {
     private static final int CURVE_SAMPLES = 1024;
-
     private static final int COMPARED_PAIRS = 300;
-
     private static final long SEED = 5;
-    // Least power at which errors are measured. Less is invisible beside any order, and in a Gaussian's tail linear
-    // interpolation has large relative errors.
+    // Least power at which errors are measured: in a Gaussian's tail linear interpolation has large relative errors.
     private static final double LEAST_POWER = 1e-3;
 
     private final WavelengthBand range;
@@ -42,10 +39,7 @@ final class BsdfTable implements TableWriter {
         return List.of(note);
     }
 
-    /**
-     * Returns the errors of power against the exact reference. They exceed the color grid's errors, because the file's grid of directions
-     * is coarser.
-     */
+    /** Returns the errors of power, which exceed the color grid's, because the file's grid of directions is coarser. */
     @Override
     public ErrorStatistics errors(TableMetadata metadata) {
         return errors;
@@ -122,7 +116,7 @@ final class BsdfTable implements TableWriter {
         return HalfVectors.angle(i, CURVE_SAMPLES);
     }
 
-    /** Measures errors of power against the exact reference, at pairs aimed at orders: most other pairs are dark. */
+    /** Measures errors of power at pairs aimed at orders: most other pairs are dark. */
     private ErrorStatistics errors(BsdfMaterial material, ColorGrid grid, TableMetadata metadata) {
         ExactLight exact =
                 metadata.setup().exact(new ReferenceMethod(grid.level().area()));

@@ -10,10 +10,8 @@ import sunbeam.precompute.numerics.Lagrange;
 /**
  * Ensemble-averaged colors C(u, v, w) under a coherence window, on a regular grid.
  *
- * @param level level of the color table: its window, and the scale that converts power under it to power under the requested window
- * @param shape axes of the grid
- * @param roots square roots of X, Y, Z: one array per slice of w, {@code [(row * columns + column) * 3 + channel]}, v ascending by row, u
- *     by column
+ * @param level level of the color table: its window, and the scale from power under it to power under the requested window
+ * @param roots square roots of X, Y, Z by slice of w: {@code [(row * columns + column) * 3 + channel]}, v ascending by row
  */
 record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     static final int CHANNELS = 3;
@@ -90,10 +88,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return Math.max(-radius, Math.min(radius, value));
     }
 
-    /**
-     * Bakes all texels that any two directions reach. They are sorted by azimuth, so that a batch is a wedge and different batches share
-     * few rays.
-     */
+    /** Bakes all texels that any two directions reach, sorted by azimuth, so that a batch is a wedge and batches share few rays. */
     void bake(ColorBaker baker, ColorBaker.Token token) {
         int[] byAngle = IntStream.range(0, shape.texels())
                 .filter(texel -> slices(texel) > 0)
@@ -145,7 +140,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return shape.v().at(texel / shape.u().count());
     }
 
-    /** Returns the azimuth of a texel plus pi, 0 to 2 pi: a float's bits sort like its value only if it is not negative. */
+    /** Returns a texel's azimuth plus pi: a float's bits sort like its value only if it is not negative. */
     private float angle(int texel) {
         return (float) (Math.PI + Math.atan2(v(texel), u(texel)));
     }

@@ -37,7 +37,6 @@ enum ExportFormat {
         return tolerance;
     }
 
-    /** True if the format has a divisor of radiance by direction of light. */
     boolean dividesByLight() {
         return this == NPZ || this == BSDF;
     }
@@ -47,7 +46,7 @@ enum ExportFormat {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Refuses a wrong file name or an unwritable output; called before anything is computed. */
+    /** Refuses a wrong file name or an unwritable output. */
     void check(Path output, Overwrite overwrite) {
         if (ending != null) {
             ending.require("--output", output);
@@ -60,7 +59,6 @@ enum ExportFormat {
         }
     }
 
-    /** @param files contents by ending; of a format that is one file, the only content */
     List<Path> write(Path output, Overwrite overwrite, Map<String, AtomicFile.StreamContent> files) {
         return ending != null
                 ? List.of(AtomicFile.write(

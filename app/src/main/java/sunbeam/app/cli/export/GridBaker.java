@@ -36,7 +36,7 @@ final class GridBaker {
             AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
         }
 
-        /** True if a table of this shape may fit on disk and in memory, by a lower bound of its size before it is computed. */
+        /** True if a table of this shape may fit on disk and in memory, by a lower bound of its size. */
         boolean mayHold(GridShape shape) {
             long bytes = writer.leastBytes(shape);
             if (bytes <= most) {
@@ -120,16 +120,13 @@ final class GridBaker {
         return (levels.size() - 1 - levels.indexOf(grid.level())) / 2;
     }
 
-    /** Returns the grid of the same part of the plane, with the width of orders and texels doubled {@code doublings} times. */
+    /** Returns the grid of the same part of the plane, with orders and texels {@code 2^doublings} times as wide. */
     ColorGrid coarser(ColorGrid grid, int doublings) {
         ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
         return bake(wider, grid.shape().coarser(1 << doublings));
     }
 
-    /**
-     * Returns grids with the same texels that hold spectral bands in place of X, Y, Z: {@link SpectralBands#TOGETHER} in each grid, one per
-     * channel.
-     */
+    /** Returns grids with the same texels that hold spectral bands in place of X, Y, Z, {@link SpectralBands#TOGETHER} each. */
     List<ColorGrid> bands(ColorGrid grid, SpectralBands bands) {
         return IntStream.range(0, bands.tables())
                 .mapToObj(number -> under(bands.table(number), grid))

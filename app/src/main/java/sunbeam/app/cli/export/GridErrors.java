@@ -26,14 +26,12 @@ import sunbeam.precompute.reference.ExactLight.Quadrature;
  * Errors of a color grid at random pairs of directions, half of them uniform on the hemisphere and half aimed at orders. An error is the
  * largest difference of the three channels, X, Y, Z or bands, relative to the largest channel.
  *
- * @param quantity name of the compared numbers: X, Y, Z or three bands
- * @param reference errors against the exact reference
+ * @param quantity name of the compared numbers
  * @param sums errors against sums over wavelengths, which are fast enough for many pairs
  */
 record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics sums) {
     private static final long SEED = 3;
     private static final int SUM_PAIRS = 1000;
-    /** Number of pairs that are compared with the exact reference if they are cheap. */
     private static final int REFERENCE_PAIRS = 4;
     /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
     private static final double MOST_PRODUCTS = 2e10;
@@ -46,7 +44,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
      *
      * @param read grid as a reader of the file sees it
      * @param weights weights over wavelength of the compared numbers: those of the light, or of three bands
-     * @param samples number of pairs for which the reference is evaluated; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
+     * @param samples number of pairs for the reference; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
      */
     static GridErrors of(
             DiffractionSetup setup, GridBaker gridBaker, ColorGrid read, CieTable weights, OptionalInt samples) {
@@ -67,10 +65,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
         return new GridErrors(quantity, Comparison.relative(compared), Comparison.relative(many));
     }
 
-    /**
-     * Chooses pairs in turn from two lists: {@code count} of them if present, else up to 4 whose cost is within {@link #MOST_PRODUCTS}, but at
-     * least 1.
-     */
+    /** Chooses pairs in turn from two lists: {@code count} of them, or up to 4 within {@link #MOST_PRODUCTS}, but at least 1. */
     static List<DirectionPair> choose(
             List<DirectionPair> aimed,
             List<DirectionPair> uniform,
@@ -95,10 +90,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
         return inTurn.subList(0, chosen);
     }
 
-    /**
-     * Draws pairs until enough of them are bright, compares the grid with the baker's direct sums there, and adds the bright pairs to
-     * {@code compared}.
-     */
+    /** Draws pairs until enough are bright, compares the grid with direct sums there, and adds the bright pairs to {@code compared}. */
     private static List<Comparison> compare(
             ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> compared) {
         List<Comparison> bright = new ArrayList<>();

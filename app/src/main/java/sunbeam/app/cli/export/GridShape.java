@@ -13,20 +13,18 @@ import sunbeam.precompute.optics.CoherenceWindow;
 record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
     /** Largest |(u, v)|, and largest |w|, of any two directions. */
     static final double REACH = 2;
-    // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest, and linear interpolation
-    // errs most.
+    // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest.
     private static final double SHARPEST_WAVELENGTH = 450e-9;
 
     /** Axis of a grid: equally spaced values, at least one; the step is positive. */
     record Axis(double first, double step, int count) {
-
         /** Returns the shortest axis with this step that covers the interval and has the same center. */
         static Axis covering(double from, double to, double step) {
             int count = 1 + (int) Math.ceil((to - from) / step);
             return new Axis(0.5 * (from + to - (count - 1) * step), step, count);
         }
 
-        /** Returns an axis of the same step, extended on both sides until the number of values is a multiple of {@code multiple}. */
+        /** Returns an axis extended on both sides to a multiple of {@code multiple} values. */
         Axis padded(int multiple) {
             int more = (multiple - count % multiple) % multiple;
             int before = more / 2;
@@ -65,10 +63,7 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
         }
     }
 
-    /**
-     * Returns the coarsest shape whose interpolation keeps a tolerance: linear in the square roots along u and v, cubic in the colors along
-     * w.
-     */
+    /** Returns the coarsest shape that keeps a tolerance: linear in the square roots along u and v, cubic in the colors along w. */
     static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
         double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
         double sliceStep = TableDesign.within(tolerance, level.area(), relief).sliceStep();
@@ -111,7 +106,7 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
         return sum;
     }
 
-    /** Returns the number of slices, counted from the first, that any two directions of the range reach at this (u, v). */
+    /** Returns the number of slices from the first that any two directions of the range reach at this (u, v). */
     int slicesAt(int column, int row) {
         double radius = Math.max(0, Math.hypot(u.at(column), v.at(row)) - 1.5 * u.step());
         if (radius > range.radius()) {

@@ -4,13 +4,12 @@ import java.util.Arrays;
 
 /**
  * Map from the unit square to half vectors for one first direction. A tensor file stores it as a density over azimuth and angle of the half
- * vector. This density is chosen so that a point of the square means the same (u, v) for every first direction; so orders stay in place
- * when a reader interpolates between first directions. The vector -(u, v) has the half vector's azimuth. Its length r grows with the half
- * vector's angle a, dr/da = 2 cos(angle of the second direction), until the second direction is at the horizon.
+ * vector. It is chosen so that a point of the square means the same (u, v) for every first direction; so orders stay in place when a reader
+ * interpolates between these. The vector -(u, v) has the half vector's azimuth. Its length r grows with the half vector's angle a, dr/da =
+ * 2 cos(angle of the second direction), until the second direction is at the horizon.
  *
  * @param azimuths density of the square's rows over the half vector's azimuth, from -180 to 180 degrees
- * @param density density at each azimuth (row) and angle (column) of the half vector, {@code [row * columns + column]}; its integral over
- *     the unit square is 1
+ * @param density density at each azimuth (row) and angle (column), {@code [row * columns + column]}; its integral is 1
  */
 record HalfVectors(Density azimuths, float[] density, int columns) {
     // Decrease of the density with |(u, v)|: fewer pairs of directions reach long (u, v) than short ones.
@@ -40,7 +39,7 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
             return values[below] + (place - below) * (values[below + 1] - values[below]);
         }
 
-        /** Returns the integral up to a fractional node index, relative to the whole integral, 0 to 1. */
+        /** Returns the integral up to a fractional node index, relative to the whole integral. */
         double share(double place) {
             int below = below(place);
             double beyond = place - below;
@@ -48,7 +47,7 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
             return (sums[below] + beyond * (values[below] + 0.5 * beyond * slope)) / total();
         }
 
-        /** Returns the fractional node index up to which the integral is this share of the whole; the inverse of {@link #share}. */
+        /** Returns the fractional node index up to which the integral is this share of the whole. */
         double place(double share) {
             double wanted = share * total();
             int below = 0;

@@ -144,10 +144,7 @@ final class HtmlTable implements TableWriter {
             return value * value;
         }
 
-        /**
-         * Predicts a texel's change from the slice before: the median of the left neighbor's change, the lower neighbor's, and left + below
-         * - corner (the median predictor of JPEG-LS).
-         */
+        /** Predicts a texel's change from that of the left and the lower neighbor and the corner (median predictor of JPEG-LS). */
         private static int guess(int[] now, int[] before, int texel, int column, int columns) {
             int left = column == 0 ? 0 : now[texel - 1] - before[texel - 1];
             int below = texel < columns ? 0 : now[texel - columns] - before[texel - columns];

@@ -8,8 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
- * A texture file in the Khronos group's format KTX 2.0: an array of two-dimensional textures of four half floats, with mip levels, not
- * compressed.
+ * A texture file in Khronos's format KTX 2.0: an array of two-dimensional textures of four half floats, with mip levels.
  *
  * @param layers array layers of each level
  * @param levels half floats, the finest level first; layer by layer, row by row from the bottom
@@ -66,13 +65,11 @@ record Ktx2File(int width, int height, int layers, List<short[]> levels, String 
     /** Writes Khronos's basic data format descriptor: linear, four signed floats of 16 bits. */
     private static void describe(ByteBuffer head) {
         ints(head, Integer.BYTES + DESCRIPTOR_BYTES, 0, 2 | DESCRIPTOR_BYTES << Short.SIZE);
-        // Fields: color model RGBSDA, primaries unspecified, linear, alpha straight; blocks of one texel; bytes per
-        // texel.
+        // Fields: color model RGBSDA, linear, alpha straight; blocks of one texel; bytes per texel.
         ints(head, 1 | 1 << Short.SIZE, 0, TEXEL_BYTES, 0);
         for (int channel = 0; channel < CHANNELS; channel++) {
             int kind = channel == CHANNELS - 1 ? 15 : channel;
-            // Fields: bit offset, bit length, channel and signed float; position in the block; least and largest
-            // value, -1 and 1.
+            // Fields: bit offset, bit length, channel and signed float; position; least and largest value, -1 and 1.
             ints(head, 16 * channel | 15 << 16 | (kind | 0xc0) << 24, 0, 0xbf800000, 0x3f800000);
         }
     }

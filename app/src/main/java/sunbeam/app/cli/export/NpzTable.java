@@ -21,7 +21,7 @@ import sunbeam.precompute.optics.Direction;
 /**
  * A NumPy archive: array {@code C} of shape (w, v, u, channel), the axes {@code w}, {@code v}, {@code u}, and metadata.json.
  *
- * @param bands wavelength bands of spectral channels; unused for other kinds
+ * @param bands wavelength bands of spectral channels; else unused
  */
 record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     private static final String INTERPOLATION =

@@ -29,11 +29,7 @@ final class ShaderText {
         }
     }
 
-    /**
-     * Returns a resource with the numbers of a table.
-     *
-     * @param doublings number of mip levels beside the finest
-     */
+    /** Returns a resource with the numbers of a table; doublings are the mip levels beside the finest. */
     static String of(String name, TableMetadata metadata, int doublings) {
         GridShape shape = metadata.grid().shape();
         ColorTable.Level level = metadata.grid().level();

@@ -23,10 +23,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Metadata that every output states: the color grid as a reader of the file sees it, its errors, the requested light, and the
- * divisor by direction of light if energy is conserved.
- */
+/** Metadata that every output states; the grid is as a reader sees it, and a divisor means that energy is conserved. */
 record TableMetadata(
         DiffractionSetup setup, Choices choices, ColorGrid grid, GridErrors errors, Optional<EnergyDivisor> divisor) {
     private static final double FIRST_THETA = 30;

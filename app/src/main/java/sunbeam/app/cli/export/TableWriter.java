@@ -8,11 +8,9 @@ import sunbeam.precompute.errors.ErrorStatistics;
 
 /** Converts a color grid to the files of one format. A writer is used for one output only. */
 interface TableWriter {
-
     /** Returns a lower bound of the output's bytes for a grid of this shape. */
     long leastBytes(GridShape shape);
 
-    /** Returns the output's size in bytes. */
     default long bytes(ColorGrid grid) {
         return leastBytes(grid.shape());
     }
@@ -27,7 +25,7 @@ interface TableWriter {
         return ColorGrid.CHANNELS * shape.allTexels();
     }
 
-    /** Returns the weights over wavelength with which errors are measured; light times observer by default. */
+    /** Returns the weights over wavelength with which errors are measured. */
     default CieTable errorWeights(CieTable light) {
         return light;
     }
@@ -37,20 +35,15 @@ interface TableWriter {
         return grid;
     }
 
-    /** Returns the errors of the written table that are judged by the tolerance. */
+    /** Returns the errors that are judged by the tolerance. */
     default ErrorStatistics errors(TableMetadata metadata) {
         return metadata.errors().sums();
     }
 
-    /** Returns remarks on the written files, one line each. */
     default List<String> notes() {
         return List.of();
     }
 
-    /**
-     * Returns the contents of the files by ending; of a format that is one file, one content.
-     *
-     * @param baker source of coarser grids
-     */
+    /** Returns the contents of the files by ending; of a format that is one file, one content. */
     Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata);
 }

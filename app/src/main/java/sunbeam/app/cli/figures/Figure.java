@@ -25,7 +25,6 @@ import sunbeam.precompute.text.Text;
  * @param number number in the thesis, such as 5.10 or table-4.1
  * @param thesis what the thesis shows or claims
  * @param ours what Sunbeam's pictures show beside or instead of that
- * @param check measurement of the pictures that decides whether the claim holds
  * @param patches patches for which each picture is drawn: blaze, elaphe, xenopeltis; null if the commands name their own
  * @param compared true if all maps of a patch use the exposure of its first map and are compared with it
  */
@@ -38,22 +37,19 @@ record Figure(
         List<String> patches,
         boolean compared,
         List<Picture> pictures) {
-
     /**
-     * Picture to draw for each patch.
+     * Picture to draw for each patch; optional values are null.
      *
      * @param label words for the caption that distinguish the picture from the others of the figure
-     * @param command command line of this program; null for a plot. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file}
-     *     for the picture, {stem} for its name without the ending, {scene} for the scene's file, {size} for its size. {wavelengths} stands
-     *     for those of a response, {slits} for {@link FigureInput#SLITS}, {window} for a width whose orders are broader than pixels. A
-     *     brdf-map without {file} draws a disc of the chosen size
-     * @param plot name of a {@link FigurePlot}; null for a command
+     * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
+     *     {stem} for its name without the ending, {scene} for the scene's file, {size} for its size, {wavelengths} for those of a response,
+     *     {slits} for {@link FigureInput#SLITS}, {window} for a width whose orders are broader than pixels. A brdf-map without {file} draws
+     *     a disc of the chosen size
+     * @param plot {@link FigurePlot} in place of a command
      * @param picture file that the command writes, with {stem}; null for {stem}.png
-     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers ({@link FigureInput}); null for
-     *     none
+     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers ({@link FigureInput})
      * @param hidden true for a picture that only the check or a plot needs
-     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters (_m);
-     *     null for none
+     * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters (_m)
      */
     record Picture(
             String name,
@@ -90,11 +86,7 @@ record Figure(
         figure.set("pictures", expanded);
     }
 
-    /**
-     * Returns the figures with these numbers; all if the list is empty.
-     *
-     * @throws UsageException for an unknown number
-     */
+    /** Returns the figures with these numbers; all if the list is empty. Refuses unknown numbers. */
     static List<Figure> select(List<String> numbers) {
         List<Figure> all = all();
         List<String> known = all.stream().map(Figure::number).toList();
@@ -117,10 +109,7 @@ record Figure(
 
     /** Picture of one patch, with the command line that draws it and the file of the picture to compare it with. */
     record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
-        /**
-         * True if the command has {@code --resume}: it redraws an existing picture only if the parameters differ. Pictures of other
-         * commands are kept.
-         */
+        /** True if the command has {@code --resume}: it redraws an existing picture only if the parameters differ. Others are kept. */
         boolean resumes() {
             return picture.plot() == null
                     && (command.get(0).equals("brdf-map")
@@ -140,10 +129,7 @@ record Figure(
             return command.contains("--no-annotate");
         }
 
-        /**
-         * Returns rows of the picture's label, the number's name, the thesis's number, Sunbeam's and their difference, for all results that
-         * exist.
-         */
+        /** Returns rows of label, the number's name, the thesis's number, Sunbeam's and their difference, for all results that exist. */
         List<List<String>> numbers() {
             if (picture.numbers() == null || !Files.isRegularFile(beside(".json"))) {
                 return List.of();
@@ -168,14 +154,13 @@ record Figure(
         return check.verdict(own(drawings));
     }
 
-    /** Returns those of the drawings that belong to this figure. */
     List<Drawing> own(List<Drawing> drawings) {
         return drawings.stream()
                 .filter(drawing -> drawing.number().equals(number))
                 .toList();
     }
 
-    /** Returns the names of the patches, which have a row of pictures each; a single empty name if the commands name their own patches. */
+    /** Returns the names of the patches, which have a row of pictures each; a single empty name if the commands name their own. */
     List<String> rows() {
         return patches == null ? List.of("") : patches;
     }

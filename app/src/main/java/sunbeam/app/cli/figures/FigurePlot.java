@@ -32,14 +32,9 @@ enum FigurePlot {
 
     private static final int WIDTH = 800;
     private static final int HEIGHT = 480;
-
-    /** Value of illuminant E at all wavelengths. */
     private static final double EQUAL_POWER = 100;
 
-    /**
-     * Draws the plot, and writes its numbers, if it has any, as JSON. A plot of results, those of the same figure and patch, is left out if
-     * there are fewer than two.
-     */
+    /** Draws the plot, and writes its numbers, if it has any, as JSON; a plot of fewer than two results is left out. */
     void draw(Figure.Drawing drawing, List<Figure.Drawing> all) {
         String ending = this == ERRORS ? ".npy" : ".csv";
         List<Figure.Drawing> results = all.stream()

@@ -35,7 +35,6 @@ import sunbeam.precompute.text.Text;
 public final class FiguresCommand extends FileCommand {
     private static final int LARGEST = 2048;
     private static final int STANDARD = 224;
-
     private static final int QUICK = 96;
     private static final String PAGE = "index.html";
     private static final Map<String, String> BUILT_IN =
@@ -76,11 +75,7 @@ public final class FiguresCommand extends FileCommand {
                     + " built-in patches blaze, elaphe-like and xenopeltis-like.")
     private Path patchFolder;
 
-    /**
-     * Creates the command.
-     *
-     * @param runner function that runs a command line of this program
-     */
+    /** @param runner function that runs a command line of this program */
     public FiguresCommand(ProgressDisplay display, Function<List<String>, Collection.Outcome> runner) {
         this.display = display;
         this.runner = runner;

@@ -51,7 +51,7 @@ enum Measure {
         return label;
     }
 
-    /** Response over the angle at one wavelength, as evaluate writes it; angles in degrees, the largest value being 1. */
+    /** Response over the angle in degrees at one wavelength, as evaluate writes it, the largest value being 1. */
     record Response(double[] angles, double[] values) {
         static Response read(Figure.Drawing drawing) {
             Path file = drawing.beside(".csv");
@@ -98,11 +98,10 @@ enum Measure {
     }
 
     /**
-     * Measures a picture.
+     * Measures a picture; NaN if the command did not write the file of numbers, or found none.
      *
      * @param pointer JSON pointer of a number
      * @param base picture to compare with; null for measures that need none
-     * @return the value; NaN if the command did not write the file of numbers, or found none
      */
     double of(Figure.Drawing drawing, String pointer, Figure.Drawing base) {
         return switch (this) {
@@ -230,10 +229,9 @@ enum Measure {
     }
 
     /**
-     * Reads a number that the command wrote beside the picture, or into it.
+     * Reads a number that the command wrote beside the picture, or into it; NaN if there is none.
      *
      * @param pointer JSON pointer, with _nm and _nm2 where the number is in meters (_m, _m2)
-     * @return the number; NaN if there is none
      */
     static double number(Figure.Drawing drawing, String pointer) {
         Path file = drawing.beside(".json");

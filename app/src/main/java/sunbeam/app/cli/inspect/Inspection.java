@@ -33,10 +33,8 @@ import sunbeam.precompute.units.Lengths;
  * Properties of a patch's heights, as lines for people and as fields for programs.
  *
  * @param thetaI angle of the light to the normal that the verdict is for, degrees
- * @param energy energy of all orders under light along the normal, at the wavelength where it is largest; empty for a deep
- *     relief
+ * @param energy energy of all orders under light along the normal, where it is largest; empty for a deep relief
  * @param spectrum power spectrum of the heights, periodic if the period is exact, else tapered at the edges
- * @param limit coherence length that the scan's size allows
  * @param drawing plan of method full for any pair of directions; empty if it is not requested or impossible
  * @param refusal reason why there is no such plan; empty if there is one or none is requested
  */
@@ -54,10 +52,7 @@ record Inspection(
     private static final int DIGITS = 4;
     private static final Direction FROM_ABOVE = new Direction(0, 0, 1);
 
-    /**
-     * @param thetaI angle of the light to the normal, degrees
-     * @param withPlan whether to make the plan of method full, which takes long
-     */
+    /** @param withPlan whether to make the plan of method full, which takes long */
     static Inspection of(Patch patch, double thetaI, boolean withPlan) {
         ScanLimit limit = ScanLimit.of(Choices.none(), patch);
         GratingPeriod period = GratingPeriod.of(patch);

@@ -16,7 +16,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/** Draws an inspection as one picture: heights, power spectrum, histogram, a profile, and the text. */
+/** Picture of an inspection: heights, power spectrum, histogram, a profile, and the text. */
 record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines) {
     private static final int PANEL_WIDTH = 860;
     private static final int PICTURE_HEIGHT = 720;
@@ -27,7 +27,6 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     private static final double DUST = 0.001;
 
     private static final int PROFILE_PERIODS = 12;
-
     private static final double MICROMETERS = 1e6;
     private static final double NANOMETERS = 1e9;
     // Lowest power of the color scale relative to the highest.
@@ -61,8 +60,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
                 rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETERS;
             }
         }
-        // The gray scale leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one
-        // gray.
+        // Leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one gray.
         double[] heights = map.heights();
         double low = Quantiles.of(heights, DUST) * NANOMETERS;
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
@@ -128,8 +126,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double low = map.minimum();
         double step = Math.max(map.relief() / (HISTOGRAM_BINS - 1), Double.MIN_NORMAL);
         double[] shares = new double[HISTOGRAM_BINS];
-        // Each height counts in two neighboring bins, by its distance to their centers. So the few levels of an 8-bit
-        // scan do not look like a comb.
+        // Heights count in two neighboring bins, by distance, so that the levels of an 8-bit scan are no comb.
         for (double height : map.heights()) {
             double place = (height - low) / step;
             int bin = Math.min(HISTOGRAM_BINS - 2, (int) place);
@@ -171,13 +168,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
 
     /** Heights along a straight line through a patch's center, and distances from the line's first point, both in meters. */
     private record Profile(double[] positions, double[] heights) {
-
-        /**
-         * Samples a line through the center at the finer of both pitches, as far as the patch reaches.
-         *
-         * @param direction radians counterclockwise from +x
-         * @param longest largest length of the line, meters
-         */
+        /** Samples a line at the finer of both pitches, as far as the patch reaches; its direction in radians counterclockwise from +x. */
         static Profile through(HeightMap map, double direction, double longest) {
             double pitch = Math.min(map.pitchX(), map.pitchY());
             double cosine = Math.cos(direction);

@@ -31,10 +31,7 @@ import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/**
- * Option {@code --certify}, a picocli mixin: the command compares random samples of its result with the exact reference, or those of a
- * scene's picture with method full.
- */
+/** Option {@code --certify}, a picocli mixin: compares random samples of a result with the exact reference, or with method full. */
 public final class CertifyOption {
     private static final int MOST_SAMPLES = 100_000;
     private static final List<Setting<?>> OVERRIDES =
@@ -53,11 +50,7 @@ public final class CertifyOption {
                             + " 2 %% or the mean CIEDE2000 exceeds 1. The code is also 3 if all places are dark.")
     private Integer certify;
 
-    /**
-     * Returns the number of samples to compare; empty without the option.
-     *
-     * @throws UsageException for a number out of range
-     */
+    /** Returns the number of samples to compare; empty without the option. Refuses numbers out of range. */
     public OptionalInt count() {
         if (certify == null) {
             return OptionalInt.empty();
@@ -66,21 +59,12 @@ public final class CertifyOption {
         return OptionalInt.of(certify);
     }
 
-    /**
-     * Returns the certificate; empty without the option.
-     *
-     * @param evaluate creates the certificate, given the number of samples
-     */
     public Optional<Certificate> certificate(IntFunction<Certificate> evaluate) {
         OptionalInt count = count();
         return count.isPresent() ? Optional.of(evaluate.apply(count.getAsInt())) : Optional.empty();
     }
 
-    /**
-     * Refuses methods that cannot be compared with the reference.
-     *
-     * @throws UsageException if the option is given and the method is the reference itself, or its colors are not relative to a mirror's
-     */
+    /** Refuses methods that cannot be compared: the reference itself, and those whose colors are not relative to a mirror's. */
     public void check(Method method) {
         if (count().isEmpty()) {
             return;
@@ -94,11 +78,7 @@ public final class CertifyOption {
         }
     }
 
-    /**
-     * Refuses scenes whose pictures cannot be compared with points computed by method full.
-     *
-     * @throws UsageException if the option is given and the scene's method is neither full nor table, or has the thesis's preset
-     */
+    /** Refuses scenes whose method is neither full nor table, or has the thesis's preset: they differ from method full by design. */
     public void check(Scene scene) {
         if (count().isEmpty()) {
             return;
@@ -112,7 +92,6 @@ public final class CertifyOption {
         }
     }
 
-    /** Judges the certificate of a map or list with this plan; {@link ExitCode#OK} without a certificate. */
     public static ExitCode judge(
             Optional<Certificate> certificate, MethodPlan plan, Choices choices, PrintWriter out, PrintWriter err) {
         return certificate
@@ -124,7 +103,6 @@ public final class CertifyOption {
      * Prints a certificate, complains if its limits are missed or not promised by the plan, and returns the exit code.
      *
      * @param promised true if the plan promises the limits for all pixels or rows
-     * @param remedy advice printed when the limits are missed
      */
     public static ExitCode judge(
             Certificate certificate, boolean promised, String remedy, PrintWriter out, PrintWriter err) {
@@ -146,7 +124,6 @@ public final class CertifyOption {
         return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
-    /** Returns advice: leave out a setting that overrides the plan, take another method, or give a finer tolerance that a plan can keep. */
     static String remedy(Choices choices, MethodPlan plan) {
         Method method = Methods.of(choices);
         String overrides = OVERRIDES.stream()

@@ -13,7 +13,6 @@ import sunbeam.precompute.setting.Choices;
 
 /** Option {@code --with}, which adds surfaces to compare with the first; a picocli mixin. */
 public final class ComparisonPatches {
-    /** Most surfaces beside the first. */
     private static final int MOST = 24;
 
     @Option(
@@ -23,12 +22,11 @@ public final class ComparisonPatches {
                     "Another surface to show beside it at the same exposure, with the same options; may be repeated.")
     private List<String> others = new ArrayList<>();
 
-    /** True if there is more than one surface. */
     public boolean areSeveral() {
         return !others.isEmpty();
     }
 
-    /** Loads the first surface and the others; the method's preset decides how heights are read. */
+    /** Loads the first surface and the others. */
     public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
         if (others.size() > MOST) {
             throw new UsageException("--with is given " + others.size() + " times; give it " + MOST + " times at most");
@@ -44,7 +42,7 @@ public final class ComparisonPatches {
         }
     }
 
-    /** Adds a number to the patch's name if an earlier patch has that name, for example a file of the same name in another folder. */
+    /** Adds a number to the patch's name if an earlier patch has that name. */
     static Patch distinct(Patch patch, List<Patch> earlier) {
         Set<String> earlierNames = earlier.stream().map(Patch::name).collect(Collectors.toSet());
         String name = patch.name();

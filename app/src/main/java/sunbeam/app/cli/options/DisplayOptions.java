@@ -44,11 +44,7 @@ public final class DisplayOptions {
     @Option(names = "--primaries", paramLabel = "RGB", description = SceneSettings.PRIMARIES_HELP)
     private String primaries;
 
-    /**
-     * Parses {@code --exposure} and reads the picture that it may name; called before anything is computed.
-     *
-     * @return function that chooses one factor of linear colors for all of its pictures
-     */
+    /** Returns the rule that chooses one factor of linear colors for all pictures; reads the picture that {@code --exposure} may name. */
     public ToDoubleFunction<List<LinearPicture>> parse() {
         if (isAutomatic()) {
             int limit = isOfAll() ? Integer.MAX_VALUE : 1;
@@ -68,7 +64,7 @@ public final class DisplayOptions {
         return pictures -> value;
     }
 
-    /** Returns the transform from linear colors to the screen. Tone and primaries default to those of the method's preset. */
+    /** Returns the transform to the screen; tone and primaries default to those of the method's preset. */
     public DisplayTransform display(double factor, Choices method) {
         return new DisplayTransform(
                 factor,
@@ -77,7 +73,7 @@ public final class DisplayOptions {
                         .orElse(Primaries.of(Preset.isThesis(method))));
     }
 
-    /** Refuses an unknown tone or unknown primaries; called before anything is computed. */
+    /** Refuses an unknown tone or unknown primaries. */
     public void check() {
         display(1, Choices.none());
     }

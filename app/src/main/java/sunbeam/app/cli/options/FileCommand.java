@@ -22,13 +22,13 @@ public abstract class FileCommand extends ReportingCommand {
                     + " and a name that Sunbeam chooses gets a number (-2, -3, ...) where it is taken.")
     private boolean force;
 
-    /** Returns the rule for an existing file that the user named: replace or refuse. */
+    /** Returns the rule for an existing file that the user named. */
     protected final Overwrite overwrite() {
         return force ? Overwrite.REPLACE : Overwrite.REFUSE;
     }
 
     /**
-     * Returns the rule for an existing output file: replace it, refuse, or take a name with a number.
+     * Returns the rule for an existing output file.
      *
      * @param named name given by the user, or null if Sunbeam chooses the name
      */
@@ -36,12 +36,7 @@ public abstract class FileCommand extends ReportingCommand {
         return force || named != null ? overwrite() : Overwrite.NUMBER;
     }
 
-    /**
-     * Writes a report as table, JSON and picture, and prints their names or the report.
-     *
-     * @param files group whose first ending is the picture's
-     * @param text text entries of the picture
-     */
+    /** Writes a report as table, JSON and picture, whose ending is the group's first, and prints their names or the report. */
     protected final void write(
             FileGroup files,
             Map<String, Object> report,

@@ -26,7 +26,6 @@ public final class IndexOption {
     /**
      * Parses the option.
      *
-     * @throws UsageException if the value is no index
      * @throws InputException if the file cannot be used
      */
     public RefractiveIndex parse() {

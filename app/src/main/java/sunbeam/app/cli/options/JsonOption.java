@@ -31,11 +31,7 @@ public final class JsonOption {
         return asked ? new PrintWriter(Writer.nullWriter()) : out;
     }
 
-    /**
-     * Prints the files that a command has written: their names, or with {@code --json} the report as one JSON object with them.
-     *
-     * @param report the report without the files
-     */
+    /** Prints the names of written files, or with {@code --json} the report as one JSON object with them. */
     public void print(PrintWriter out, Map<String, ?> report, List<Path> files) {
         List<String> names = files.stream().map(StandardOutput::name).toList();
         if (asked) {
@@ -47,17 +43,11 @@ public final class JsonOption {
         }
     }
 
-    /** Prints a report as one JSON object. */
     public static void print(PrintWriter out, Map<String, ?> report) {
         out.println(text(report));
     }
 
-    /**
-     * Returns a report as one JSON object.
-     *
-     * @param report numbers, texts, booleans, lists and further maps by name, printed in the map's order; infinities and NaN become
-     *     strings, as JSON has no numbers for them
-     */
+    /** Returns a report as one JSON object in the map's order; infinities and NaN become strings, as JSON has no numbers for them. */
     public static String text(Map<String, ?> report) {
         try {
             return new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT).writeValueAsString(report);

@@ -37,22 +37,16 @@ public final class LightOptions extends SettingOptions {
         super(List.of(THETA_I, PHI_I), helpTexts);
     }
 
-    /**
-     * Returns the options of a command that chooses the azimuth itself if none is given.
-     *
-     * @param chosen text for the help that says which azimuth the command chooses
-     */
+    /** Returns the options of a command that chooses the azimuth itself if none is given; {@code chosen} is the help's text for it. */
     public static LightOptions choosingAzimuth(String chosen) {
         return new LightOptions(Map.of(PHI_I, chosen));
     }
 
-    /** Returns the unit vector towards the light. */
     public Direction direction() {
         return Direction.ofDegrees(
                 Math.toDegrees(choices().get(THETA_I)), Math.toDegrees(choices().get(PHI_I)));
     }
 
-    /** Returns both angles as a text for metadata. */
     public String describe() {
         return "theta " + written(THETA_I) + ", phi " + written(PHI_I) + " degrees";
     }
@@ -62,7 +56,7 @@ public final class LightOptions extends SettingOptions {
         return Double.parseDouble(written(angle));
     }
 
-    /** Returns an angle in degrees, as a number without the unit. */
+    /** Returns an angle in degrees, without the unit. */
     public String written(Setting<Double> angle) {
         return Angles.format(choices().get(angle)).replace(" deg", "");
     }

@@ -25,7 +25,6 @@ public final class MethodOptions extends SettingOptions {
     @Option(names = "--explain", description = "State the reason of each part of the plan.")
     private boolean explain;
 
-    /** Makes the options of all methods. */
     public MethodOptions() {
         this(Methods.SETTINGS, Map.of());
     }
@@ -42,11 +41,7 @@ public final class MethodOptions extends SettingOptions {
         return new MethodOptions(Stream.concat(method, settings).toList(), Map.of());
     }
 
-    /**
-     * Returns the options of commands that compute a color table for all directions: tolerance, coherence length, spectrum of the light.
-     *
-     * @param helpTexts text of the help for each default that the command itself applies
-     */
+    /** Returns the options of commands that compute a color table for all directions. */
     public static SettingOptions ofTables(Map<Setting<?>, String> helpTexts) {
         return new SettingOptions(
                 Stream.concat(
@@ -56,19 +51,12 @@ public final class MethodOptions extends SettingOptions {
                 helpTexts);
     }
 
-    /**
-     * Returns the options of a command that chooses the average itself if none is given.
-     *
-     * @param chosen text for the help that says which average the command chooses
-     */
+    /** Returns the options of a command that chooses the average itself if none is given; {@code chosen} is the help's text for it. */
     public static MethodOptions choosingAverage(String chosen) {
         return new MethodOptions(Methods.SETTINGS, Map.of(MethodSettings.AVERAGE, chosen));
     }
 
-    /**
-     * Returns the choices, completed by the ensemble average if no average is chosen and the method has this one. The picture of a single
-     * coherence area would show speckle.
-     */
+    /** Returns the choices with the ensemble average if none is chosen and the method has it: a single coherence area shows speckle. */
     public static Choices averaged(Choices chosen) {
         boolean open = !chosen.has(MethodSettings.AVERAGE) && !Preset.isThesis(chosen);
         return open && chosen.get(Methods.METHOD).has(MethodSettings.AVERAGE)
@@ -76,12 +64,10 @@ public final class MethodOptions extends SettingOptions {
                 : chosen;
     }
 
-    /** True if {@code --explain} is given: plans are printed with their reasons. */
     public boolean explains() {
         return explain;
     }
 
-    /** Prints a plan with its reasons if {@code --explain} is given. */
     public void explain(SpectrumPlan plan, PrintWriter out) {
         if (explain) {
             print("plan: ", plan.summary(), plan.reasons(), out);
@@ -93,14 +79,14 @@ public final class MethodOptions extends SettingOptions {
         print("", method, out);
     }
 
-    /** Prints like {@link #print(MethodPlan, PrintWriter)}, after the name of one of several patches; an empty name is not printed. */
+    /** Prints like {@link #print(MethodPlan, PrintWriter)}, after the name of one of several patches unless it is empty. */
     public void print(String patch, MethodPlan method, PrintWriter out) {
         String name = patch.isEmpty() ? "" : Quoted.oneLine(patch) + ": ";
         print("plan: " + name, method.summary(), method.reasons(), out);
         method.warnings().forEach(line -> out.println(Messages.warning(line.in(OptionOrigin.INSTANCE))));
     }
 
-    /** Prints the result of a color table's validation; nothing if the text is empty, as for methods without a table. */
+    /** Prints the result of a color table's validation, which is empty for methods without a table. */
     public void printTrial(String trial, PrintWriter out) {
         if (!trial.isEmpty()) {
             out.println("table: " + trial);

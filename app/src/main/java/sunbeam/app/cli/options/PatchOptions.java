@@ -25,7 +25,6 @@ import sunbeam.precompute.setting.Setting;
 
 /** Options of the surface; a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
-    /** Option that takes a part of many surfaces. */
     public static final String TASK = "--task";
 
     private static final String MANY = "0..*";
@@ -47,7 +46,7 @@ public final class PatchOptions extends SettingOptions {
         this.words = words;
     }
 
-    /** Returns the options of a command that takes any number of surfaces and folders; {@code cli.collection.Collection} runs it for each. */
+    /** Returns the options of a command that takes any number of surfaces and folders; a {@code Collection} runs it for each. */
     public static PatchOptions ofMany() {
         return new PatchOptions(
                 PatchSettings.ALL,
@@ -89,11 +88,6 @@ public final class PatchOptions extends SettingOptions {
         }
     }
 
-    /**
-     * Returns the choices; the surface comes from {@code --patch} or from the positional argument.
-     *
-     * @throws UsageException if the surface is named twice
-     */
     @Override
     public Choices choices() {
         Choices choices = super.choices();
@@ -123,12 +117,12 @@ public final class PatchOptions extends SettingOptions {
         }
     }
 
-    /** Loads the patch, as the method's preset reads it, without the cache. */
+    /** Loads the patch without the cache. */
     public Patch load(Choices method) {
         return load(choices(), method, HeightCache.NONE);
     }
 
-    /** Loads the patch of another name with the same options, as the method's preset reads it. */
+    /** Loads the patch of another name with the same options. */
     public Patch load(String named, Choices method) {
         return load(choices().with(PATCH, named), method, HeightCache.NONE);
     }

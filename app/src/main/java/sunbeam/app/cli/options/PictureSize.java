@@ -5,12 +5,7 @@ import java.util.regex.Pattern;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/**
- * Width and height of a picture.
- *
- * @param width pixels per row, 1 to 16384
- * @param height rows, 1 to 16384
- */
+/** Width and height of a picture in pixels, 1 to 16384 each. */
 public record PictureSize(int width, int height) {
     private static final int LARGEST = 16_384;
     /** Limit of pixels: 2 GiB of linear light at 16 bytes a pixel. */

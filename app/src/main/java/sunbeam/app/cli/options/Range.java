@@ -10,21 +10,14 @@ import sunbeam.precompute.units.Decimals;
 /**
  * Evenly spaced values {@code minimum, minimum + step, ...} up to {@code maximum}, in the option's unit.
  *
- * @param minimum first value, finite
- * @param maximum bound of the last value, finite, at least the minimum; a value within 1e-9 steps above it belongs to
- *     the range, so that 0:1:0.1 ends at 1
- * @param step distance of neighboring values, positive and finite
+ * @param maximum at least the minimum; a value within 1e-9 steps above it belongs to the range, so that 0:1:0.1 ends at 1
  */
 public record Range(double minimum, double maximum, double step) {
     private static final int MOST_VALUES = 1_000_000;
     /** Tolerance for rounding of (maximum - minimum) / step, in steps. */
     private static final double SLACK = 1e-9;
 
-    /**
-     * Checks the range.
-     *
-     * @throws IllegalArgumentException when the bounds or the step do not make a range of 1 to 1,000,000 values
-     */
+    /** @throws IllegalArgumentException when the bounds or the step do not make a range of 1 to 1,000,000 values */
     public Range {
         if (!(Double.isFinite(minimum) && Double.isFinite(maximum) && minimum <= maximum)) {
             throw new IllegalArgumentException("the minimum " + minimum + " must not exceed the maximum " + maximum);
@@ -38,11 +31,7 @@ public record Range(double minimum, double maximum, double step) {
         }
     }
 
-    /**
-     * Refuses an option's range that leaves the interval from {@code least} to {@code most}, but for rounding of 1e-6.
-     *
-     * @throws UsageException if a value is outside
-     */
+    /** Refuses an option's range that leaves the interval from {@code least} to {@code most}, but for rounding of 1e-6. */
     public void requireWithin(String option, double least, double most, String unit) {
         if (minimum < least - 1e-6 || maximum > most + 1e-6) {
             throw new UsageException(option + " " + rounded(minimum) + ":" + rounded(maximum) + ":" + rounded(step)
@@ -55,12 +44,10 @@ public record Range(double minimum, double maximum, double step) {
         return Decimals.format(Math.rint(1e6 * value) / 1e6);
     }
 
-    /** Returns the number of values. */
     public int count() {
         return 1 + (int) Math.floor((maximum - minimum) / step + SLACK);
     }
 
-    /** Returns the values, ascending, at most the maximum. */
     public double[] values() {
         return IntStream.range(0, count())
                 .mapToDouble(index -> Math.min(maximum, minimum + index * step))

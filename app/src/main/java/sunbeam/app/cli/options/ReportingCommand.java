@@ -32,9 +32,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
     }
 
     /**
-     * Returns the stream for the command's report: standard output, but standard error if one of the files is written to standard output.
-     *
-     * @param targets files that the command writes; each may be null
+     * Returns the stream for the report: standard output, but standard error if one of these files, which may be null, is standard output.
      */
     protected final PrintWriter out(Path... targets) {
         for (Path target : targets) {

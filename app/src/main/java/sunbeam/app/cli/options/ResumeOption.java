@@ -59,29 +59,24 @@ public final class ResumeOption {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    /** Refuses the option for a command that keeps the files of several surfaces only, if it has one. */
+    /** Refuses the option for a command that keeps the files of several surfaces only. */
     public void requireMany() {
         if (resume) {
             throw new UsageException("--resume is for several patches or a folder; leave it out for one");
         }
     }
 
-    /** True if the option is given. */
     public boolean isGiven() {
         return resume;
     }
 
-    /**
-     * Returns the rule for existing files in the first check, before the surfaces and thus the hash are known: with {@code --resume} they
-     * may exist.
-     */
+    /** Returns the rule for existing files before the surfaces and thus the hash are known: with {@code --resume} they may exist. */
     public Overwrite beforeLoading(Overwrite overwrite) {
         return resume ? Overwrite.REPLACE : overwrite;
     }
 
     /**
-     * Returns the name to treat as given by the user: with {@code --resume} also a name that Sunbeam chose, so that the file of an earlier
-     * run is replaced instead of numbered.
+     * Returns the name to treat as given by the user: with {@code --resume} also a chosen one, so that a file is replaced, not numbered.
      */
     public Path named(Path byUser, Path chosen) {
         return resume ? chosen : byUser;
@@ -101,10 +96,7 @@ public final class ResumeOption {
         return hash(words);
     }
 
-    /**
-     * Returns a SHA-256 hash, in hexadecimal, of the version, of options in the form {@code --name=value}, and of the files that they name.
-     * Options that do not change the output do not count.
-     */
+    /** Returns a SHA-256 hash of the version, of options as {@code --name=value} that change the output, and of the files they name. */
     public static String hash(List<String> words) {
         Sha256 hash = new Sha256().add(Environment.version());
         for (String word : words) {
@@ -154,7 +146,6 @@ public final class ResumeOption {
      * made with other options.
      *
      * @param linear linear file of the same run, whose hash the picture's text holds
-     * @param err receives a note if the files are left as they are
      */
     public OptionalInt finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
         if (!resume) {

@@ -22,16 +22,11 @@ public class SettingOptions {
     private final Map<Setting<?>, String> helpTexts;
     private final Map<Setting<?>, String> texts = new HashMap<>();
 
-    /** Makes options whose help names the settings' standard values as defaults. */
     public SettingOptions(List<Setting<?>> settings) {
         this(settings, Map.of());
     }
 
-    /**
-     * Makes options of a command that has default values of its own.
-     *
-     * @param helpTexts text of the help for each default that the command itself applies
-     */
+    /** Makes options with other texts of the help for defaults that the command itself applies. */
     public SettingOptions(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
         this(settings, false, helpTexts);
     }
@@ -42,11 +37,7 @@ public class SettingOptions {
         this.helpTexts = Map.copyOf(helpTexts);
     }
 
-    /**
-     * Returns options that override values from elsewhere, such as a scene.
-     *
-     * @param helpTexts text of the help for some defaults; other settings name no default
-     */
+    /** Returns options that override values from elsewhere, such as a scene; the help names only these defaults. */
     public static SettingOptions overriding(List<Setting<?>> settings, Map<Setting<?>, String> helpTexts) {
         return new SettingOptions(settings, true, helpTexts);
     }
@@ -57,7 +48,6 @@ public class SettingOptions {
         declareArguments(own);
     }
 
-    /** Declares positional arguments; none here, subclasses may have some. */
     protected void declareArguments(CommandSpec own) {}
 
     private OptionSpec option(Setting<?> setting) {
@@ -73,7 +63,7 @@ public class SettingOptions {
                         .build();
     }
 
-    /** Returns a setter of picocli that passes the text of an option or of the first argument to a consumer. */
+    /** Returns picocli's setter that passes the text of an option, or of the first argument, to a consumer. */
     protected static ISetter setter(Consumer<String> receiver) {
         return new ISetter() {
             @Override

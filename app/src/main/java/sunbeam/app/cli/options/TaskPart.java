@@ -4,16 +4,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.app.terminal.UsageException;
 
-/**
- * Value of the option {@code --task I/N}: one of several consecutive parts of a list. All parts together are the list.
- *
- * @param number number of the part, from 1
- * @param parts number of all parts
- */
+/** Value of the option {@code --task I/N}: the I-th, from 1, of N consecutive parts of a list. */
 public record TaskPart(int number, int parts) {
     private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 
-    /** Parses the option's value. */
     public static TaskPart parse(String text) {
         Matcher matcher = TEXT.matcher(text);
         if (matcher.matches()) {
@@ -26,7 +20,7 @@ public record TaskPart(int number, int parts) {
                 "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
     }
 
-    /** Returns the index of the part's first item in a list of {@code count} items. */
+    /** Returns the index of the part's first item among {@code count}. */
     public long first(long count) {
         return count * (number - 1) / parts;
     }

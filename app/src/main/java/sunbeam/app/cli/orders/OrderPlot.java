@@ -9,7 +9,6 @@ import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.OrderLight;
 
-/** Plots of the strongest orders' efficiencies, of their sum and of a mirror. */
 final class OrderPlot {
     private static final int WIDTH = 1100;
     private static final int HEIGHT = 560;

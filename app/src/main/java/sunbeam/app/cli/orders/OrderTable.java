@@ -58,12 +58,7 @@ record OrderTable(
             "sum",
             "mirror");
 
-    /**
-     * All orders at one angle of incidence.
-     *
-     * @param theta angle of the light to the normal, degrees
-     * @param lights by ascending wavelength
-     */
+    /** All orders at one angle of incidence, degrees to the normal, with lights by ascending wavelength. */
     record Incidence(double theta, List<OrderLight> lights, List<Series> orders) {
         Incidence(double theta, List<OrderLight> lights) {
             this(theta, lights, series(lights));
@@ -81,7 +76,6 @@ record OrderTable(
         }
     }
 
-    /** An order under one light: its direction and efficiency. */
     record Seen(OrderLight light, Direction wr, Efficiency efficiency) {
         private double theta() {
             return Math.toDegrees(Math.atan2(Math.hypot(wr.x(), wr.y()), wr.z()));

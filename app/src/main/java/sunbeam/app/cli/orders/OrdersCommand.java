@@ -51,8 +51,7 @@ import sunbeam.precompute.units.Lengths;
 public final class OrdersCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
-    // Limits of a patch's orders (for a relief of 1 um: 500 MB of amplitudes), of evaluated orders (minutes), and of
-    // written ones (40 MB as CSV).
+    // Limits of a patch's orders (500 MB for a relief of 1 um), of evaluated orders (minutes), and of written ones.
     private static final long MOST_ORDERS = 4_000_000;
     private static final double DEEPEST = 20e-6;
     private static final long MOST_EVALUATIONS = 4_000_000_000L;

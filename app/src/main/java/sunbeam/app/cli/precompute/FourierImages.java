@@ -31,14 +31,9 @@ record FourierImages(HeightMap map) {
     private static final double ROUNDING = 1e-12;
 
     private static final int RED = 1;
-
     private static final int GREEN = 2;
 
-    /**
-     * Picture of the powers.
-     *
-     * @param largest largest magnitude of a real or imaginary part of each power from 0 on; 0 for powers that were not transformed
-     */
+    /** @param largest largest magnitude of a real or imaginary part of each power from 0 on; 0 for powers that were not transformed */
     record Result(BufferedImage picture, double[] largest) {}
 
     /** @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added */
@@ -101,7 +96,7 @@ record FourierImages(HeightMap map) {
         });
     }
 
-    /** Draws, for each pixel, the bin of largest magnitude among those that fall into it; frequency 0 is in the middle, y points up. */
+    /** Draws, for each pixel, the bin of largest magnitude in it; frequency 0 is in the middle, y points up. */
     private BufferedImage image(ComplexVector bins, double largest) {
         int width = Math.min(SIDE, map.columns());
         int height = Math.min(SIDE, map.rows());

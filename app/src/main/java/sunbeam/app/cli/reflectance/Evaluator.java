@@ -30,9 +30,7 @@ import sunbeam.precompute.shader.ShaderTables;
  */
 record Evaluator(DirectionList list, ProgressDisplay display) {
     private static final int RHO = 2;
-
     private static final int BRDF = 3;
-
     private static final int GAIN = 3;
 
     List<double[]> evaluate(ShaderTables tables) {
@@ -75,10 +73,8 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
     }
 
     /**
-     * Converts results to another material; power does not depend on it. Rho becomes relative to a flat mirror of that material at normal
-     * incidence (for a tabulated index, to its mean weighted by luminance). The BRDF is scaled by the material's reflectance.
-     *
-     * @param results results for the standard material
+     * Converts results from the standard material to another; power does not depend on it. Rho becomes relative to a flat mirror of that
+     * material at normal incidence (for a tabulated index, to its mean weighted by luminance).
      */
     List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
         if (index.isStandard()) {

@@ -40,21 +40,13 @@ public final class AnimationOptions {
             description = "Frames per second of animation.gif, 0.1 to 50. Default: 12.")
     private Double frameRate;
 
-    /**
-     * Equally spaced angles.
-     *
-     * @param from first angle, radians
-     * @param to last angle, radians
-     */
+    /** Equally spaced angles, radians. */
     record Sweep(double from, double to) {
         static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
 
         /**
-         * Returns the angle of a frame in radians. A sweep of whole turns leaves out its last angle, which equals the first, so that the
+         * Returns the angle of a frame, from 0. A sweep of whole turns leaves out its last angle, which equals the first, so that the
          * animation loops smoothly.
-         *
-         * @param frame number of the frame, from 0
-         * @param frames number of frames
          */
         double at(int frame, int frames) {
             double turns = (to - from) / (2 * Math.PI);

@@ -13,10 +13,8 @@ import sunbeam.precompute.text.Text;
 /**
  * Files of a picture, or of an animation's frames in a folder.
  *
- * @param target the picture, or the folder
  * @param mayExist true if the target may be an existing file or folder; false if a taken name gets a number
  * @param resumes true if existing pictures of the same parameters stay
- * @param overwrite rule for files that exist and that the user named
  */
 record FrameFiles(Path target, boolean isAnimation, boolean mayExist, boolean resumes, Overwrite overwrite) {
     private static final String GIF = "animation.gif";
@@ -52,7 +50,6 @@ record FrameFiles(Path target, boolean isAnimation, boolean mayExist, boolean re
         }
     }
 
-    /** Creates the folder of an animation and returns it; for a picture returns the target. */
     Path claim() {
         return isAnimation ? OutputFolder.claim(target, mayExist) : target;
     }

@@ -46,8 +46,7 @@ import sunbeam.precompute.units.Decimals;
 public final class FrameSequence implements AutoCloseable {
     // Most drawn tiles that wait for their conversion to screen colors, about a MB each.
     private static final int MOST_WAITING = 8;
-    // Least width for a statement about lit pixels: the few pixels of a smaller picture may all lie between a
-    // grating's orders.
+    // Least width for a statement about lit pixels: those of a smaller picture may all lie between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
 
     private final PictureSize size;
@@ -65,10 +64,8 @@ public final class FrameSequence implements AutoCloseable {
     /**
      * Prepares to draw frames of the scene that these sessions hold.
      *
-     * @param sessions sessions whose light is added, one for most scenes; closed with this object
-     * @param overlays overlays of each frame
+     * @param sessions sessions whose light is added; closed with this object
      * @param viewer viewer that shows tiles as they are drawn; or null
-     * @param display display of the number of drawn pixels
      */
     public FrameSequence(
             RenderContext context,
@@ -88,13 +85,13 @@ public final class FrameSequence implements AutoCloseable {
         this.text = new FrameText(parts(), size.width(), size.height(), samples, overlays.describe());
     }
 
-    /** Returns the data of all sessions, whose light is added. */
+    /** Returns the data of all sessions. */
     public List<SceneData> parts() {
         return sessions.stream().map(SceneSession::data).toList();
     }
 
     /**
-     * Returns for each frame whether it must be drawn: its file is missing or has other parameters.
+     * Returns for each frame whether its file is missing or has other parameters.
      *
      * @throws OutputException.Exists for a file with other parameters that must not be replaced
      */
@@ -113,10 +110,9 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     /**
-     * Draws the missing frames. An automatic exposure is that of the first frame for all frames, so that an animation does not flicker.
+     * Draws the missing frames with the first one's exposure, so that an animation does not flicker, and returns their files.
      *
      * @param linear file for the linear colors of a single frame, which is then drawn even if it is not missing; or null
-     * @return files of the frames
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
         List<Path> places = new ArrayList<>(files);
@@ -231,11 +227,7 @@ public final class FrameSequence implements AutoCloseable {
         return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
 
-    /**
-     * Compares random pixels of a frame with exact points in them.
-     *
-     * @param exact parts of the same scene by method full, which evaluates points
-     */
+    /** Compares random pixels of a frame with points of the same scene by method full, {@code exact}. */
     Certificate certify(RenderContext context, Scene frame, List<SceneData> exact, int count) {
         List<SceneSession> points = new ArrayList<>();
         try {

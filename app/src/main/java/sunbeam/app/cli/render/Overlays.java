@@ -33,7 +33,6 @@ public final class Overlays {
         return (lightCone ? ", cone" : "") + (strokes ? ", strokes" : "");
     }
 
-    /** Draws the overlays over an image. */
     void paint(BufferedImage image, Scene scene, SceneSession session) {
         if (strokes) {
             session.update(scene);

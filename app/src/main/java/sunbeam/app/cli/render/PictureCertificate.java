@@ -29,11 +29,7 @@ record PictureCertificate(FrameSequence frames, Scene drawn, PrintWriter out, Pr
     /** Tolerance of the exact points: a quarter of the limit of the picture's median error. */
     private static final double POINT_TOLERANCE = 5e-3;
 
-    /**
-     * Compares random pixels, and returns the exit code that the picture deserves.
-     *
-     * @param report receives the certificate
-     */
+    /** Compares random pixels, adds the certificate to the report, and returns the exit code that the picture deserves. */
     ExitCode judge(RenderContext context, Environment environment, int count, Map<String, Object> report) {
         Scene points = drawn.withMethod(drawn.method()
                 .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));

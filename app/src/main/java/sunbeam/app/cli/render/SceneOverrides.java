@@ -39,7 +39,6 @@ import sunbeam.precompute.units.Decimals;
 
 /** Applies command-line options that override a scene's settings. */
 public final class SceneOverrides {
-    /** All settings that options may override. */
     public static final List<Setting<?>> SETTINGS = settings();
 
     /** Texts of the help about defaults of settings that a scene may leave out. */
@@ -72,7 +71,7 @@ public final class SceneOverrides {
     }
 
     /**
-     * Returns the scene with these choices in place of the scene's own.
+     * Returns the scene with these choices in place of its own.
      *
      * @throws sunbeam.precompute.setting.SettingException for choices that contradict each other or the scene
      */
@@ -118,7 +117,7 @@ public final class SceneOverrides {
         return scene;
     }
 
-    /** Returns the choices with this setting's file name made absolute, as scenes store it; names of built-in things stay. */
+    /** Returns the choices with a file's name made absolute, as scenes store it; names of built-in things stay. */
     private static Choices withAbsoluteName(Choices given, Setting<String> setting, List<String> builtIn) {
         if (!given.has(setting) || builtIn.contains(given.get(setting))) {
             return given;

@@ -14,7 +14,7 @@ import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 public final class ReportFields {
     private ReportFields() {}
 
-    /** Returns verdict, period and faults of a surface by name: lengths in meters, angles in degrees; null for values that are unknown. */
+    /** Returns verdict, period and faults of a surface: lengths in meters, angles in degrees; null for values that are unknown. */
     public static Map<String, Object> of(Patch patch, GratingPeriod period, Verdict verdict) {
         boolean sure = period.isSure();
         Map<String, Object> fields = new LinkedHashMap<>();
@@ -48,7 +48,7 @@ public final class ReportFields {
         return Math.rint(100 * degrees) / 100;
     }
 
-    /** Returns relative errors by name; their number alone if there are none. */
+    /** Returns relative errors; their number alone if there are none. */
     public static Map<String, Object> of(ErrorStatistics errors) {
         Map<String, Object> fields = new LinkedHashMap<>();
         fields.put("count", errors.count());
@@ -60,7 +60,6 @@ public final class ReportFields {
         return fields;
     }
 
-    /** Returns a certificate by name. */
     public static Map<String, Object> of(Certificate certificate) {
         Map<String, Object> fields = of(certificate.relative());
         fields.put("missed", certificate.missed());

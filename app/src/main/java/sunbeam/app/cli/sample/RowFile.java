@@ -14,11 +14,7 @@ import java.util.zip.Deflater;
 import java.util.zip.ZipOutputStream;
 import sunbeam.app.files.output.NpyWriter;
 
-/**
- * Writer of a file of samples: one float32 array per column.
- *
- * @param metadata supplier of JSON, called after the columns are written
- */
+/** Writer of a file of samples: one float32 array per column. The metadata is JSON, supplied after the columns are written. */
 record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
     static final int BATCH = 1 << 21;
 

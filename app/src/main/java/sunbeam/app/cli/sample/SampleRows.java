@@ -28,11 +28,10 @@ final class SampleRows {
 
     /** Number of first rows of a file whose colors are compared with direct sums over wavelengths. */
     private static final int CHECKED_ROWS = 500;
-    // Values of |w| at which each cell of the (u, v) plane is evaluated for its weight, relative to the largest
-    // possible |w|.
+    // Values of |w|, relative to the largest possible, at which each cell of the (u, v) plane is evaluated for its
+    // weight.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
-    // Least standard deviation of an order, in sides of a cell, with which the orders are evaluated at cell centers:
-    // narrower ones would be missed.
+    // Least standard deviation of an order, in sides of a cell: narrower ones would be missed between cell centers.
     private static final double LEAST_WIDTH = 0.6;
 
     private final ColorTable.Level finest;
@@ -43,10 +42,7 @@ final class SampleRows {
     private float[] firstXyz;
     private long firstRow;
 
-    /**
-     * @param plan plan with the ensemble average
-     * @param token receives the progress of rows
-     */
+    /** @param plan plan with the ensemble average */
     SampleRows(ColorTablePlan plan, PowerSpectrum spectrum, CieTable cie, long seed, ColorBaker.Token token) {
         ColorTable table = plan.table();
         this.finest = table.levels().get(0);

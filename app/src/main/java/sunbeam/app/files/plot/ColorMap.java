@@ -13,7 +13,7 @@ public record ColorMap(int... points) {
     /** Heights as microscopes show them. */
     public static final ColorMap GRAY = new ColorMap(0x000000, 0xFFFFFF);
 
-    /** Returns a value's color as 0xRRGGBB, linear between the points. Values outside 0..1 get the colors of the ends, NaN gets white. */
+    /** Returns a value's color as 0xRRGGBB, linear between the points; the ends' outside 0..1, white for NaN. */
     public int at(double value) {
         if (Double.isNaN(value)) {
             return 0xFFFFFF;

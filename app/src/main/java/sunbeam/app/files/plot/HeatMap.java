@@ -25,10 +25,7 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.xy.DefaultXYDataset;
 
-/**
- * Matrix of values in color over two axes, with a color bar, and curves and marks on top. It has the style of {@link Plot}, and is drawn
- * without a display. An instance is drawn once.
- */
+/** Matrix of values in color over two axes, with a color bar, curves and marks, in the style of {@link Plot}. It is drawn once. */
 public final class HeatMap {
     // Ratio of the sides from which a matrix is a thin strip, which is drawn broader than its scales.
     private static final double THIN_STRIP_RATIO = 10;
@@ -48,22 +45,15 @@ public final class HeatMap {
     private final DefaultXYDataset curves = new DefaultXYDataset();
     private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
 
-    /**
-     * Title, axis labels and size in pixels.
-     *
-     * @param equalScales whether a unit is as long along y as along x, unless the matrix is a thin strip
-     */
+    /** @param equalScales whether a unit is as long along y as along x, unless the matrix is a thin strip */
     public record Frame(String title, String xLabel, String yLabel, int width, int height, boolean equalScales) {}
 
     /**
-     * Matrix of values with the ranges of its axes and its colors.
-     *
      * @param rows values, {@code [row][column]}, row 0 at the lowest y
      * @param xRange outer edges of the first and the last column
      * @param yRange outer edges of the first and the last row
      */
     public record Values(double[][] rows, double[] xRange, double[] yRange, Colors colors, Reduction reduction) {
-
         /** Returns the outer edges of cells with these evenly spaced centers, at least two. */
         public static double[] around(double[] centers) {
             double half = 0.5 * (centers[centers.length - 1] - centers[0]) / (centers.length - 1);
@@ -80,9 +70,6 @@ public final class HeatMap {
     }
 
     /**
-     * Maps values to colors.
-     *
-     * @param label label of the color bar, with its unit
      * @param low value of the first color; positive if the scale is logarithmic
      * @param high value of the last color, larger than {@code low}
      */
@@ -99,16 +86,13 @@ public final class HeatMap {
         this.values = values;
     }
 
-    /**
-     * Adds a curve with an entry in the legend; points that are NaN or outside the axes interrupt it. A dark rim makes it visible on bright
-     * cells.
-     */
+    /** Adds a curve with an entry in the legend and a dark rim; points that are NaN or outside the axes interrupt it. */
     public HeatMap curve(String name, double[] x, double[] y, int rgb, boolean dashed) {
         add(name, x, y, rgb, dashed ? DASHED : SOLID, true);
         return this;
     }
 
-    /** Adds a curve between two dotted ones, with one entry in the legend. A point at which one of the three is NaN is left out. */
+    /** Adds a curve between two dotted ones, with one entry in the legend, where all three are finite. */
     public HeatMap interval(String name, double[] x, double[] y, double[] oneSide, double[] otherSide, int rgb) {
         for (double[] side : List.of(oneSide, otherSide)) {
             String sideName = name + curves.getSeriesCount();
@@ -223,7 +207,7 @@ public final class HeatMap {
         return PlotStyle.image(chart, frame.width(), frame.height(), info);
     }
 
-    /** Returns the matrix as an image with one pixel for each cell: JFreeChart would draw millions of rectangles. */
+    /** Returns an image with one pixel for each cell: JFreeChart would draw millions of rectangles. */
     private BufferedImage cells() {
         int width = Math.min(values.rows()[0].length, frame.width() / 2);
         int height = Math.min(values.rows().length, frame.height() / 2);

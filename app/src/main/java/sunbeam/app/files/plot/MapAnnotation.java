@@ -14,10 +14,7 @@ import java.util.List;
 import org.jfree.chart.text.TextBlock;
 import sunbeam.precompute.optics.Direction;
 
-/**
- * Annotates a BRDF map for print: the circle of the horizon, rings of angles to the normal, azimuths, marks of light and mirror direction,
- * and a caption. Marks differ in form and have colors that color-blind people can distinguish; dark rims make them visible on any color.
- */
+/** Annotates a BRDF map. Marks differ in form and in colors that color-blind people can distinguish, on any color by dark rims. */
 public final class MapAnnotation {
     private static final int[] RINGS_DEGREES = {15, 30, 45, 60, 75};
     // Orange and sky blue of Okabe and Ito (see PlotStyle).
@@ -38,7 +35,6 @@ public final class MapAnnotation {
     /**
      * @param map square picture of the map, opaque inside the disc
      * @param light direction towards the light, in the tangent frame
-     * @param caption paragraphs of the caption, which is broken into lines
      */
     public MapAnnotation(BufferedImage map, Direction light, List<String> caption) {
         this.map = map;

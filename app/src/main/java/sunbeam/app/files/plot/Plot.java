@@ -23,8 +23,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 
 /**
- * Plot of lines and points over x in Sunbeam's style, drawn without a display. The axes' labels contain the units ({@code wavelength /
- * nm}); values that are NaN are left out. Series get the colors and marks of {@link PlotStyle} in the order in which they are added.
+ * Plot of lines and points over x, drawn without a display. The axes' labels contain the units ({@code wavelength / nm}); values that are
+ * NaN are left out. Series get the colors and marks of {@link PlotStyle} in the order in which they are added.
  */
 public final class Plot {
     // Points have it too, undrawn, so that all names in a legend begin at one place.
@@ -56,31 +56,29 @@ public final class Plot {
         }
     }
 
-    /** Title, axes and size of a plot in pixels. */
     public record Frame(String title, Axis x, Axis y, int width, int height) {}
 
     public Plot(Frame frame) {
         this.frame = frame;
     }
 
-    /** Returns a plot with linear axes; width and height are in pixels. */
     public static Plot linear(String title, String x, String y, int width, int height) {
         return new Plot(new Frame(title, Axis.linear(x), Axis.linear(y), width, height));
     }
 
-    /** Returns the color of a series by its number, from 0, for texts and pictures next to a plot. */
+    /** Returns the color of a series by its number, from 0. */
     public static Color color(int number) {
         return PlotStyle.color(number);
     }
 
-    /** Returns the largest of 1, 2, 5 times a power of ten that does not exceed a positive number: a step between labels. */
+    /** Returns the largest of 1, 2, 5 times a power of ten that does not exceed a positive number. */
     public static double round(double number) {
         double power = Math.pow(10, Math.floor(Math.log10(number)));
         double mantissa = number / power;
         return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
     }
 
-    /** Adds a line through points without marks, for many points on a smooth curve. */
+    /** Adds a line without marks. */
     public Plot line(String name, double[] x, double[] y) {
         return line(name, x, y, allSeries.size());
     }
@@ -95,7 +93,6 @@ public final class Plot {
         return add(name, x, y, joined(PlotStyle.OUTLINE, PlotStyle.THIN));
     }
 
-    /** Adds points without a line. */
     public Plot points(String name, double[] x, double[] y) {
         return points(name, x, y, allSeries.size());
     }
@@ -105,17 +102,13 @@ public final class Plot {
         return add(name, x, y, marked(PlotStyle.color(color), PlotStyle.shape(color)));
     }
 
-    /**
-     * Gives a unit the same length along x and y; both axes must be linear.
-     *
-     * @param step distance between labels on both axes
-     */
+    /** Gives a unit the same length along x and y, both linear, with this step between labels. */
     public Plot equalScales(double step) {
         equalStep = Optional.of(step);
         return this;
     }
 
-    /** Starts the linear y axis at 0, for values that are shares. */
+    /** Starts the linear y axis at 0. */
     public Plot fromZero() {
         fromZero = true;
         return this;
@@ -127,10 +120,7 @@ public final class Plot {
         return this;
     }
 
-    /**
-     * Adds points in front of all others: as black rings, so that points of other series stay visible inside. A second such series gets
-     * square frames.
-     */
+    /** Adds points in front of all others, as black rings; those of a second such series are square. */
     public Plot rings(String name, double[] x, double[] y) {
         XYLineAndShapeRenderer renderer = marked(PlotStyle.INK, ringSeries++ == 0 ? PlotStyle.RING : PlotStyle.FRAME);
         renderer.setSeriesShapesFilled(0, false);
@@ -140,7 +130,6 @@ public final class Plot {
         return add(name, x, y, renderer);
     }
 
-    /** Draws the picture; there must be a series. */
     public BufferedImage draw() {
         XYPlot plot = PlotStyle.plot(PlotStyle.horizontal(frame.x()), PlotStyle.upright(frame.y()));
         if (fromZero) {
@@ -151,7 +140,7 @@ public final class Plot {
             plot.setRenderer(index, allSeries.get(index).renderer);
         }
         PlotStyle.adaptUnits(plot);
-        // Series are drawn in the order in which they were added, so that rings lie in front.
+        // The order of adding, so that rings lie in front.
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
         // A single series needs no legend: the title names it.
@@ -176,12 +165,7 @@ public final class Plot {
                 y.getRange().getLength()));
     }
 
-    /**
-     * Writes the picture as PNG, whole or not at all.
-     *
-     * @param text text chunks about the origin of the data, by keyword (see {@link PngWriter})
-     * @throws sunbeam.app.files.output.OutputException if the file cannot be written
-     */
+    /** Writes the picture as PNG, whole or not at all; the text is that of {@link PngWriter}. */
     public void write(Path target, Overwrite overwrite, Map<String, String> text) {
         PngWriter.write(target, overwrite, draw(), text);
     }

@@ -51,7 +51,7 @@ final class PlotStyle {
         ShapeUtils.createRegularCross(4.5f, 0.8f)
     };
 
-    /** Ring twice as wide as the other marks, which stay visible inside. */
+    /** Twice as wide as the other marks, which stay visible inside. */
     static final Shape RING = new Ellipse2D.Double(-8, -8, 16, 16);
 
     static final Shape FRAME = new Rectangle2D.Double(-8, -8, 16, 16);
@@ -64,8 +64,6 @@ final class PlotStyle {
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
     // Ratio of its ends below which a logarithmic axis has labels at 1, 2, 4, 8 and so on.
     private static final double LARGEST_DOUBLINGS_RATIO = 100;
-
-    /** Format of labels of values: 1e-3. */
     private static final NumberFormat POWERS = powers();
 
     /** Format of labels of values that are given by their decimal logarithms. */
@@ -176,10 +174,7 @@ final class PlotStyle {
         return chart.createBufferedImage(width, height, BufferedImage.TYPE_INT_RGB, info);
     }
 
-    /**
-     * Returns the margins around a plot that give a unit the same length along x and y. Draws the plot, since its layout is known only
-     * then.
-     */
+    /** Returns the margins that give a unit the same length along x and y. Draws the plot, since its layout is known only then. */
     static RectangleInsets equalScales(JFreeChart chart, int width, int height, double extentX, double extentY) {
         ChartRenderingInfo info = new ChartRenderingInfo();
         chart.getXYPlot().setInsets(RectangleInsets.ZERO_INSETS);

@@ -18,7 +18,7 @@ import org.jfree.chart.text.TextBlockAnchor;
 import org.jfree.chart.text.TextUtils;
 import org.jfree.chart.ui.HorizontalAlignment;
 
-/** White page of a report, which is filled from top to bottom with headings, paragraphs broken into lines, and rows of pictures. */
+/** White page of a report, filled from top to bottom with headings, paragraphs broken into lines, and rows of pictures. */
 public final class Sheet {
     public static final Color INK = PlotStyle.INK;
     public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
@@ -47,7 +47,6 @@ public final class Sheet {
 
     /** A small picture above its name and a sentence; without a picture, the sentence says why. */
     public record Thumbnail(Optional<BufferedImage> picture, String name, String sentence) {
-        /** Reduces a picture to the size of a thumbnail. */
         public static BufferedImage reduced(BufferedImage picture) {
             double scale = Math.min(
                     1,
@@ -103,18 +102,12 @@ public final class Sheet {
         });
     }
 
-    /**
-     * Adds a part that is drawn by the caller, in ink and {@link #FONT}.
-     *
-     * @param height height of the part in pixels
-     * @param drawing function that draws the part, with the origin at the part's upper left corner
-     */
+    /** Adds a part that the caller draws, in ink and {@link #FONT}, with the origin at its upper left corner; the height is in pixels. */
     public Sheet part(int height, Consumer<Graphics2D> drawing) {
         parts.add(new Part(height, drawing));
         return this;
     }
 
-    /** Returns the height of the parts so far in pixels. */
     public int height() {
         return parts.stream().mapToInt(Part::height).sum();
     }
@@ -168,7 +161,6 @@ public final class Sheet {
         return graphics;
     }
 
-    /** Draws a page of small pictures in a grid. */
     public static BufferedImage ofThumbnails(String title, List<Thumbnail> thumbnails) {
         Sheet sheet = new Sheet(CELL_GAP + COLUMNS * CELL).heading(title);
         for (int first = 0; first < thumbnails.size(); first += COLUMNS) {
@@ -204,10 +196,7 @@ public final class Sheet {
     }
 
     /**
-     * Returns names of files in one figure, abbreviated to a width. Different names stay different: if only their middles differ, the later ones get a
-     * number.
-     *
-     * @param widest largest width of a name, in pixels
+     * Abbreviates names to a width in pixels. Different names stay different: if only their middles differ, the later ones get a number.
      */
     public static List<String> fittedNames(List<String> names, Font font, double widest) {
         List<String> fitted = new ArrayList<>();
@@ -224,7 +213,7 @@ public final class Sheet {
         return fitted;
     }
 
-    /** Returns one abbreviated name, of whose letters two thirds are from its beginning. */
+    /** Abbreviates a name; two thirds of the letters that stay are from its beginning. */
     public static String fittedName(String name, Font font, double widest) {
         int[] letters = name.codePoints().toArray();
         String shown = name;

@@ -32,11 +32,7 @@ public record Certificate(
     /** Seed of the random pixels or rows, so that each run chooses the same. */
     static final long SEED = 1;
 
-    /**
-     * Largest allowed errors; infinite for no limit.
-     *
-     * @param percentile95 95th percentile of the relative errors
-     */
+    /** Largest allowed errors, of the relative errors and of mean CIEDE2000; infinite for no limit. */
     public record Limits(double median, double percentile95, double meanDifference) {
         /** A CIEDE2000 of 1 is just visible. */
         public static final Limits ANTI_ALIASED = new Limits(0.02, Double.POSITIVE_INFINITY, 1);
@@ -70,10 +66,8 @@ public record Certificate(
     }
 
     /**
-     * Evaluates random rows of a table.
+     * Evaluates {@code count} random rows of a table, at most all, for whose numbers from 0 {@code row} returns the comparison.
      *
-     * @param count number of rows to evaluate, at most all
-     * @param row function from a row's number, from 0, to its comparison
      * @param tolerance relative error for which the table was made
      */
     public static Certificate ofRows(

@@ -25,8 +25,7 @@ public record Certifier(
         IntFunction<DirectionPair> pairs,
         ToDoubleFunction<DirectionPair> material,
         ProgressDisplay display) {
-    // At most one of this number of pixels is dark. Some dark ones are checked, since light may be missing there, but
-    // not more, since a picture of a grating is nearly all dark.
+    // At most one of this number of pixels is dark: light may be missing there, but a grating is nearly all dark.
     private static final int PIXELS_PER_DARK = 4;
 
     private double gain(DirectionPair pair) {
@@ -37,8 +36,7 @@ public record Certifier(
      * Evaluates random pixels in parallel.
      *
      * @param picture linear XYZ of rho; pixels that show no surface are skipped
-     * @param count number of pixels, or all if the picture has fewer. At most a quarter of them are dark in the picture, unless there are
-     *     too few bright ones.
+     * @param count number of pixels, at most all; at most a quarter of them are dark, unless there are too few bright ones
      * @param exposure factor for X, Y, Z before colors are compared
      * @param tolerance relative error for which the picture was made
      */
@@ -57,8 +55,7 @@ public record Certifier(
         for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
             if (picture.covered(pixel)) {
                 double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
-                // The largest of X, Y and Z decides: a NaN or an infinite value in any of them makes a pixel bright, so
-                // that it is checked.
+                // The largest decides: a NaN or an infinite value makes a pixel bright, so that it is checked.
                 (Comparison.largest(Comparison.xyz(picture.xyz(), pixel)) <= floor ? dark : bright).add(pixel);
             }
         }

@@ -42,9 +42,8 @@ public final class DirectionSampler {
     }
 
     /**
-     * Returns a pair whose view is near a diffraction order of the patch, at a normally distributed distance of the order's width under the
-     * window. One in three of these orders lies along x, one along y (as gratings have them), one anywhere. If no order is visible, the
-     * view is uniform.
+     * Returns a pair whose view is near an order, at a normally distributed distance of the order's width under the window. One in three
+     * orders lies along x, one along y (as gratings have them), one anywhere. If no order is visible, the view is uniform.
      */
     public Query aimed() {
         int kind = random.nextInt(3);

@@ -15,10 +15,8 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.text.Text;
 
 /**
- * Compares pixels of a scene's picture (size in pixels) with the mean of many points in each, which is the pixel of a picture drawn with
- * that many samples. Only pixels that the mesh fills are compared, since at edges the error depends only on the number of samples.
- *
- * @param samples samples of a pixel in the picture to be compared
+ * Compares pixels of a scene's picture with the mean of many points in each. Only pixels that the mesh fills are compared, since at edges
+ * the error depends only on the number of samples.
  */
 public record SceneCertifier(int width, int height, PixelSamples samples) {
     /** Points along a pixel's side; 256 in all. */
@@ -32,10 +30,8 @@ public record SceneCertifier(int width, int height, PixelSamples samples) {
     /**
      * Draws random pixels by the method to be judged and by points.
      *
-     * @param drawn renderer to be judged
-     * @param scene scene that {@code drawn} draws
-     * @param exact renderer that draws points of the same scene
-     * @param points the same scene with the method of {@code exact}
+     * @param drawn renderer to be judged, of {@code scene}
+     * @param exact renderer of the same scene as {@code points}, with its method
      * @param exposure factor for X, Y, Z before colors are compared
      * @param count number of pixels; fewer are compared if the mesh fills fewer
      */
