@@ -1,9 +1,5 @@
 package sunbeam.app.cli;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -32,8 +28,6 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
                 + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
                 + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card."
     };
-
-    private static final String FOOTER = "footer.txt";
 
     // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the
     // complete help.
@@ -72,13 +66,7 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
 
     /** Returns the lines below the options: files, environment and examples. */
     static String[] footer() {
-        try (InputStream stream = RootCommand.class.getResourceAsStream(FOOTER)) {
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8)
-                    .lines()
-                    .toArray(String[]::new);
-        } catch (IOException failure) {
-            throw new UncheckedIOException(FOOTER, failure);
-        }
+        return Environment.resource(RootCommand.class, "footer.txt").lines().toArray(String[]::new);
     }
 
     boolean debug() {

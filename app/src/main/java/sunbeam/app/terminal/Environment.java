@@ -3,6 +3,7 @@ package sunbeam.app.terminal;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Properties;
@@ -34,6 +35,15 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
 
     public boolean debug() {
         return variable(DEBUG_VARIABLE).equals("1");
+    }
+
+    /** Returns the text of a resource beside a class. */
+    public static String resource(Class<?> owner, String name) {
+        try (InputStream stream = owner.getResourceAsStream(name)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(name, failure);
+        }
     }
 
     /** Returns the version of the program, for example {@code 0.1.0}. */

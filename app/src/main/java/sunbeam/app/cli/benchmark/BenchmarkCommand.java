@@ -14,6 +14,7 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.benchmark.Meter.ExactViews;
 import sunbeam.app.cli.benchmark.Meter.Measurement;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.JsonOption;

@@ -23,13 +23,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
-import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.cli.options.PatchOptions.Compared;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
@@ -108,7 +108,7 @@ public final class BrdfMapCommand extends FileCommand {
     private DisplayOptions exposure;
 
     @Mixin
-    private ComparisonPatches compared;
+    private Compared compared;
 
     @Option(
             names = "--annotate",

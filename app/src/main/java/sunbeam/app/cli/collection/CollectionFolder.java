@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.StreamSupport;
 import javax.imageio.ImageIO;
-import sunbeam.app.cli.options.TaskPart;
+import sunbeam.app.cli.options.PatchOptions.TaskPart;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.OutputException;

@@ -18,13 +18,13 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.options.ComparisonPatches;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
+import sunbeam.app.cli.options.PatchOptions.Compared;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
@@ -73,7 +73,7 @@ public final class ColorCommand extends FileCommand {
     private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
-    private ComparisonPatches compared;
+    private Compared compared;
 
     @Mixin
     private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));

@@ -3,8 +3,8 @@ package sunbeam.app.cli.compare;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.stream.IntStream;
-import sunbeam.app.files.plot.ColorMap;
 import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.HeatMap.ColorMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.render.SceneDisplay;
@@ -84,9 +84,9 @@ final class ComparisonSheet {
                 .draw();
     }
 
-    private static BufferedImage hues(HueComparison hue, int height) {
+    private static BufferedImage hues(PhotoComparison.HueComparison hue, int height) {
         double[] degrees = IntStream.range(0, hue.first().length)
-                .mapToDouble(step -> HueComparison.STEP_DEGREES * (step + 0.5))
+                .mapToDouble(step -> PhotoComparison.HueComparison.STEP_DEGREES * (step + 0.5))
                 .toArray();
         return Plot.linear(
                         "Hues of colored pixels",

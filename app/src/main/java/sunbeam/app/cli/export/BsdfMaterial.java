@@ -11,6 +11,9 @@ import java.util.stream.IntStream;
 import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.analysis.EnergyDivisor;
+import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.color.WavelengthBand.SpectralBands;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -27,7 +30,7 @@ import sunbeam.precompute.optics.Gain;
  * @param luminance by slice: probability, not normalized, with which readers sample each point of the square
  */
 record BsdfMaterial(
-        BsdfShape shape,
+        Shape shape,
         HalfVectors.Density azimuths,
         List<float[]> densities,
         List<float[]> spectra,
@@ -40,7 +43,7 @@ record BsdfMaterial(
 
     /** @param divisor divisor of radiance by first direction and wavelength, if energy is conserved */
     static BsdfMaterial of(
-            BsdfShape shape,
+            Shape shape,
             ColorGrid grid,
             List<ColorGrid> bands,
             ProgressDisplay display,
@@ -165,7 +168,7 @@ record BsdfMaterial(
     }
 
     /** Computes the spectra of one first direction from its map and from color grids of all bands. */
-    private record Slice(BsdfShape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
+    private record Slice(Shape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
         // Least cosine of the second direction in the divisor of the luminance, which would be infinite at the horizon.
         private static final double LEAST_COSINE = 0.03;
 
@@ -219,6 +222,70 @@ record BsdfMaterial(
                     LEAST_COSINE * map.azimuths().at(row) / map.azimuths().total());
             double solid = Math.sin(angle) * Math.sqrt(angle) * half / least;
             luminance[sample] = seen ? (float) (sum * normalFactor(angle) * solid) : 0;
+        }
+    }
+
+    /**
+     * Numbers of samples along the axes of a tensor file. They grow as the steps of the color grid, and so its orders, get narrower.
+     *
+     * @param phis number of azimuths of the first direction, from -180 to 180 degrees
+     * @param thetas number of the first direction's angles to the normal, from 0 to {@code largest}, radians
+     * @param side number of samples along each side of the unit square that holds the second direction
+     * @param rows number of the half vector's azimuths in the density of {@link HalfVectors}
+     * @param columns number of the half vector's angles to the normal in that density
+     */
+    record Shape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
+        // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is
+        // unstable.
+        private static final double LARGEST_ANGLE = Math.toRadians(88);
+        private static final int LEAST_COLUMNS = 48;
+        // Angle between first directions, radians, by the root of the grid's step: between them an order's place errs
+        // by
+        // its square. By this factor and the next, measured on patch blaze, each axis causes about the same error.
+        private static final double DIRECTION_STEP = 1.3;
+        // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
+        private static final double SIDE = 0.65;
+
+        /** Texels of the grid between two rows at |(u, v)| = 1. */
+        private static final double ROW_STEP = 1.5;
+        // Texels of the grid by which an order at |(u, v)| = 1 moves from one band to the next.
+        private static final double BAND_STEP = 2;
+
+        /** @param count number of bands; 0 for as many as the orders' width needs */
+        static Shape of(GridShape shape, WavelengthBand range, int count) {
+            double step = shape.u().step();
+            double direction = DIRECTION_STEP * Math.sqrt(step);
+            double largest = Math.min(LARGEST_ANGLE, shape.range().largest());
+            int side = Math.max(8, (int) Math.ceil(2 * SIDE / step));
+            double width = range.lastNanometers() - range.firstNanometers();
+            double bandStep = BAND_STEP * step * ColorTable.MIDDLE_WAVELENGTH * 1e9;
+            int bands = count > 0
+                    ? count
+                    : Math.max(2, Math.min(1 + (int) (width / 2), 1 + (int) Math.ceil(width / bandStep)));
+            return new Shape(
+                    1 + (int) Math.ceil(2 * Math.PI / direction),
+                    1 + (int) Math.ceil(largest / direction),
+                    largest,
+                    side,
+                    1 + (int) Math.ceil(2 * Math.PI / (ROW_STEP * step)),
+                    Math.max(LEAST_COLUMNS, side),
+                    new SpectralBands(range, bands));
+        }
+
+        int slices() {
+            return phis * thetas;
+        }
+
+        double phi(int index) {
+            return -Math.PI + 2 * Math.PI * index / (phis - 1);
+        }
+
+        double theta(int index) {
+            return largest * index / (thetas - 1);
+        }
+
+        long floatCount() {
+            return (long) slices() * ((long) side * side * (bands.count() + 1) + (long) rows * columns);
         }
     }
 }

@@ -6,6 +6,7 @@ import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -20,6 +21,11 @@ import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.output.OutputFolder;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.terminal.ByteSize;
@@ -77,7 +83,7 @@ public final class ExportCommand extends FileCommand {
                     "One of npz, bsdf, html, glsl, osl. npz: arrays for NumPy. bsdf: the material measured of Mitsuba 3 and pbrt-v4. html: a page with a map and a sphere under a light that the mouse moves."
                             + " glsl: a folder with a function in GLSL, HLSL and WGSL, its table as KTX2 and EXR, and a page that uses it."
                             + " osl: a folder with a shader in Open Shading Language and its table as EXR.")
-    private ExportFormat format;
+    private Format format;
 
     @Option(
             names = "--channels",
@@ -190,8 +196,8 @@ public final class ExportCommand extends FileCommand {
     }
 
     private TableWriter writer(Choices asked, double tolerance) {
-        boolean isSpectral = format == ExportFormat.BSDF || channels == NpzTable.Channels.SPECTRAL;
-        if (channels != null && format != ExportFormat.NPZ) {
+        boolean isSpectral = format == Format.BSDF || channels == NpzTable.Channels.SPECTRAL;
+        if (channels != null && format != Format.NPZ) {
             throw new UsageException("--channels " + channels.name().toLowerCase(Locale.ROOT)
                     + " is for --format npz, and " + format + " has channels of its own; leave it out");
         }
@@ -211,7 +217,7 @@ public final class ExportCommand extends FileCommand {
                         asked.get(LightSettings.WAVELENGTHS),
                         bands == null ? 0 : bands(asked, bands).count());
             case HTML -> new HtmlTable(tolerance);
-            case GLSL, OSL -> new FolderTable(format == ExportFormat.GLSL);
+            case GLSL, OSL -> new FolderTable(format == Format.GLSL);
         };
     }
 
@@ -228,6 +234,69 @@ public final class ExportCommand extends FileCommand {
             return ByteSize.parse(size == null ? format.size() : size);
         } catch (IllegalArgumentException wrong) {
             throw new UsageException("--size " + wrong.getMessage());
+        }
+    }
+
+    enum Format {
+        NPZ("100MB", 0.02, Ending.NPZ),
+        BSDF("100MB", 0.05, Ending.BSDF),
+        HTML("1MB", 0.05, Ending.HTML),
+        GLSL("50MB", 0.05, null),
+        OSL("50MB", 0.05, null);
+
+        private final String size;
+        private final double tolerance;
+        /** Ending of the file; null for a folder. */
+        private final Ending ending;
+
+        Format(String size, double tolerance, Ending ending) {
+            this.size = size;
+            this.tolerance = tolerance;
+            this.ending = ending;
+        }
+
+        String size() {
+            return size;
+        }
+
+        double tolerance() {
+            return tolerance;
+        }
+
+        boolean dividesByLight() {
+            return this == NPZ || this == BSDF;
+        }
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** Refuses a wrong file name or an unwritable output. */
+        void check(Path output, Overwrite overwrite) {
+            if (ending != null) {
+                ending.require("--output", output);
+                AtomicFile.checkWritable(output, overwrite);
+                return;
+            }
+            OutputFolder.check(output);
+            if (Files.isDirectory(output)) {
+                group(output, overwrite).checkWritable();
+            }
+        }
+
+        List<Path> write(Path output, Overwrite overwrite, Map<String, AtomicFile.StreamContent> files) {
+            return ending != null
+                    ? List.of(AtomicFile.write(
+                            output, overwrite, files.values().iterator().next()))
+                    : OutputFolder.filled(output, () -> group(output, overwrite).write(files));
+        }
+
+        private FileGroup group(Path folder, Overwrite overwrite) {
+            List<String> endings = this == GLSL
+                    ? List.of(".glsl", ".hlsl", ".wgsl", ".ktx2", ".exr", ".html", ".md", ".json")
+                    : List.of(".osl", ".exr", ".md", ".json");
+            return new FileGroup(folder.resolve("sunbeam"), endings, overwrite);
         }
     }
 }

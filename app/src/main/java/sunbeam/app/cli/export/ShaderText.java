@@ -1,9 +1,5 @@
 package sunbeam.app.cli.export;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -22,11 +18,7 @@ final class ShaderText {
     private ShaderText() {}
 
     static String read(String name) {
-        try (InputStream stream = ShaderText.class.getResourceAsStream(name)) {
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException failure) {
-            throw new UncheckedIOException(name, failure);
-        }
+        return Environment.resource(ShaderText.class, name);
     }
 
     /** Returns a resource with the numbers of a table; doublings are the mip levels beside the finest. */

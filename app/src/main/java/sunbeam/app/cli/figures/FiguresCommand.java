@@ -15,6 +15,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.gpu.picture.PictureDifference;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.Progress;
@@ -33,6 +35,9 @@ import sunbeam.precompute.text.Text;
                         + " pictures that were drawn with the same options are kept, so a stopped run can be continued. Look at index.html, which names the command of each picture.",
         footer = {"  sunbeam figures --only 5.10,table-4.1"})
 public final class FiguresCommand extends FileCommand {
+    /** Line by which a page written by this command is recognized. */
+    private static final String GENERATOR = "<meta name=\"generator\" content=\"Sunbeam figures\">\n";
+
     private static final int LARGEST = 2048;
     private static final int STANDARD = 224;
     private static final int QUICK = 96;
@@ -93,10 +98,7 @@ public final class FiguresCommand extends FileCommand {
         OutputFolder.createWithParents(output);
         checkPage();
         int code = draw(drawings);
-        AtomicFile.write(
-                output.resolve(PAGE),
-                Overwrite.REPLACE,
-                AtomicFile.StreamContent.of(FiguresPage.of(figures, drawings, output)));
+        AtomicFile.write(output.resolve(PAGE), Overwrite.REPLACE, AtomicFile.StreamContent.of(page(figures, drawings)));
         List<Map<String, Object>> verdicts = new ArrayList<>();
         for (Figure figure : figures) {
             figure.verdict(drawings).ifPresent(verdict -> {
@@ -174,7 +176,7 @@ public final class FiguresCommand extends FileCommand {
         try {
             if (overwrite() == Overwrite.REFUSE
                     && Files.exists(page)
-                    && !Files.readString(page).contains(FiguresPage.GENERATOR)) {
+                    && !Files.readString(page).contains(GENERATOR)) {
                 throw new OutputException.Exists(
                         "cannot write " + page
                                 + ": it exists and is no page of figures; add --force to replace it, or choose another --output");
@@ -182,5 +184,76 @@ public final class FiguresCommand extends FileCommand {
         } catch (IOException failure) {
             throw OutputException.of(page, failure);
         }
+    }
+
+    /** Writes index.html: each figure with its pictures, captions and commands. */
+    private String page(List<Figure> figures, List<Figure.Drawing> drawings) {
+        StringBuilder html = new StringBuilder();
+        for (Figure figure : figures) {
+            html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
+            html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
+            html.append(escape(figure.ours())).append("<br><b>Check:</b> ");
+            html.append(escape(
+                    figure.verdict(drawings).map(Check.Verdict::toString).orElse("a picture or a number is missing")));
+            html.append("</p>\n").append(table(figure, drawings));
+            for (String patch : figure.rows()) {
+                html.append("<div class=\"row\">\n");
+                figure.own(drawings).stream()
+                        .filter(drawing -> drawing.patch().equals(patch)
+                                && !drawing.picture().hidden()
+                                && Files.isRegularFile(drawing.file()))
+                        .forEach(drawing -> html.append(picture(drawing)));
+                html.append("</div>\n");
+            }
+        }
+        return Environment.resource(FiguresCommand.class, "page.html")
+                .replace("@VERSION@", Environment.version())
+                .replace("@FIGURES@", html);
+    }
+
+    /** Returns a table of the thesis's numbers and Sunbeam's; an empty text if the figure has none. */
+    private static String table(Figure figure, List<Figure.Drawing> drawings) {
+        List<List<String>> rows = figure.own(drawings).stream()
+                .flatMap(drawing -> drawing.numbers().stream())
+                .toList();
+        if (rows.isEmpty()) {
+            return "";
+        }
+        StringBuilder html = new StringBuilder(
+                "<table><tr><th>patch</th><th></th><th>thesis</th><th>here</th><th>difference</th></tr>\n");
+        for (List<String> row : rows) {
+            html.append("<tr>");
+            row.forEach(cell -> html.append("<td>").append(escape(cell)).append("</td>"));
+            html.append("</tr>\n");
+        }
+        return html.append("</table>\n").toString();
+    }
+
+    private String picture(Figure.Drawing drawing) {
+        String kind = drawing.isMap() ? " class=\"map\"" : "";
+        String file = escape(output.relativize(drawing.file()).toString().replace('\\', '/'));
+        String label = (drawing.patch().isEmpty() ? "" : drawing.patch() + ": ")
+                + drawing.picture().label();
+        String difference = drawing.base()
+                .filter(Files::isRegularFile)
+                .map(base -> "; "
+                        + PictureDifference.of(Measure.image(drawing.file()), Measure.image(base))
+                                .text()
+                        + " from the first")
+                .orElse("");
+        return "<figure" + kind + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
+                + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
+                + escape(
+                        drawing.command().isEmpty()
+                                ? ""
+                                : "./sunbeam " + String.join(" ", drawing.command()) + " --force")
+                + "</code></figcaption></figure>\n";
+    }
+
+    private static String escape(String text) {
+        return text.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
     }
 }

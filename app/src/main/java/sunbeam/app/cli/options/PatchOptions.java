@@ -5,14 +5,20 @@ import static sunbeam.precompute.patch.PatchSettings.PATCH;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
+import picocli.CommandLine.Option;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
@@ -103,7 +109,7 @@ public final class PatchOptions extends SettingOptions {
     /** Loads several patches; the same name gets a number (-2, -3, ...) the second time. */
     public List<Patch> load(List<String> names, Choices method) {
         List<Patch> patches = new ArrayList<>();
-        names.forEach(name -> patches.add(ComparisonPatches.distinct(load(name, method), patches)));
+        names.forEach(name -> patches.add(Compared.distinct(load(name, method), patches)));
         return patches;
     }
 
@@ -129,5 +135,77 @@ public final class PatchOptions extends SettingOptions {
 
     private static Patch load(Choices patch, Choices method, HeightCache cache) {
         return PatchLoader.load(new PatchRequest(patch, Preset.isThesis(method)), cache);
+    }
+
+    /** Value of the option {@code --task I/N}: the I-th, from 1, of N consecutive parts of a list. */
+    public record TaskPart(int number, int parts) {
+        private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
+
+        public static TaskPart parse(String text) {
+            Matcher matcher = TEXT.matcher(text);
+            if (matcher.matches()) {
+                TaskPart part = new TaskPart(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
+                if (part.number >= 1 && part.number <= part.parts) {
+                    return part;
+                }
+            }
+            throw new UsageException(
+                    "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
+        }
+
+        /** Returns the index of the part's first item among {@code count}. */
+        public long first(long count) {
+            return count * (number - 1) / parts;
+        }
+
+        /** Returns the index after the part's last item. */
+        public long end(long count) {
+            return count * number / parts;
+        }
+    }
+
+    /** Option {@code --with}, which adds surfaces to compare with the first; a picocli mixin. */
+    public static final class Compared {
+        private static final int MOST = 24;
+
+        @Option(
+                names = "--with",
+                paramLabel = "PATCH",
+                description =
+                        "Another surface to show beside it at the same exposure, with the same options; may be repeated.")
+        private List<String> others = new ArrayList<>();
+
+        public boolean areSeveral() {
+            return !others.isEmpty();
+        }
+
+        /** Loads the first surface and the others. */
+        public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
+            if (others.size() > MOST) {
+                throw new UsageException(
+                        "--with is given " + others.size() + " times; give it " + MOST + " times at most");
+            }
+            try (Progress progress = display.start("Reading the heights", 1 + others.size())) {
+                List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
+                progress.step(1);
+                for (String name : others) {
+                    patches.add(distinct(first.load(name, method), patches));
+                    progress.step(1);
+                }
+                return patches;
+            }
+        }
+
+        /** Adds a number to the patch's name if an earlier patch has that name. */
+        static Patch distinct(Patch patch, List<Patch> earlier) {
+            Set<String> earlierNames = earlier.stream().map(Patch::name).collect(Collectors.toSet());
+            String name = patch.name();
+            for (int i = 2; earlierNames.contains(name); i++) {
+                name = patch.name() + "-" + i;
+            }
+            return name.equals(patch.name())
+                    ? patch
+                    : patch.named(name, "renamed, since another surface has the name " + patch.name());
+        }
     }
 }

@@ -4,10 +4,12 @@ import static sunbeam.app.cli.options.LightOptions.PHI_I;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 import static sunbeam.precompute.plan.LightSettings.OBSERVER;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,8 +19,12 @@ import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.SettingOptions;
+import sunbeam.app.cli.orders.OrderTable.Incidence;
+import sunbeam.app.cli.orders.OrderTable.Series;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.FileGroup;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
@@ -51,6 +57,9 @@ import sunbeam.precompute.units.Lengths;
 public final class OrdersCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
+    private static final int PLOT_WIDTH = 1100;
+    private static final int PLOT_HEIGHT = 560;
+    private static final int MOST_PLOTS = 12;
     // Limits of a patch's orders (500 MB for a relief of 1 um), of evaluated orders (minutes), and of written ones.
     private static final long MOST_ORDERS = 4_000_000;
     private static final double DEEPEST = 20e-6;
@@ -124,7 +133,7 @@ public final class OrdersCommand extends FileCommand {
         Map<String, Object> tree = table.tree();
         tree.put("index", index.describe(material));
         Map<String, String> text = Map.of("Title", patch.name() + ", diffraction orders", "Patch", patch.source());
-        write(files, tree, table.csv(), OrderPlot.draw(table), text);
+        write(files, tree, table.csv(), plot(table), text);
         return DoubtfulPicture.ofPatches(List.of(patch)).code();
     }
 
@@ -174,5 +183,52 @@ public final class OrdersCommand extends FileCommand {
         // The verdict is for light across the lines.
         Verdict verdict = Verdict.of(patch, period, choices.has(PHI_I) ? 0 : thetas.minimum());
         return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
+    }
+
+    /** Plots the strongest orders' efficiencies, their sum and a mirror's reflectance. */
+    private static BufferedImage plot(OrderTable table) {
+        Sheet sheet = new Sheet(PLOT_WIDTH)
+                .heading(table.patch().name() + ": " + table.verdict().sentence());
+        List<Incidence> incidences = table.incidences();
+        int angles = incidences.size();
+        String azimuth = ", azimuth of the light " + OrderTable.written(table.phi()) + " degrees";
+        if (incidences.get(0).lights().size() == 1 && angles > 1) {
+            List<OrderLight> lights =
+                    incidences.stream().map(one -> one.lights().get(0)).toList();
+            String title = OrderTable.nanometers(lights.get(0)) + azimuth;
+            ToDoubleFunction<OrderLight> theta =
+                    light -> Math.toDegrees(Math.acos(light.wi().z()));
+            return sheet.row(plot(
+                            title, "angle of incidence theta_i / degrees", theta, lights, OrderTable.series(lights)))
+                    .draw();
+        }
+        for (int i = 0; i < angles; i += (angles + MOST_PLOTS - 1) / MOST_PLOTS) {
+            Incidence one = incidences.get(i);
+            String title = "light at " + OrderTable.written(one.theta()) + " degrees" + azimuth;
+            sheet.row(plot(title, "wavelength / nm", light -> 1e9 * light.wavelength(), one.lights(), one.orders()));
+        }
+        return sheet.draw();
+    }
+
+    private static BufferedImage plot(
+            String title, String axis, ToDoubleFunction<OrderLight> x, List<OrderLight> lights, List<Series> orders) {
+        Plot plot = Plot.linear(title, axis, "efficiency / share of the incident light", PLOT_WIDTH, PLOT_HEIGHT)
+                .fromZero();
+        for (Series series : OrderTable.strongest(orders)) {
+            plot.line(
+                    "order " + series.order().in(lights.get(0).lattice()),
+                    series.values(seen -> x.applyAsDouble(seen.light())),
+                    series.values(seen -> seen.efficiency().value()));
+        }
+        double[] all = lights.stream().mapToDouble(x).toArray();
+        return plot.line(
+                        "all light",
+                        all,
+                        lights.stream().mapToDouble(OrderLight::sum).toArray())
+                .outline(
+                        "flat mirror",
+                        all,
+                        lights.stream().mapToDouble(OrderLight::mirror).toArray())
+                .draw();
     }
 }

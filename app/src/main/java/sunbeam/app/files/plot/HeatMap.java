@@ -45,14 +45,10 @@ public final class HeatMap {
     private final DefaultXYDataset curves = new DefaultXYDataset();
     private final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
 
-    /** @param equalScales whether a unit is as long along y as along x, unless the matrix is a thin strip */
+    /** Title, axis labels and size in pixels; with equal scales, a unit is as long along y as along x unless the matrix is a thin strip. */
     public record Frame(String title, String xLabel, String yLabel, int width, int height, boolean equalScales) {}
 
-    /**
-     * @param rows values, {@code [row][column]}, row 0 at the lowest y
-     * @param xRange outer edges of the first and the last column
-     * @param yRange outer edges of the first and the last row
-     */
+    /** Values {@code [row][column]}, row 0 at the lowest y, and the outer edges of the first and the last column and row. */
     public record Values(double[][] rows, double[] xRange, double[] yRange, Colors colors, Reduction reduction) {
         /** Returns the outer edges of cells with these evenly spaced centers, at least two. */
         public static double[] around(double[] centers) {
@@ -69,10 +65,7 @@ public final class HeatMap {
         MIDDLE
     }
 
-    /**
-     * @param low value of the first color; positive if the scale is logarithmic
-     * @param high value of the last color, larger than {@code low}
-     */
+    /** Colors of values from {@code low}, positive if the scale is logarithmic, to {@code high}. */
     public record Colors(String label, double low, double high, Plot.Scale scale, ColorMap map) {
         double position(double value) {
             return scale == Plot.Scale.LINEAR
@@ -264,5 +257,32 @@ public final class HeatMap {
         bar.setStripOutlineVisible(true);
         bar.setStripOutlinePaint(PlotStyle.INK);
         return bar;
+    }
+
+    /** Map from values between 0 and 1 to colors whose lightness grows, by evenly spaced colors 0xRRGGBB. */
+    public record ColorMap(int... points) {
+        /** Viridis (S. van der Walt and N. Smith, matplotlib, CC0), at nine evenly spaced points. */
+        public static final ColorMap VIRIDIS =
+                new ColorMap(0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725);
+
+        /** Heights as microscopes show them. */
+        public static final ColorMap GRAY = new ColorMap(0x000000, 0xFFFFFF);
+
+        /** Returns a value's color as 0xRRGGBB, linear between the points; the ends' outside 0..1, white for NaN. */
+        public int at(double value) {
+            if (Double.isNaN(value)) {
+                return 0xFFFFFF;
+            }
+            double position = Math.max(0, Math.min(1, value)) * (points.length - 1);
+            int index = Math.min(points.length - 2, (int) position);
+            double fraction = position - index;
+            int color = 0;
+            for (int shift = 16; shift >= 0; shift -= 8) {
+                double before = (points[index] >> shift) & 0xFF;
+                double after = (points[index + 1] >> shift) & 0xFF;
+                color |= (int) Math.round(before + fraction * (after - before)) << shift;
+            }
+            return color;
+        }
     }
 }

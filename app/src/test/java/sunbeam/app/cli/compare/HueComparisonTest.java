@@ -27,7 +27,7 @@ class HueComparisonTest {
         List<CieLab> second = IntStream.range(0, COUNT)
                 .mapToObj(i -> color(hues[i] + 25 + 3 * random.nextGaussian(), 20))
                 .toList();
-        HueComparison hue = HueComparison.of(first, second);
+        PhotoComparison.HueComparison hue = PhotoComparison.HueComparison.of(first, second);
         // The mean of 2000 errors of 3 degrees has a standard error of 0.07.
         assertThat(hue.turnDegrees()).isCloseTo(25, within(0.3));
         assertThat(hue.correlation()).isGreaterThan(0.99);
@@ -43,10 +43,11 @@ class HueComparisonTest {
         List<CieLab> second =
                 random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 40)).toList();
         // Four standard deviations, each 1 / sqrt(count).
-        assertThat(HueComparison.of(first, second).correlation()).isCloseTo(0, within(4 / Math.sqrt(COUNT)));
+        assertThat(PhotoComparison.HueComparison.of(first, second).correlation())
+                .isCloseTo(0, within(4 / Math.sqrt(COUNT)));
         List<CieLab> grays =
                 random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 5)).toList();
-        assertThat(HueComparison.of(first, grays).count()).isZero();
-        assertThat(HueComparison.of(first, grays).line()).contains("too few");
+        assertThat(PhotoComparison.HueComparison.of(first, grays).count()).isZero();
+        assertThat(PhotoComparison.HueComparison.of(first, grays).line()).contains("too few");
     }
 }

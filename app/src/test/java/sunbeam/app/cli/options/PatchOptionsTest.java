@@ -63,11 +63,12 @@ class PatchOptionsTest extends CommandLineFixture {
     void surfacesOfOneNameAreToldApart() {
         HeightMap heights = new HeightMap(2, 1, 1e-7, 1e-7, new double[] {0, 1e-8});
         Patch first = new Patch("wing", heights, "a/wing.gsf", List.of());
-        Patch second = ComparisonPatches.distinct(first, List.of(first));
-        Patch third = ComparisonPatches.distinct(first, List.of(first, second));
+        Patch second = PatchOptions.Compared.distinct(first, List.of(first));
+        Patch third = PatchOptions.Compared.distinct(first, List.of(first, second));
         assertThat(second.name()).isEqualTo("wing-2");
         assertThat(second.notes()).anyMatch(note -> note.contains("another surface has the name wing"));
         assertThat(third.name()).isEqualTo("wing-3");
-        assertThat(ComparisonPatches.distinct(third, List.of(first, second))).isSameAs(third);
+        assertThat(PatchOptions.Compared.distinct(third, List.of(first, second)))
+                .isSameAs(third);
     }
 }

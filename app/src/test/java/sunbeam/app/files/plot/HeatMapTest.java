@@ -12,7 +12,7 @@ final class HeatMapTest {
     private static final int HEIGHT = 400;
 
     private static HeatMap map(double[][] rows, HeatMap.Reduction reduction) {
-        HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, ColorMap.GRAY);
+        HeatMap.Colors colors = new HeatMap.Colors("value", 0, 1, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
         return new HeatMap(
                 new HeatMap.Frame("", "x", "y", WIDTH, HEIGHT, false),
                 new HeatMap.Values(rows, new double[] {0, 10}, new double[] {0, 10}, colors, reduction));
@@ -63,7 +63,7 @@ final class HeatMapTest {
 
     @Test
     void logarithmicColorsSpanTheirDecadesEvenly() {
-        HeatMap.Colors colors = new HeatMap.Colors("", 1e-4, 1, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
+        HeatMap.Colors colors = new HeatMap.Colors("", 1e-4, 1, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
         assertThat(colors.position(1e-2)).isEqualTo(0.5);
         assertThat(colors.position(0)).isZero();
         assertThat(colors.position(1)).isEqualTo(1);
