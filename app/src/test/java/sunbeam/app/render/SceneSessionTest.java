@@ -3,6 +3,8 @@ package sunbeam.app.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -14,6 +16,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
@@ -21,6 +25,7 @@ import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.Weights;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.Methods;
@@ -30,6 +35,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
 
 @NeedsDisplay
 class SceneSessionTest extends InAContext {
@@ -177,5 +183,38 @@ class SceneSessionTest extends InAContext {
         assertThat(pick.tangent().y()).isCloseTo(1, within(1e-6f));
         assertThat(pick.wi().x()).isCloseTo(scene.light().towards().y(), within(1e-6));
         assertThat(session.pick(0, 0, WIDTH, HEIGHT)).isEmpty();
+    }
+
+    private static final int SIDE = 16;
+
+    @ParameterizedTest
+    @CsvSource({
+        // Sides of the square and distance of the eye, meters; whether it covers the picture's middle.
+        "1e-12, 0.6, false",
+        "1e-7,  0.6, false",
+        "1e-7,  1e-7, true",
+        "1,     1e6, false",
+        "1e6,   1e6, true",
+        "1,     1e-2, true"
+    })
+    void aMeshIsDrawnWhateverItsSizeAndDistance(double side, float distance, boolean covers) throws IOException {
+        Path mesh = Files.writeString(
+                folder.resolve("square.obj"),
+                Text.format("v -%1$g -%1$g 0\nv %1$g -%1$g 0\nv %1$g %1$g 0\nv -%1$g %1$g 0\n", side / 2)
+                        + "f 1 2 3 4\n");
+        // Beside the middle, so that small meshes miss the center of a pixel.
+        Camera camera = new Camera(new Vector3f(0, -0.1f * distance, distance), new Vector3f(), new Vector3f(0, 1, 0));
+        Scene scene = PlaneScenes.blaze()
+                .withMesh(MeshSource.of(mesh.toString()))
+                .withView(new Viewpoint(camera, Math.toRadians(30)));
+        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
+            ScenePicture picture = WholePicture.of(session, SIDE, SIDE);
+
+            float alpha = picture.rgba()[4 * (SIDE / 2 * SIDE + SIDE / 2) + 3];
+            assertThat(alpha).isEqualTo(covers ? 1 : 0);
+            for (float value : picture.rgba()) {
+                assertThat(value).isFinite();
+            }
+        }
     }
 }

@@ -3,25 +3,33 @@ package sunbeam.app.cli.options;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
+import picocli.CommandLine.TypeConversionException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.Method;
+import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.PqMethod;
+import sunbeam.precompute.method.Surface;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
-/** Parses methods from command lines. */
+/** Parses methods, ranges and certificates from command lines. */
 class MethodOptionsTest {
     private static Choices parse(String options) {
         CommandLine line = new CommandLine(new MethodOptions());
@@ -136,5 +144,54 @@ class MethodOptionsTest {
                 .contains("from +x. Default: the strongest direction.", "Default: 0 deg.");
         line.parseArgs("--theta-i", "30", "--phi-i", "-0.1");
         assertThat(light.describe()).as("as typed").isEqualTo("theta 30, phi -0.1 degrees");
+    }
+
+    private final Range.Converter converter = new Range.Converter();
+
+    @Test
+    void holdsBothEnds() {
+        Range range = converter.convert("380:780:5");
+        assertThat(range.count()).isEqualTo(81);
+        assertThat(range.values()).startsWith(380, 385).endsWith(780);
+    }
+
+    @Test
+    void roundingOfTheStepLosesNoEnd() {
+        assertThat(converter.convert("0:0.3:0.1").values()).hasSize(4).endsWith(0.3);
+    }
+
+    @Test
+    void stopsBelowAnEndThatTheStepDoesNotMeet() {
+        assertThat(converter.convert("0:10:4").values()).containsExactly(0, 4, 8);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"550:550:1", "550"})
+    void oneValueIsARange(String text) {
+        assertThat(converter.convert(text).values()).containsExactly(550);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "1:2", "1:2:3:4", "a:2:1", "2:1:1", "1:2:0", "1:2:-1", "1:NaN:1", "0:1e9:1e-9"})
+    void anythingElseIsRefused(String text) {
+        assertThatThrownBy(() -> converter.convert(text))
+                .isInstanceOf(TypeConversionException.class)
+                .hasMessageStartingWith("'" + text + "' is not a range");
+    }
+
+    private static MethodPlan plan(double tolerance) {
+        double[] heights = new double[32 * 32];
+        Arrays.setAll(heights, i -> i % 32 < 16 ? 0 : 100e-9);
+        HeightMap map = new HeightMap(32, 32, 100e-9, 100e-9, heights);
+        return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD)
+                .plan(Surface.of(new Patch("lines", map, "made up", List.of())), VisibleRange.all());
+    }
+
+    @Test
+    void aFinerToleranceIsAdvisedOnlyWhereAPlanCanKeepIt() {
+        assertThat(CertifyOption.remedy(Choices.none(), plan(1e-3))).startsWith("give a finer --tolerance");
+        assertThat(CertifyOption.remedy(Choices.none(), plan(1e-5)))
+                .startsWith("no finer --tolerance helps")
+                .contains("--method reference");
     }
 }

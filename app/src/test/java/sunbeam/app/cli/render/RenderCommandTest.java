@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -17,11 +18,13 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.render.AnimationOptions.Sweep;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.ExitCode;
 
@@ -236,5 +239,40 @@ class RenderCommandTest extends CommandLineFixture {
     private static String exampleOfTheDocs() throws IOException {
         String page = Files.readString(Path.of("../docs/scenes.md"));
         return page.substring(page.indexOf("    {\n"), page.indexOf("    }\n") + 6);
+    }
+
+    private static final int SIDE = 256;
+    private static final int BLOCK = 16;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void smoothColorsHaveNoBands() throws IOException {
+        BufferedImage smooth = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            int x = i % SIDE;
+            int y = i / SIDE;
+            smooth.setRGB(x, y, x << 16 | y << 8 | (255 - x) / 2);
+        }
+        Path frame = folder.resolve("frame.png");
+        ImageIO.write(smooth, "png", frame.toFile());
+        Path target = folder.resolve("animation.gif");
+        GifAnimation.write(target, Overwrite.REPLACE, List.of(frame), 10);
+
+        BufferedImage drawn = ImageIO.read(target.toFile());
+        double worst = 0;
+        for (int block = 0; block < SIDE * SIDE / (BLOCK * BLOCK); block++) {
+            double sum = 0;
+            for (int i = 0; i < BLOCK * BLOCK; i++) {
+                int x = BLOCK * (block % (SIDE / BLOCK)) + i % BLOCK;
+                int y = BLOCK * (block / (SIDE / BLOCK)) + i / BLOCK;
+                sum += (drawn.getRGB(x, y) >> 8 & 255) - (smooth.getRGB(x, y) >> 8 & 255);
+            }
+            worst = Math.max(worst, Math.abs(sum / (BLOCK * BLOCK)));
+        }
+        // The palette has steps of 32 codes, so without dither the blocks' means err by 9. At the edges dither loses
+        // errors.
+        assertThat(worst).isLessThan(4);
     }
 }

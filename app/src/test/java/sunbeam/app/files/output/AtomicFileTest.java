@@ -12,11 +12,23 @@ import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.CyclicBarrier;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+/** Files appear whole or not at all, one by one, in groups, and of several writers at once. */
 final class AtomicFileTest {
     private static final byte[] NEW = "new".getBytes(StandardCharsets.UTF_8);
 
@@ -125,5 +137,122 @@ final class AtomicFileTest {
         assertThat(old).doesNotExist();
         assertThat(young).exists();
         assertThat(other).exists();
+    }
+
+    private static final int WRITERS = 4;
+    /** With a check before a rename, two writers succeed in one race of nine: 200 races find it. */
+    private static final int RACES = 200;
+
+    private final ExecutorService threads = Executors.newFixedThreadPool(WRITERS);
+
+    @AfterEach
+    void end() {
+        threads.shutdownNow();
+    }
+
+    /** Path of each writer, or null if it was refused. */
+    private List<Path> race(Path target, Overwrite overwrite) throws Exception {
+        CyclicBarrier start = new CyclicBarrier(WRITERS);
+        List<Future<Path>> writers = new ArrayList<>();
+        for (int writer = 0; writer < WRITERS; writer++) {
+            byte[] content = ("writer " + writer).getBytes(StandardCharsets.UTF_8);
+            writers.add(threads.submit(() -> {
+                try (AtomicFile file = AtomicFile.create(target, overwrite)) {
+                    file.fill(stream -> stream.write(content));
+                    start.await();
+                    return file.commit();
+                } catch (OutputException refused) {
+                    assertThat(refused).hasMessageContaining("it exists; add --force");
+                    return null;
+                }
+            }));
+        }
+        List<Path> places = new ArrayList<>();
+        for (Future<Path> writer : writers) {
+            places.add(writer.get());
+        }
+        return places;
+    }
+
+    @Test
+    void onlyOneGetsANameThatMayNotBeReplaced() throws Exception {
+        for (int race = 0; race < RACES; race++) {
+            Path target = folder.resolve("race-" + race);
+            List<Path> places = race(target, Overwrite.REFUSE);
+            assertThat(places.stream().filter(Objects::nonNull)).hasSize(1);
+            int winner = places.indexOf(target);
+            assertThat(target).hasContent("writer " + winner);
+        }
+        assertThat(folder.toFile().list()).hasSize(RACES);
+    }
+
+    @Test
+    void eachWriterGetsItsOwnName() throws Exception {
+        for (int race = 0; race < RACES / 4; race++) {
+            Path target = folder.resolve("race" + race + ".png");
+            List<Path> places = race(target, Overwrite.NUMBER);
+            Set<String> names = new TreeSet<>();
+            for (int writer = 0; writer < WRITERS; writer++) {
+                assertThat(places.get(writer)).hasContent("writer " + writer);
+                names.add(places.get(writer).getFileName().toString());
+            }
+            assertThat(names)
+                    .containsExactlyInAnyOrder(
+                            "race" + race + ".png",
+                            "race" + race + "-2.png",
+                            "race" + race + "-3.png",
+                            "race" + race + "-4.png");
+        }
+    }
+
+    private static final List<String> ENDINGS = List.of(".png", ".csv", ".json");
+
+    private static Map<String, AtomicFile.StreamContent> contents(String text) {
+        Map<String, AtomicFile.StreamContent> contents = new LinkedHashMap<>();
+        ENDINGS.forEach(ending -> contents.put(ending, stream -> stream.write(text.getBytes(StandardCharsets.UTF_8))));
+        return contents;
+    }
+
+    private FileGroup group(Overwrite overwrite) {
+        return new FileGroup(folder.resolve("blaze"), ENDINGS, overwrite);
+    }
+
+    @Test
+    void allFilesHaveOneNumberAlsoWhereOneNameAloneIsTaken() throws IOException {
+        Files.writeString(folder.resolve("blaze.csv"), "somebody's");
+        Files.writeString(folder.resolve("blaze-2.json"), "somebody's");
+
+        List<Path> places = group(Overwrite.NUMBER).write(contents("new"));
+
+        assertThat(places)
+                .extracting(place -> place.getFileName().toString())
+                .containsExactly("blaze-3.png", "blaze-3.csv", "blaze-3.json");
+        assertThat(names()).containsExactly("blaze-2.json", "blaze-3.csv", "blaze-3.json", "blaze-3.png", "blaze.csv");
+        assertThat(folder.resolve("blaze.csv")).hasContent("somebody's");
+    }
+
+    @Test
+    void noFileAppearsIfOneMayNotBeReplaced() throws IOException {
+        FileGroup group = group(Overwrite.REFUSE);
+        Map<String, AtomicFile.StreamContent> contents = contents("new");
+        // Another program creates a file while the last one is written.
+        contents.put(".json", stream -> Files.writeString(folder.resolve("blaze.csv"), "somebody's"));
+
+        assertThatThrownBy(() -> group.write(contents))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("blaze.csv: it exists; add --force");
+        assertThat(names()).containsExactly("blaze.csv");
+        assertThat(folder.resolve("blaze.csv")).hasContent("somebody's");
+    }
+
+    @Test
+    void noFileAppearsIfTheContentOfOneFails() throws IOException {
+        Map<String, AtomicFile.StreamContent> contents = contents("new");
+        contents.put(".json", stream -> {
+            throw new IOException("No space left on device");
+        });
+
+        assertThatThrownBy(() -> group(Overwrite.NUMBER).write(contents)).hasMessageContaining("free some space");
+        assertThat(names()).isEmpty();
     }
 }

@@ -2,13 +2,22 @@ package sunbeam.app.files.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -16,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.PngText;
 import sunbeam.precompute.files.InputException;
 
+/** Pictures and their text, tables and arrays, as other programs read them. */
 final class PngWriterTest {
     private static final int[] PIXELS = {0xff000000, 0xffff8001, 0xff0080ff, 0xffffffff, 0xff123456, 0xfffedcba};
 
@@ -67,5 +77,115 @@ final class PngWriterTest {
         assertThatThrownBy(() -> PngText.read(file))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("checksum");
+    }
+
+    @Test
+    void numbersAreWrittenAlikeInAllLocales() throws IOException {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMANY);
+            ByteArrayOutputStream stream = new ByteArrayOutputStream();
+            double[][] rows = {{75, 1.0 / 3}, {-0.5, Double.NaN}};
+            CsvWriter.numbers(List.of("theta_i", "power"), 2, row -> rows[row]).writeTo(stream);
+            assertThat(stream.toString(StandardCharsets.UTF_8))
+                    .isEqualTo("theta_i,power\n7.500000000000e+01,3.333333333333e-01\n-5.000000000000e-01,NaN\n");
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
+    void thirteenDigitsComeBack() throws IOException {
+        double[] values = {Math.PI, -1.2345678901234567e-200, Double.MAX_VALUE / 3, 0};
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        CsvWriter.numbers(List.of("x"), values.length, row -> new double[] {values[row]})
+                .writeTo(stream);
+        List<String> read = stream.toString(StandardCharsets.UTF_8).lines().toList();
+        for (int row = 0; row < values.length; row++) {
+            assertThat(Double.parseDouble(read.get(row + 1)))
+                    .isCloseTo(values[row], withinPercentage(5e-11)); // half of the 13th digit
+        }
+    }
+
+    @Test
+    void theBytesAreThoseOfTheFormat() throws IOException {
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        NpyWriter.write(stream, new float[] {1.5f, Float.NaN}, 1, 2);
+        byte[] bytes = stream.toByteArray();
+        assertThat(bytes).startsWith((byte) 0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0, 118, 0);
+        String header = new String(bytes, 10, 118, StandardCharsets.US_ASCII);
+        assertThat(header).matches("\\{'descr': '<f4', 'fortran_order': False, 'shape': \\(1, 2\\), \\} *\n");
+        ByteBuffer values = ByteBuffer.wrap(bytes, 128, 8).order(ByteOrder.LITTLE_ENDIAN);
+        assertThat(values.getFloat()).isEqualTo(1.5f);
+        assertThat(values.getFloat()).isNaN();
+        assertThat(bytes).hasSize(136);
+    }
+
+    @Test
+    void equalArraysMakeEqualArchives() {
+        assertThat(NpyWriter.entry("a.npy").getTimeLocal()).isEqualTo(LocalDateTime.of(1980, 1, 1, 0, 0));
+    }
+
+    @Test
+    void anyNumberOfValuesIsWritten() throws IOException {
+        float[] values = new float[3 * 7001 * 2];
+        ByteBuffer expected = ByteBuffer.allocate(Float.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (int index = 0; index < values.length; index++) {
+            values[index] = index;
+            expected.putFloat(index);
+        }
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        NpyWriter.write(stream, values, 3, 7001, 2);
+        assertThat(Arrays.copyOfRange(stream.toByteArray(), 128, stream.size())).isEqualTo(expected.array());
+    }
+
+    // Matrices of sRGB have seven digits.
+    private static final float ROUNDING = 1e-5f;
+
+    /** The red primary of Rec. 709. */
+    @Test
+    void openExrHasRedAsOne() throws IOException {
+        ByteArrayOutputStream stream = new ByteArrayOutputStream();
+        LinearFile.of(Path.of("a.exr"), new float[] {0.4124564f, 0.2126729f, 0.0193339f}, 1, 1)
+                .writeTo(stream);
+
+        ByteBuffer bytes = ByteBuffer.wrap(stream.toByteArray()).order(ByteOrder.LITTLE_ENDIAN);
+
+        assertThat(bytes.getInt(0)).as("OpenEXR's magic number").isEqualTo(20000630);
+        // A line this short is stored uncompressed, its channels in the order of the alphabet.
+        float[] stored = new float[4];
+        bytes.position(bytes.capacity() - 4 * Float.BYTES)
+                .slice()
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(stored);
+        assertThat(stored).containsExactly(new float[] {1, 0, 0, 1}, within(ROUNDING));
+    }
+
+    private static final String HASH = "0123";
+
+    private Path picture() {
+        Path file = folder.resolve("picture.png");
+        BufferedImage image = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
+        PngWriter.write(file, Overwrite.REPLACE, image, Map.of(PngText.PARAMETERS, HASH));
+        return file;
+    }
+
+    @Test
+    void aPictureIsKnownByTheHashOfWhatDeterminesIt() {
+        assertThat(PngText.find(picture(), HASH)).isPresent();
+        assertThat(PngText.find(picture(), "4567")).isEmpty();
+        assertThat(PngText.find(folder.resolve("none.png"), HASH)).isEmpty();
+    }
+
+    @Test
+    void aPictureWithDamagedPixelsIsNotThePicture() throws IOException {
+        Path file = picture();
+        byte[] bytes = Files.readAllBytes(file);
+        int pixels = new String(bytes, StandardCharsets.ISO_8859_1).indexOf("IDAT") + 4;
+        bytes[pixels + 8] ^= 1;
+        Files.write(file, bytes);
+
+        assertThat(PngText.find(file, HASH)).isEmpty();
     }
 }

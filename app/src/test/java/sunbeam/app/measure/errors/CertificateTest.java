@@ -10,15 +10,25 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ExactLight.Quadrature;
 
-/** Statistics of errors and their limits; certificates of a table whose exact powers are 1, 1/2, 1/3 and so on. */
+/** Statistics of errors and their limits; certificates of tables and of pictures. */
 final class CertificateTest {
     private static final int ROWS = 200;
 
@@ -130,5 +140,98 @@ final class CertificateTest {
                 .as("0.95^59 is 4.8 %")
                 .isEmpty();
         assertThat(ErrorStatistics.of().doubt()).isEmpty();
+    }
+
+    private static final int WIDTH = 60;
+
+    private static ExactLight REFERENCE;
+    private static float[] EXACT;
+
+    @BeforeAll
+    static void drawTheExactPicture() {
+        double[] heights =
+                IntStream.range(0, 40).mapToDouble(i -> 250e-9 * i / 40).toArray();
+        HeightMap map = new HeightMap(40, 1, 62.5e-9, 2.5e-6, heights);
+        REFERENCE = GaussianArea.STANDARD.over(map, CieTable.load());
+        EXACT = new float[3 * WIDTH];
+        Arrays.fill(EXACT, Float.NaN);
+        // The last ten pixels show no surface.
+        for (int pixel = 0; pixel < WIDTH - 10; pixel++) {
+            DirectionPair pair = pair(pixel);
+            double[] xyz = REFERENCE.xyz(pair, Quadrature.INTEGRATED);
+            for (int c = 0; c < 3; c++) {
+                EXACT[3 * pixel + c] = (float) (xyz[c] * Gain.relativeRadiance(pair));
+            }
+        }
+    }
+
+    private static DirectionPair pair(int pixel) {
+        double x = (2.0 * pixel + 1) / WIDTH - 1;
+        return new DirectionPair(Direction.ofDegrees(0, 0), Direction.ofDisc(x, 0));
+    }
+
+    private static Certificate certifyPicture(float[] xyz, int count) {
+        return new Certifier(
+                        REFERENCE, CertificateTest::pair, pair -> 1, new Environment(Map.of(), Path.of("")).progress())
+                .certify(new LinearPicture(WIDTH, 1, xyz), count, 1, 1e-3);
+    }
+
+    @Test
+    void theExactPicturePasses() {
+        Certificate certificate = certifyPicture(EXACT.clone(), 40);
+        assertThat(certificate.places()).startsWith("40 random pixels, at most a quarter of them dark");
+        assertThat(certificate.relative().count()).isPositive();
+        // Rounding to float32, 6e-8.
+        assertThat(certificate.relative().maximum()).isLessThan(1e-7);
+        assertThat(certificate.colorDifference().maximum()).isLessThan(1e-4);
+        assertThat(certificate.missed()).isFalse();
+    }
+
+    @Test
+    void aPictureThatIsTwoPercentTooBrightMissesAThousandth() {
+        float[] bright = EXACT.clone();
+        for (int i = 0; i < bright.length; i++) {
+            bright[i] *= 1.02f;
+        }
+        Certificate certificate = certifyPicture(bright, 40);
+        assertThat(certificate.missed()).isTrue();
+        assertThat(certificate.relative().median()).isBetween(0.0199, 0.0201);
+        assertThat(certificate.colorDifference().maximum()).isPositive();
+        assertThat(certificate.comparison()).contains("0.02").contains("0.001");
+    }
+
+    @Test
+    void missingLightIsFoundAndSoIsLightWhereThereIsNone() {
+        float[] dark = EXACT.clone();
+        Arrays.fill(dark, 0, 3 * (WIDTH - 10), 0);
+        assertThat(certifyPicture(dark, 50).missed()).isTrue();
+        float[] gray = EXACT.clone();
+        Arrays.fill(gray, 0, 3 * (WIDTH - 10), 0.5f);
+        assertThat(certifyPicture(gray, 50).missed()).isTrue();
+    }
+
+    @Test
+    void aPictureMirroredLeftToRightIsWrong() {
+        float[] mirrored = EXACT.clone();
+        for (int pixel = 10; pixel < WIDTH - 10; pixel++) {
+            System.arraycopy(EXACT, 3 * (WIDTH - 1 - pixel), mirrored, 3 * pixel, 3);
+        }
+        assertThat(certifyPicture(mirrored, 50).missed()).isTrue();
+    }
+
+    @Test
+    void noMorePixelsAreEvaluatedThanThereAreAndTheSameSeedTakesTheSame() {
+        Certificate certificate = certifyPicture(EXACT.clone(), 1000);
+        assertThat(certificate.places()).startsWith((WIDTH - 10) + " random pixels");
+        assertThat(certifyPicture(EXACT.clone(), 20)).isEqualTo(certifyPicture(EXACT.clone(), 20));
+    }
+
+    @Test
+    void aBlackPictureOfNothingHasNothingToCompare() {
+        float[] none = new float[3 * WIDTH];
+        Arrays.fill(none, Float.NaN);
+        Certificate certificate = certifyPicture(none, 10);
+        assertThat(certificate.missed()).isFalse();
+        assertThat(certificate.summary()).contains("nothing to compare");
     }
 }

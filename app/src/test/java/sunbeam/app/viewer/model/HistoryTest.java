@@ -1,13 +1,20 @@
 package sunbeam.app.viewer.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import jrtr.scene.View.Camera;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.Viewpoint;
 import sunbeam.precompute.setting.Choices;
 
+/** Changes of a scene by the mouse, and their undoing. */
 final class HistoryTest {
     private final ViewerModel.History history = new ViewerModel.History();
     private Scene now = scene(0);
@@ -81,5 +88,80 @@ final class HistoryTest {
         history.setDragging(false);
         // The change is refused, so the scene is as before.
         assertThat(undo()).isZero();
+    }
+
+    // Rounding of a few float32 operations on numbers of size 5.
+    private static final float ROUNDING = 1e-5f;
+    private static final Camera FRONT = new Camera(new Vector3f(0, 0, 5), new Vector3f(), new Vector3f(0, 1, 0));
+    private static final Camera ABOVE = new Camera(new Vector3f(0, -5, 5), new Vector3f(), new Vector3f(0, 0, 1));
+    private static final Scene SCENE = seenFrom(FRONT).withLight(new SceneLight(new Vector3f(0, 0, 1), 1));
+
+    private static Scene seenFrom(Camera camera) {
+        return Scenes.load("disc")
+                .withView(new Viewpoint(camera, Math.toRadians(90)))
+                .withOrientation(new Quaternionf());
+    }
+
+    @Test
+    void theFrontOfTheModelGoesWhereTheMouseGoes() {
+        float sine = (float) Math.sin(0.1);
+        Vector3f right = Drags.turned(SCENE, 0.1, 0).orientation().transform(new Vector3f(0, 0, 1));
+        assertThat(right.distance(sine, 0, (float) Math.cos(0.1))).isCloseTo(0, within(ROUNDING));
+        Vector3f up = Drags.turned(SCENE, 0, 0.1).orientation().transform(new Vector3f(0, 0, 1));
+        assertThat(up.distance(0, sine, (float) Math.cos(0.1))).isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void anUprightModelStaysUprightHoweverItIsTurned() {
+        Scene scene = seenFrom(ABOVE);
+        for (int drag = 0; drag < 100; drag++) {
+            scene = Drags.turned(scene, 0.3, 0.2 * Math.sin(drag));
+            Vector3f vertical = scene.orientation().transform(new Vector3f(0, 0, 1));
+            // The picture's horizontal is x; rounding errors of float32 rotations add up over the drags.
+            assertThat(vertical.x).isCloseTo(0, within(100 * ROUNDING));
+        }
+    }
+
+    @Test
+    void aRollTurnsCounterclockwiseInThePicture() {
+        Vector3f right = Drags.rolled(SCENE, 0.1).orientation().transform(new Vector3f(1, 0, 0));
+        assertThat(right.distance((float) Math.cos(0.1), (float) Math.sin(0.1), 0))
+                .isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void theLightGoesWhereTheMouseGoes() {
+        float sine = (float) Math.sin(0.3);
+        float cosine = (float) Math.cos(0.3);
+        assertThat(Drags.lit(SCENE, 0.3, 0).light().towards().distance(sine, 0, cosine))
+                .isCloseTo(0, within(ROUNDING));
+        assertThat(Drags.lit(SCENE, 0, 0.3).light().towards().distance(0, sine, cosine))
+                .isCloseTo(0, within(ROUNDING));
+    }
+
+    @Test
+    void zoomingInHalvesTheDistance() {
+        Camera camera = Drags.zoomed(SCENE, 0.5, 0, 0, 800, 600).view().camera();
+        assertThat(camera.centerOfProjection().distance(0, 0, 2.5f)).isCloseTo(0, within(ROUNDING));
+        assertThat(camera.lookAtPoint().length()).isZero();
+    }
+
+    @Test
+    void whatIsUnderThePointerStaysThereAtAnyDistance() {
+        Viewpoint near = Drags.zoomed(SCENE, 0.5, 0.25, -0.1, 800, 600).view();
+        for (float depth : new float[] {-3, 0, 2}) {
+            Vector3f point = new Vector3f(0.5f, -0.2f, -1).mul(5 - depth).add(0, 0, 5);
+            Vector3f seen = near.camera().worldToCamera().transformPosition(point);
+            assertThat(seen.x / -seen.z).isCloseTo(0.5f, within(ROUNDING));
+            assertThat(seen.y / -seen.z).isCloseTo(-0.2f, within(ROUNDING));
+        }
+    }
+
+    @Test
+    void whatIsSeenFollowsAPan() {
+        // With a field of view of 90 degrees the picture is 10 high at the target.
+        Camera camera = Drags.panned(SCENE, 0.1, 0.2, 800, 600).view().camera();
+        assertThat(camera.lookAtPoint().distance(-1, -2, 0)).isCloseTo(0, within(ROUNDING));
+        assertThat(camera.centerOfProjection().distance(-1, -2, 5)).isCloseTo(0, within(ROUNDING));
     }
 }

@@ -3,10 +3,20 @@ package sunbeam.app.viewer.picture;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.analysis.SpatialFrequency;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.optics.Direction;
 
+/** The picture, and the labels and orders that are drawn over a map. */
 class PictureViewTest {
     @Test
     void aPictureOfFewPixelsIsLinearBetweenTheirMiddles() {
@@ -80,5 +90,56 @@ class PictureViewTest {
             }
         }
         return sum;
+    }
+
+    @Test
+    void labelsAreWholeAndCoverNoOther() {
+        Rectangle bounds = new Rectangle(200, 200);
+        Graphics2D graphics = new BufferedImage(200, 200, BufferedImage.TYPE_INT_RGB).createGraphics();
+        MapLabels labels = new MapLabels(graphics, bounds);
+        Random random = new Random(5);
+        List<Rectangle2D> places = new ArrayList<>();
+        for (int i = 0; i < 200; i++) {
+            Rectangle2D place = labels.paint("+12", 200 * random.nextDouble(), 200 * random.nextDouble());
+            if (place != null) {
+                assertThat(bounds.contains(place)).isTrue();
+                assertThat(places).noneMatch(place::intersects);
+                places.add(place);
+            }
+        }
+        assertThat(places).hasSizeGreaterThan(20);
+        assertThat(new MapLabels(graphics, bounds).paint("x", 198, 100))
+                .as("turns away from the edge")
+                .isNotNull();
+    }
+
+    // Rounding of double precision.
+    private static final double ROUNDING = 1e-12;
+
+    /** Compares with GratingPlane for light from any direction. */
+    @Test
+    void ordersLieWhereTheGratingEquationSendsThem() {
+        double period = 1.5e-6;
+        double azimuth = Math.toRadians(35);
+        GratingPlane plane = new GratingPlane(Math.toRadians(20), Math.toRadians(50), azimuth);
+        Direction light = plane.pair(0).wi();
+        GratingOrders orders =
+                new GratingOrders(new SpatialFrequency(Math.cos(azimuth) / period, Math.sin(azimuth) / period), light);
+        int seen = 0;
+        for (int order = -4; order <= 4; order++) {
+            for (double wavelength : GratingOrders.WAVELENGTHS) {
+                double theta = plane.thetaR(order * wavelength / period);
+                boolean isThere = Math.abs(theta) < plane.largestThetaR();
+                assertThat(orders.direction(order, wavelength).isPresent()).isEqualTo(isThere);
+                if (isThere) {
+                    Point2D found = orders.direction(order, wavelength).orElseThrow();
+                    Direction expected = plane.pair(theta).wr();
+                    assertThat(found.getX()).isCloseTo(expected.x(), within(ROUNDING));
+                    assertThat(found.getY()).isCloseTo(expected.y(), within(ROUNDING));
+                    seen++;
+                }
+            }
+        }
+        assertThat(seen).as("marks").isGreaterThan(6);
     }
 }
