@@ -42,7 +42,7 @@ public final class HeightLevels {
         this.maximum = map.maximum() + 0.0;
     }
 
-    /** @throws IllegalArgumentException if a sample is missing */
+    /** Throws IllegalArgumentException if a sample is missing. */
     public static HeightLevels of(HeightMap map) {
         if (!map.isComplete()) {
             throw new IllegalArgumentException("missing samples must be filled first");
