@@ -97,11 +97,7 @@ public record OrderLight(
         }
     }
 
-    /**
-     * @param wi direction to the light, in the patch's frame
-     *
-     * @param sampled true for a scan, whose efficiencies have an interval
-     */
+    /** Returns the light of orders under a direction in the patch's frame; efficiencies of a sampled scan have an interval. */
     public static OrderLight of(
             OrderSpectrum spectrum,
             OrderLattice lattice,
