@@ -39,18 +39,8 @@ enum Action {
             "while it is held, the light follows the mouse",
             "L, released L",
             (viewer, stroke) -> viewer.window().picture().holdLight(!stroke.isOnKeyRelease())),
-    TURNTABLE(
-            Group.LIGHT,
-            "start or stop the turntable",
-            "T",
-            viewer -> viewer.player().toggle(Motion.TURNTABLE),
-            viewer -> viewer.player().plays(Motion.TURNTABLE)),
-    LIGHT_SWEEP(
-            Group.LIGHT,
-            "start or stop the light's sweep around the model",
-            "S",
-            viewer -> viewer.player().toggle(Motion.LIGHT_SWEEP),
-            viewer -> viewer.player().plays(Motion.LIGHT_SWEEP)),
+    TURNTABLE(Group.LIGHT, "start or stop the turntable", "T", Motion.TURNTABLE),
+    LIGHT_SWEEP(Group.LIGHT, "start or stop the light's sweep around the model", "S", Motion.LIGHT_SWEEP),
     PAN(Group.CAMERA, "pan by 2 % of the picture's height", "ctrl arrows", Action::pan),
     NEARER(Group.CAMERA, "zoom in", "typed +, typed =", viewer -> viewer.zoom(1 / 1.1)),
     FARTHER(Group.CAMERA, "zoom out", "typed -", viewer -> viewer.zoom(1.1)),
@@ -99,24 +89,9 @@ enum Action {
             "F11",
             viewer -> viewer.window().toggleFullScreen(),
             viewer -> viewer.window().isFullScreen()),
-    CONE(
-            Group.VIEW,
-            "show or hide the light's cone",
-            "C",
-            viewer -> viewer.presenter().toggle(Overlay.CONE),
-            viewer -> viewer.presenter().shows(Overlay.CONE)),
-    STROKES(
-            Group.VIEW,
-            "show or hide how the nanostructure lies",
-            "N",
-            viewer -> viewer.presenter().toggle(Overlay.STROKES),
-            viewer -> viewer.presenter().shows(Overlay.STROKES)),
-    MAP(
-            Group.VIEW,
-            "show or hide the BRDF map",
-            "M",
-            viewer -> viewer.presenter().toggle(Overlay.MAP),
-            viewer -> viewer.presenter().shows(Overlay.MAP)),
+    CONE(Group.VIEW, "show or hide the light's cone", "C", Overlay.CONE),
+    STROKES(Group.VIEW, "show or hide how the nanostructure lies", "N", Overlay.STROKES),
+    MAP(Group.VIEW, "show or hide the BRDF map", "M", Overlay.MAP),
     HELP(Group.HELP, "list mouse and keys", "F1, typed ?", viewer -> Help.show(viewer.window()));
 
     private static final String ARROWS = "arrows";
@@ -137,6 +112,24 @@ enum Action {
         this(group, description, keys, (viewer, stroke) -> effect.accept(viewer));
     }
 
+    Action(Group group, String description, String keys, Motion motion) {
+        this(
+                group,
+                description,
+                keys,
+                viewer -> viewer.player().toggle(motion),
+                viewer -> viewer.player().plays(motion));
+    }
+
+    Action(Group group, String description, String keys, Overlay overlay) {
+        this(
+                group,
+                description,
+                keys,
+                viewer -> viewer.presenter().toggle(overlay),
+                viewer -> viewer.presenter().shows(overlay));
+    }
+
     Action(Group group, String description, String keys, Consumer<Viewer> effect, Predicate<Viewer> isOn) {
         this(group, description, keys, (viewer, stroke) -> effect.accept(viewer), Optional.of(isOn));
     }
@@ -147,7 +140,6 @@ enum Action {
 
     /**
      * @param group group of the help; without a menu, the keys work only while the picture has the focus
-     * @param description description for menus and help
      * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
      * @param state what the action switches, for its check mark
      */
@@ -212,7 +204,7 @@ enum Action {
                 .toList();
     }
 
-    /** Returns the row of the help, with keys such as Ctrl+Shift+Z. */
+    /** The keys are written as Ctrl+Shift+Z. */
     Help help() {
         String names = Arrays.stream(keys.split(", ", -1))
                 .filter(key -> !key.startsWith("released"))
@@ -220,7 +212,7 @@ enum Action {
                         .map(Action::capitalized)
                         .collect(Collectors.joining("+")))
                 .collect(Collectors.joining(", "));
-        return new Help(names, description);
+        return new Help(group, names, description);
     }
 
     private static String capitalized(String word) {

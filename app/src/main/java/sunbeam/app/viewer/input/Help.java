@@ -13,9 +13,8 @@ import sunbeam.app.viewer.window.ViewerWindow;
  * Row of the help window and of the table in docs/viewer.md.
  *
  * @param input gesture or keys
- * @param description description of the effect
  */
-record Help(String input, String description) {
+record Help(Group group, String input, String description) {
     /** Group of mouse and key actions, in the order of the help. A group with a menu offers its key actions there. */
     enum Group {
         LIGHT("Turning and light", false),
@@ -45,12 +44,9 @@ record Help(String input, String description) {
 
     static List<Help> rows(Group group) {
         return Stream.concat(
-                        Stream.of(MouseControls.Gesture.values())
-                                .filter(action -> action.group() == group)
-                                .map(MouseControls.Gesture::help),
-                        Stream.of(Action.values())
-                                .filter(action -> action.group() == group)
-                                .map(Action::help))
+                        Stream.of(MouseControls.Gesture.values()).map(MouseControls.Gesture::help),
+                        Stream.of(Action.values()).map(Action::help))
+                .filter(row -> row.group == group)
                 .toList();
     }
 

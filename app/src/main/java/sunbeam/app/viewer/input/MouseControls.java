@@ -2,12 +2,13 @@ package sunbeam.app.viewer.input;
 
 import java.awt.Cursor;
 import java.awt.Point;
+import java.awt.event.InputEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.function.Predicate;
+import java.util.function.BiPredicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
@@ -24,89 +25,57 @@ import sunbeam.app.viewer.window.Viewer;
 
 /** Mouse listener that applies the {@link Gesture}s to the scene. */
 public final class MouseControls extends MouseAdapter {
-    /**
-     * Mouse actions over the picture; handling, help and docs/viewer.md derive from this enum. The first constant that matches an event handles
-     * it.
-     */
+    /** Mouse actions; handling, help and docs/viewer.md derive from this enum. The first constant that fits an event handles it. */
     enum Gesture {
         DIVIDE(
-                Group.SKIN,
-                "drag of the line between two methods",
-                "moves it",
-                event -> isDrag(event)
-                        && event.getComponent() instanceof PictureView view
-                        && view.divider().isGrabbed(),
+                new Help(Group.SKIN, "drag of the line between two methods", "moves it"),
+                (view, event) -> isDrag(event) && view.divider().isGrabbed(),
                 MouseControls::divide),
         TURN(
-                Group.LIGHT,
-                "left drag",
-                "turns the model about the point under the pointer; what stands upright stays so",
-                event -> isDrag(event)
-                        && SwingUtilities.isLeftMouseButton(event)
-                        && !event.isControlDown()
-                        && !event.isShiftDown(),
+                new Help(
+                        Group.LIGHT,
+                        "left drag",
+                        "turns the model about the point under the pointer; what stands upright stays so"),
+                (view, event) -> isLeftDrag(event, 0),
                 MouseControls::turn),
         ROLL(
-                Group.LIGHT,
-                "Ctrl + Shift + left drag",
-                "rolls the model",
-                event -> isDrag(event)
-                        && SwingUtilities.isLeftMouseButton(event)
-                        && event.isControlDown()
-                        && event.isShiftDown(),
+                new Help(Group.LIGHT, "Ctrl + Shift + left drag", "rolls the model"),
+                (view, event) -> isLeftDrag(event, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK),
                 MouseControls::roll),
         LIGHT(
-                Group.LIGHT,
-                "right drag, Shift + left drag",
-                "moves the light",
-                event -> (isDrag(event)
-                                && (SwingUtilities.isRightMouseButton(event)
-                                        || (SwingUtilities.isLeftMouseButton(event) && event.isShiftDown())))
-                        || (event.getID() == MouseEvent.MOUSE_MOVED
-                                && event.getComponent() instanceof PictureView view
-                                && view.isLightHeld()),
+                new Help(Group.LIGHT, "right drag, Shift + left drag", "moves the light"),
+                (view, event) -> (isDrag(event) && SwingUtilities.isRightMouseButton(event))
+                        || isLeftDrag(event, InputEvent.SHIFT_DOWN_MASK)
+                        || (event.getID() == MouseEvent.MOUSE_MOVED && view.isLightHeld()),
                 MouseControls::moveLight),
         PAN(
-                Group.CAMERA,
-                "middle drag, Ctrl + left drag",
-                "pans",
-                event -> isDrag(event)
-                        && (SwingUtilities.isMiddleMouseButton(event)
-                                || (SwingUtilities.isLeftMouseButton(event) && event.isControlDown())),
+                new Help(Group.CAMERA, "middle drag, Ctrl + left drag", "pans"),
+                (view, event) -> (isDrag(event) && SwingUtilities.isMiddleMouseButton(event))
+                        || isLeftDrag(event, InputEvent.CTRL_DOWN_MASK),
                 MouseControls::pan),
         ZOOM(
-                Group.CAMERA,
-                "wheel",
-                "zooms to the pointer",
-                event -> event instanceof MouseWheelEvent,
+                new Help(Group.CAMERA, "wheel", "zooms to the pointer"),
+                (view, event) -> event instanceof MouseWheelEvent,
                 MouseControls::zoom),
         PICK_BESIDE(
-                Group.SKIN,
-                "Shift + double click on the skin",
-                "picks a second point beside it",
-                event -> isDoubleClick(event) && event.isShiftDown(),
+                new Help(Group.SKIN, "Shift + double click on the skin", "picks a second point beside it"),
+                (view, event) -> isDoubleClick(event) && event.isShiftDown(),
                 MouseControls::pick),
-        PICK(Group.SKIN, "double click on the skin", "picks the point", Gesture::isDoubleClick, MouseControls::pick);
+        PICK(
+                new Help(Group.SKIN, "double click on the skin", "picks the point"),
+                (view, event) -> isDoubleClick(event),
+                MouseControls::pick);
 
-        private final Group group;
-        private final String gesture;
-        private final String description;
+        private final Help help;
 
         @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
-        private final transient Predicate<MouseEvent> fits;
+        private final transient BiPredicate<PictureView, MouseEvent> fits;
 
         @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
         private final transient BiConsumer<MouseControls, MouseEvent> effect;
 
-        Gesture(
-                Group group,
-                String gesture,
-                String description,
-                Predicate<MouseEvent> fits,
-                BiConsumer<MouseControls, MouseEvent> effect) {
-            this.group = group;
-            this.gesture = gesture;
-            this.description = description;
+        Gesture(Help help, BiPredicate<PictureView, MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> effect) {
+            this.help = help;
             this.fits = fits;
             this.effect = effect;
         }
@@ -115,18 +84,20 @@ public final class MouseControls extends MouseAdapter {
             return event.getID() == MouseEvent.MOUSE_DRAGGED;
         }
 
+        /** @param keys masks of the keys that are held, of Ctrl and Shift */
+        private static boolean isLeftDrag(MouseEvent event, int keys) {
+            int held = event.getModifiersEx() & (InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
+            return isDrag(event) && SwingUtilities.isLeftMouseButton(event) && held == keys;
+        }
+
         private static boolean isDoubleClick(MouseEvent event) {
             return event.getID() == MouseEvent.MOUSE_CLICKED
                     && event.getClickCount() == 2
                     && SwingUtilities.isLeftMouseButton(event);
         }
 
-        Group group() {
-            return group;
-        }
-
         Help help() {
-            return new Help(gesture, description);
+            return help;
         }
     }
 
@@ -204,7 +175,7 @@ public final class MouseControls extends MouseAdapter {
     private void act(MouseEvent event) {
         if (view.getWidth() > 0 && view.getHeight() > 0) {
             Stream.of(Gesture.values())
-                    .filter(gesture -> gesture.fits.test(event))
+                    .filter(gesture -> gesture.fits.test(view, event))
                     .findFirst()
                     .ifPresent(gesture -> gesture.effect.accept(this, event));
         }
@@ -232,41 +203,38 @@ public final class MouseControls extends MouseAdapter {
     }
 
     private void pan(MouseEvent event) {
-        int width = view.getWidth();
-        int height = view.getHeight();
-        double right = (double) (event.getX() - last.x) / height;
-        double up = (double) (last.y - event.getY()) / height;
-        model.change(scene -> Drags.panned(scene, right, up, width, height));
+        double right = (double) (event.getX() - last.x) / view.getHeight();
+        double up = (double) (last.y - event.getY()) / view.getHeight();
+        model.change(scene -> Drags.panned(scene, right, up, view.getWidth(), view.getHeight()));
     }
 
     private void turn(MouseEvent event) {
-        player.stop();
         orient(scene -> Drags.turned(scene, right(event), up(event)));
     }
 
     private void roll(MouseEvent event) {
-        player.stop();
         double angle = angle(event.getPoint()) - angle(last);
         orient(scene -> Drags.rolled(scene, angle));
     }
 
     /** Applies a change of orientation and moves the camera so that the grabbed point stays at its pixel. */
     private void orient(UnaryOperator<Scene> change) {
+        player.stop();
         model.change(scene -> {
             Scene turned = change.apply(scene);
-            return held.map(point -> Drags.shifted(turned.withView(point.scene().view()), shift(point, turned)))
-                    .orElse(turned);
+            if (held.isEmpty()) {
+                return turned;
+            }
+            SkinPoint point = held.get();
+            Vector3f moved = new Vector3f(point.in(turned).pick().position());
+            return Drags.shifted(
+                    turned.withView(point.scene().view()),
+                    moved.sub(point.pick().position()));
         });
     }
 
-    private static Vector3f shift(SkinPoint grabbed, Scene turned) {
-        return grabbed.in(turned).pick().position().sub(grabbed.pick().position(), new Vector3f());
-    }
-
     private void moveLight(MouseEvent event) {
-        double right = right(event);
-        double up = up(event);
-        model.change(scene -> Drags.lit(scene, right, up));
+        model.change(scene -> Drags.lit(scene, right(event), up(event)));
     }
 
     /** Returns the angle of the last move to the right; the view's shorter side is half a turn. */
