@@ -4,7 +4,6 @@ package jrtr;
  * Names and versions of the driver and the device that render.
  *
  * @param renderer the device, such as {@code llvmpipe (LLVM 15.0.6, 256 bits)}
- * @param software true if the renderer's name is that of a software rasterizer
  */
 public record ContextInfo(
         String vendor,
@@ -17,8 +16,6 @@ public record ContextInfo(
      * Largest sizes and counts that a driver allows.
      *
      * @param textureSize texels along a side of a texture
-     * @param targetWidth pixels per row of a render target
-     * @param targetHeight rows of a render target
      * @param colors color images of a render target that one draw can write
      * @param varyings scalar components that a vertex shader can pass to a fragment shader
      */

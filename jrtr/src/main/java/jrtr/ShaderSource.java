@@ -8,7 +8,6 @@ import java.util.regex.Pattern;
 /**
  * Complete text of one shader stage, with expanded includes and the origin of each line. {@link jrtr.glsl.ShaderLibrary#load} creates it.
  *
- * @param name of the root file
  * @param text the compiler's input: ASCII, lines end with {@code \n}
  * @param origins origin of each line of the text
  */
@@ -24,8 +23,7 @@ public record ShaderSource(String name, String text, List<Line> origins) {
      * Line of a shader file before include expansion.
      *
      * @param file name of the shader file, or {@code <defines>} for the generated prologue
-     * @param number line number, counted from 1
-     * @param text the line, comments included, without its line break
+     * @param number counted from 1
      */
     public record Line(String file, int number, String text) {
         /** Returns {@code file:line: message: `the line`}. */

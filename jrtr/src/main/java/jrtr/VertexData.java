@@ -71,9 +71,7 @@ public record VertexData(
     }
 
     /**
-     * Sphere that encloses a shape.
-     *
-     * @param center center in the shape's coordinates; copied
+     * @param center in the shape's coordinates; copied
      * @param radius in the shape's units, at least 0
      */
     public record BoundingSphere(Vector3fc center, float radius) {

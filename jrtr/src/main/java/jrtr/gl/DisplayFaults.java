@@ -43,18 +43,14 @@ public final class DisplayFaults {
     private DisplayFaults() {}
 
     /**
-     * Sets the action that runs, on a thread of its own, after the X server has gone and drawing threads have come to rest. It must end the
-     * process without Java's shutdown hooks, since JOGL's hooks call Xlib.
+     * Sets the action that runs, on a thread of its own, after the X server has gone. It must end the process without Java's shutdown hooks,
+     * since JOGL's hooks call Xlib.
      */
     public static void onLoss(Runnable action) {
         onLoss = action;
     }
 
-    /**
-     * Prepares the process for contexts. Must precede all use of JOGL, so that this class notices the end of the server before Xlib does.
-     *
-     * @throws GraphicsException if there is no folder for JOGL's libraries
-     */
+    /** Must precede all use of JOGL, so that this class notices the end of the server before Xlib does. */
     static synchronized void prepare() {
         if (prepared) {
             return;

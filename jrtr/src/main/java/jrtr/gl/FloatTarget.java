@@ -14,13 +14,10 @@ import jrtr.Tile;
 
 /**
  * Render target with color attachments in RGBA32F (or RGBA8 for the screen) and optional depth, without blending and without sRGB
- * conversion. Contents are undefined until cleared or drawn.
- *
- * <p>Arrays read back have row 0 at the TOP; {@code gl_FragCoord} counts rows from the bottom. The fragment at {@code
- * gl_FragCoord.xy = (x + 0.5, y + 0.5)} is in row {@code height - 1 - y} of the array.
+ * conversion. Contents are undefined until cleared or drawn. Arrays read back have row 0 at the TOP; {@code gl_FragCoord} counts rows from
+ * the bottom, and the fragment at {@code (x + 0.5, y + 0.5)} is in row {@code height - 1 - y} of the array.
  */
 public final class FloatTarget extends Resource {
-    /** Pixel format of color images. */
     public enum Format {
         RGBA32F,
         /** Four values of 8 bits for the screen, clamped to [0, 1]. */
@@ -230,10 +227,7 @@ public final class FloatTarget extends Resource {
         }
     }
 
-    /**
-     * Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row, as in {@code
-     * gl_FragCoord}.
-     */
+    /** Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row. */
     public Texture texture(int color) {
         requireColor(color);
         gl();
@@ -248,8 +242,8 @@ public final class FloatTarget extends Resource {
     }
 
     /**
-     * Copies another target into this one, with linear filtering. The other target has either the same size, or half the width and height
-     * (rounded up); the copy then enlarges it by 2. Lower left corners coincide.
+     * Copies another target into this one, with linear filtering. A target of half the width and height (rounded up) is enlarged by 2; lower
+     * left corners coincide.
      *
      * @param from target with one color image, in this target's format
      */

@@ -9,18 +9,14 @@ import java.util.BitSet;
 /**
  * Texture of floats that shaders read, clamped at its edges. Values are row-major, channels interleaved: texel (x, y) of a layer starts at
  * {@code (y * width + x) * channels} and is {@code texelFetch(s, ivec2(x, y), 0)}. Row 0 of the array is texel row 0. NaN, infinities and
- * signed zeros arrive unchanged, denormals as far as the driver keeps them.
- *
- * <p>Every layer must be uploaded once before the texture is drawn with.
+ * signed zeros arrive unchanged, denormals as far as the driver keeps them. All layers must be uploaded before a draw.
  */
 public final class FloatTexture extends Texture {
     /** Formats of texels. A shader reads channels that a format lacks as 0, alpha as 1. */
     public enum Format {
         R32F(1, Float.BYTES, GL3.GL_R32F, GL3.GL_RED),
-        /** Two channels, such as a complex number. */
         RG32F(2, Float.BYTES, GL3.GL_RG32F, GL3.GL_RG),
         RGBA32F(4, Float.BYTES, GL3.GL_RGBA32F, GL3.GL_RGBA),
-        /** Four channels of 16 bits (IEEE 754's binary16). */
         RGBA16F(4, Short.BYTES, GL3.GL_RGBA16F, GL3.GL_RGBA);
 
         private final int channels;
@@ -38,9 +34,8 @@ public final class FloatTexture extends Texture {
 
     /** Interpolation between texel centers, which lie at (i + 1/2) / size. */
     public enum Filter {
-        /** The nearest texel, bit for bit. */
         NEAREST,
-        /** Bilinear interpolation within a layer. Weights may have as few as 8 bits on some hardware. */
+        /** Bilinear within a layer. Weights may have as few as 8 bits on some hardware. */
         LINEAR
     }
 
@@ -101,14 +96,11 @@ public final class FloatTexture extends Texture {
         return this;
     }
 
-    /** Uploads a texture of one layer, as {@link #uploadLayer(int, FloatBuffer)}. */
     public void upload(float[] texels) {
         uploadLayer(0, FloatBuffer.wrap(texels));
     }
 
     /**
-     * Uploads one layer.
-     *
      * @param layer from 0
      * @param texels width x height x channels floats, from the buffer's position, which does not change, to its limit. Direct buffers are
      *     not copied.

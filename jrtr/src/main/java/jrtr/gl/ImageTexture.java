@@ -8,7 +8,6 @@ import java.nio.ByteBuffer;
  * (0, 0) is the picture's bottom left corner, (1, 1) the top right, as in mesh files.
  */
 public final class ImageTexture extends Texture {
-    /** Meaning of an image's bytes. */
     public enum Encoding {
         /** sRGB (IEC 61966-2-1) in red, green and blue; the sampler gives linear light. Alpha is linear. */
         SRGB,
@@ -62,8 +61,7 @@ public final class ImageTexture extends Texture {
     record MipLevel(int width, int height, byte[] rgba, Encoding encoding) {
         private static final int CHANNELS = 4;
         /**
-         * Steps of [0, 1] in the table from linear light to sRGB bytes. The darkest bytes, which are closest together in linear light, are five
-         * steps apart.
+         * Steps of [0, 1] in the table from linear light to sRGB bytes; the darkest bytes, the closest together, are five steps apart.
          */
         private static final int STEPS = 1 << 14;
 
@@ -95,8 +93,7 @@ public final class ImageTexture extends Texture {
         }
 
         /**
-         * Returns the next level: half as wide and high, rounded down, at least 1. Each texel is the area mean, in linear light, of the texels
-         * that it covers.
+         * Half as wide and high, rounded down, at least 1. Each texel is the area mean, in linear light, of the texels that it covers.
          */
         MipLevel next() {
             float[][] across = overlaps(width);

@@ -13,9 +13,8 @@ import jrtr.glsl.ShaderLibrary;
 /**
  * OpenGL context without a window; creates and owns all resources. All methods of a context and of its resources must be called on the
  * thread that created it; on other threads they throw an {@link IllegalStateException}. Several contexts may live on one thread. After
- * closing, only {@code close()}, {@code label()}, {@code spec()} and {@link #info()} may be called.
- *
- * <p>Any method may throw a {@link GraphicsException} when the driver reports an error.
+ * closing, only {@code close()}, {@code label()}, {@code spec()} and {@link #info()} may be called. Any method may throw a {@link
+ * GraphicsException} when the driver reports an error, and those that create something, when the driver does not allow its size.
  */
 public final class RenderContext implements AutoCloseable {
     private final GlDevice device;
@@ -23,13 +22,9 @@ public final class RenderContext implements AutoCloseable {
     private final int[] noVertices = new int[1];
     private final ShaderSource fullScreenVertices = ShaderLibrary.ofEngine().load("jrtr/fullscreen.vert.glsl");
 
-    /** Sides of triangles that a draw rasterizes. */
     public enum Faces {
         BOTH,
-        /**
-         * Only triangles that are counter-clockwise in the picture. A closed surface with this winding, seen from outside, looks as with
-         * {@link #BOTH}, for half as many triangles.
-         */
+        /** Triangles that are counter-clockwise in the picture; for a closed surface seen from outside, these are enough. */
         FRONT
     }
 
@@ -45,11 +40,7 @@ public final class RenderContext implements AutoCloseable {
         device.gl().glGenVertexArrays(1, noVertices, 0);
     }
 
-    /**
-     * Creates a context for this thread. On Linux this needs an X display, although no window opens (Xvfb is enough).
-     *
-     * @throws GraphicsException if there is no display or no OpenGL 3.3 core on it
-     */
+    /** @throws GraphicsException if there is no OpenGL 3.3 core, or, on Linux, no X display (Xvfb is enough) */
     public static RenderContext offscreen() {
         GlDevice device = GlDevice.open();
         return Resource.orClose(() -> new RenderContext(device), device::close);
@@ -60,8 +51,7 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Compiles a fragment shader for {@link #drawFullScreen}, without inputs.
-     *
+     * @param fragment shader for {@link #drawFullScreen}, without inputs
      * @throws GraphicsException if compilation fails, with file and line
      */
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
@@ -74,21 +64,17 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Compiles a fragment shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl, and it may include the files of
-     * {@link jrtr.glsl.ShaderLibrary}.
-     *
+     * @param fragment shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl
      * @throws GraphicsException if compilation fails, with file and line
      */
     public ShaderProgram createMeshProgram(ShaderSource fragment) {
         return ShaderProgram.create(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
     }
 
-    /** @throws GraphicsException if the driver has not enough memory */
     public VertexBuffer createVertexBuffer(String label, VertexData data) {
         return VertexBuffer.create(device, label, data);
     }
 
-    /** @throws GraphicsException if the driver does not allow that size; the message names the size and the limit */
     public FloatTexture createFloatTexture(String label, FloatTexture.Spec spec) {
         return FloatTexture.create(device, label, spec);
     }
@@ -97,14 +83,12 @@ public final class RenderContext implements AutoCloseable {
      * Uploads a picture with mipmaps.
      *
      * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
-     * @throws GraphicsException if the driver does not allow that size
      */
     public ImageTexture createImageTexture(
             String label, int width, int height, byte[] rgba, ImageTexture.Encoding encoding) {
         return ImageTexture.create(device, label, width, height, rgba, encoding);
     }
 
-    /** @throws GraphicsException if the driver does not allow that size */
     public FloatTarget createFloatTarget(String label, FloatTarget.Spec spec) {
         return FloatTarget.create(device, label, spec);
     }
@@ -132,9 +116,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Draws triangles as {@link #drawFullScreen} does, with depth test.
+     * Draws triangles to the tile as {@link #drawFullScreen} does, with depth test.
      *
-     * @param program made by {@link #createMeshProgram}
      * @param target target with depth
      */
     public void draw(

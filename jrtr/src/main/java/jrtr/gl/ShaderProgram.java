@@ -12,13 +12,10 @@ import org.joml.Vector2fc;
 import org.joml.Vector3fc;
 
 /**
- * A linked pair of a vertex and a fragment shader with its uniforms. Uniforms keep their values until they are set again.
- *
- * <p>All setters follow the same rules. An active uniform is set. A uniform that the shaders declare but that the compiler optimized away,
- * or that an {@code #if} excludes, is ignored. Any other name, and a value of the wrong type, is a {@link GraphicsException} that lists the
- * uniforms. Textures are bound to samplers per draw.
- *
- * <p>Matrices multiply column vectors from the left, {@code M * v}, as in GLSL and JOML.
+ * A linked pair of a vertex and a fragment shader with its uniforms, which keep their values until they are set again. A setter ignores a
+ * uniform that the shaders declare but that the compiler optimized away, or that an {@code #if} excludes. Any other unknown name, and a
+ * value of the wrong type, is a {@link GraphicsException} that lists the uniforms. Textures are bound to samplers per draw. Matrices
+ * multiply column vectors from the left, {@code M * v}, as in GLSL and JOML.
  */
 public final class ShaderProgram extends Resource {
     private final int name;
@@ -146,9 +143,8 @@ public final class ShaderProgram extends Resource {
     }
 
     /**
-     * Sets the first elements of an array of {@code float}s or vectors, or one vector.
+     * Sets the first elements of an array of {@code float}s or vectors, or one vector. Elements past the array's end are ignored.
      *
-     * @param values components one after the other; elements past the array's end are ignored
      * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
      */
     public void set(String uniform, float[] values) {

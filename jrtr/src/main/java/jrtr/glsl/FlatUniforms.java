@@ -17,10 +17,7 @@ import jrtr.ShaderSource;
  * cost the same.
  *
  * <p>Only lines that declare one {@code int}, {@code float}, vector or square matrix are moved. Arrays, samplers and uniforms beyond the
- * driver's limit of varyings stay uniforms.
- *
- * @param vertex vertex shader with the moved uniforms and an output for each
- * @param fragment fragment shader, in which each moved uniform's name is a macro for its input
+ * driver's limit of varyings stay uniforms. In the fragment shader, the names of the others are macros for the inputs.
  */
 public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     private static final String SUFFIX = "_perDraw";
@@ -56,8 +53,6 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     }
 
     /**
-     * Rewrites a pair of shaders.
-     *
      * @param vertex shader without outputs, with a line that begins with {@code void main()}
      * @param mostComponents limit of scalar components between the stages
      */

@@ -20,11 +20,7 @@ import jrtr.ShaderSource;
 @FunctionalInterface
 public interface ShaderLibrary {
 
-    /**
-     * Returns the text of a file, or empty if there is no file of that name.
-     *
-     * @throws UncheckedIOException if the file exists but cannot be read
-     */
+    /** @throws UncheckedIOException if the file exists but cannot be read */
     Optional<String> text(String name);
 
     default ShaderSource load(String name) {
@@ -32,8 +28,6 @@ public interface ShaderLibrary {
     }
 
     /**
-     * Returns the file with its includes expanded.
-     *
      * @param defines values by name; they become {@code #define NAME value} lines after {@code #version}, sorted by name
      * @throws GraphicsException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
      */
@@ -41,7 +35,6 @@ public interface ShaderLibrary {
         return new IncludeExpansion(this, defines).expand(name);
     }
 
-    /** Returns a library that falls back to another for files that this one lacks. */
     default ShaderLibrary orElse(ShaderLibrary other) {
         return name -> text(name).or(() -> other.text(name));
     }

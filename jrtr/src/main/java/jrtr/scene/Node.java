@@ -13,11 +13,7 @@ import org.joml.Vector3fc;
 
 /** Node of a scene graph. A node in several groups is drawn once for each. */
 public sealed interface Node {
-    /**
-     * Group of nodes with a transformation.
-     *
-     * @param toParent matrix M from the children's coordinates v to the parent's, {@code M * v}; affine; copied
-     */
+    /** @param toParent matrix M from the children's coordinates v to the parent's, {@code M * v}; affine; copied */
     record Group(Matrix4fc toParent, List<Node> children) implements Node {
         /** @throws IllegalArgumentException if the transformation is not affine, not finite or flattens space */
         public Group {
@@ -40,10 +36,8 @@ public sealed interface Node {
     }
 
     /**
-     * Triangles with their material. Owns neither vertices nor program nor textures. The engine's own uniforms (mesh.vert.glsl,
-     * jrtr/surface.glsl) are set by {@link SceneGraph#draw}; the shape sets all others, for example those of {@link #tangentsTurned}.
-     *
-     * @param program from {@link RenderContext#createMeshProgram}; several shapes may share it
+     * Triangles with their material. Owns neither vertices nor program nor textures, which several shapes may share. The engine's own
+     * uniforms (mesh.vert.glsl, jrtr/surface.glsl) are set by {@link SceneGraph#draw}; the shape sets all others.
      */
     record Shape(
             VertexBuffer vertices,
@@ -57,18 +51,14 @@ public sealed interface Node {
             uniforms = Map.copyOf(uniforms);
         }
 
-        /**
-         * Returns the uniforms of jrtr/tangent_frame.glsl.
-         *
-         * @param radians rotation of the frame about the normal, counter-clockwise seen from outside
-         */
+        /** Uniforms of jrtr/tangent_frame.glsl: rotation about the normal, counter-clockwise seen from outside. */
         public static Map<String, Float> tangentsTurned(double radians) {
             return Map.of("tangentCosine", (float) Math.cos(radians), "tangentSine", (float) Math.sin(radians));
         }
     }
 
     /**
-     * A directional light: parallel rays, as from the sun. Parent groups transform its direction.
+     * Parallel rays, as from the sun.
      *
      * @param towards direction from the scene to the light; normalized
      * @param radiance linear color in the unit of the application's shaders; copied
@@ -91,11 +81,7 @@ public sealed interface Node {
             return new Light(transformation.transformDirection(towards, new Vector3f()), radiance);
         }
 
-        /**
-         * Sets the uniforms of jrtr/lights.glsl, as far as the program uses them.
-         *
-         * @throws IllegalArgumentException if there are more than {@link #MOST} lights
-         */
+        /** Sets the uniforms of jrtr/lights.glsl, as far as the program uses them. */
         public static void apply(List<Light> lights, ShaderProgram program) {
             if (lights.size() > MOST) {
                 throw new IllegalArgumentException(

@@ -9,12 +9,9 @@ import org.joml.Vector3fc;
 /**
  * Perspective view from a camera.
  *
- * @param verticalFieldOfView angle between the bottom and the top of the picture in radians, above 0 and below pi; holds for
- *     pictures of {@code leastAspect} or wider
- * @param leastAspect width over height, at least 0: a narrower picture keeps the horizontal angle of a picture with this
- *     aspect and shows more above and below
- * @param near distance of the near plane, above 0
- * @param far distance of the far plane, above near
+ * @param verticalFieldOfView angle of pictures of {@code leastAspect} or wider, in radians, above 0 and below pi
+ * @param leastAspect width over height, at least 0; a narrower picture has the horizontal angle of a picture of this aspect
+ * @param near distance of the near plane, above 0; the far plane is farther
  */
 public record View(Camera camera, float verticalFieldOfView, float leastAspect, float near, float far) {
     public View {
@@ -33,8 +30,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
     }
 
     /**
-     * Returns the matrix from camera space to clip space for a picture or a part of it: depth -1 at the near plane, 1 at the far one.
-     * Pixels are square.
+     * Returns the matrix from camera space to clip space, with square pixels and depth -1 at the near plane, 1 at the far one.
      */
     Matrix4f cameraToClip(Area area) {
         float aspect = (float) area.pictureWidth() / area.pictureHeight();
@@ -97,7 +93,6 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
             return part.width() == pictureWidth && part.height() == pictureHeight;
         }
 
-        /** @param tile tile of the target */
         Area within(Tile tile) {
             return new Area(pictureWidth, pictureHeight, part.part(tile));
         }
@@ -127,9 +122,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
             up = new Vector3f(up);
             Vector3f sight = lookAtPoint.sub(centerOfProjection, new Vector3f());
             float across = sight.cross(up, new Vector3f()).length();
-            // In float32, at an angle of 1e-5 between the line of sight and up, only two digits of the picture's x axis
-            // are
-            // correct.
+            // In float32, at an angle of 1e-5, only two digits of the picture's x axis are correct.
             if (!(across > 1e-5f * sight.length() * up.length()) || Float.isInfinite(across)) {
                 throw new IllegalArgumentException("camera at " + numbers(centerOfProjection) + " looking at "
                         + numbers(lookAtPoint) + " with up " + numbers(up)
@@ -142,7 +135,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         }
 
         /**
-         * Returns the matrix from world to camera space, where the eye is at the origin and looks along -z, with y upwards and x to the right.
+         * The matrix to camera space, where the eye is at the origin and looks along -z, with y upwards and x to the right.
          */
         public Matrix4f worldToCamera() {
             return new Matrix4f().lookAt(centerOfProjection, lookAtPoint, up);

@@ -16,8 +16,7 @@ import sunbeam.precompute.setting.SettingException;
 /**
  * Failure as the user sees it on the command line and in the viewer: exit code and message of an exception.
  *
- * @param code exit status if the failure ends a command; {@link ExitCode#INTERNAL_ERROR} for a bug
- * @param message description of the failure, with its remedy
+ * @param code exit status if the failure ends a command
  * @param cause exception without the wrappers of thread pools
  */
 public record Failure(ExitCode code, String message, Throwable cause) {
@@ -43,7 +42,6 @@ public record Failure(ExitCode code, String message, Throwable cause) {
         return code == ExitCode.INTERNAL_ERROR && !(cause instanceof OutOfMemoryError);
     }
 
-    /** Returns the code by the origin of the choice: a file or the command line. */
     private static ExitCode codeOf(SettingException choice) {
         return choice.place() == Origin.Place.FILE ? ExitCode.UNUSABLE_INPUT : ExitCode.USAGE;
     }

@@ -19,7 +19,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         variables = Map.copyOf(variables);
     }
 
-    /** Creates an environment that shows progress on standard error. */
     public Environment(Map<String, String> variables, Path home) {
         this(variables, home, ProgressDisplay.ofStandardError(variables));
     }
@@ -28,7 +27,7 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         return new Environment(System.getenv(), Path.of(System.getProperty("user.home")));
     }
 
-    /** Returns the variable's value; empty if it is not set. */
+    /** Empty if it is not set. */
     public String variable(String name) {
         return variables.getOrDefault(name, "");
     }

@@ -35,7 +35,7 @@ public final class Messages {
         return NOTE + oneLine(message);
     }
 
-    /** Returns the last line of a run's standard error without the program's name. */
+    /** @param err a run's standard error */
     public static String last(String err) {
         return err.lines()
                 .reduce((first, second) -> second)

@@ -73,7 +73,7 @@ public final class ProgressDisplay {
         return silent ? Progress.hidden() : Progress.of(label, total, new Line());
     }
 
-    /** Returns the function's values of all items, computed in parallel, as a task with one step per item. */
+    /** In parallel, as a task with one step per item. */
     public <T, R> List<R> map(String label, List<T> items, Function<T, R> function) {
         try (Progress progress = start(label, items.size())) {
             return items.parallelStream()
@@ -87,8 +87,8 @@ public final class ProgressDisplay {
     }
 
     /**
-     * Line of a task. On a terminal it is redrawn in place, and erased at the end; elsewhere copies of it are printed, a few a minute, and
-     * the last state of a task that has printed one. If several lines are open (for a task and its part), the newest is drawn.
+     * Line of a task. On a terminal it is redrawn in place, and erased at the end; elsewhere copies of it are printed, and the last state
+     * of a task that has printed one.
      */
     final class Line implements ProgressBarConsumer {
         private final long start = nanoseconds.getAsLong();

@@ -6,7 +6,6 @@ public final class UsageException extends RuntimeException {
         super(message);
     }
 
-    /** Throws an exception if an option's number is out of range. */
     public static void requireWithin(String option, long value, long least, long most) {
         if (value < least || value > most) {
             throw new UsageException(option + " " + value + " is out of range; give " + least + " to " + most);

@@ -28,7 +28,7 @@ public final class BackgroundTask<T> {
         return new BackgroundTask<>(future.handleAsync((result, failure) -> work.get(), POOL));
     }
 
-    /** Waits for the result; throws the exception of the computation if it failed. */
+    /** Throws the exception of the computation if it failed. */
     public T get() {
         try {
             return future.join();

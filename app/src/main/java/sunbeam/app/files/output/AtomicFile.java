@@ -66,7 +66,7 @@ public final class AtomicFile implements AutoCloseable {
 
     /**
      * Checks before a long computation that the target can be written: the folder takes a file, the disk has room for a block, no file is
-     * in the way. The check leaves no file behind.
+     * in the way.
      *
      * @param target name given by the user, or null if Sunbeam will choose it, which is not checked
      * @throws OutputException if the target cannot be written
@@ -88,10 +88,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Throws an exception if a file is larger than the free space.
-     *
      * @param takes words of the message before the number of bytes, such as "the file takes"
      * @param remedy words of the message before "or choose another folder"
+     * @throws OutputException if a file is larger than the free space
      */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
         long free = OutputFolder.of(target).toFile().getUsableSpace();
@@ -122,11 +121,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Starts an output file.
-     *
-     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
-     */
+    /** @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file */
     public static AtomicFile create(Path target, Overwrite overwrite) {
         OutputFolder.checkTarget(target, overwrite);
         AtomicFile file = new AtomicFile(target, overwrite);
@@ -218,8 +213,7 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Makes several files appear, or none, under the names with the lowest number for which all names are free or may be replaced.
      *
-     * @param names function that returns the files' paths for a number, from 1
-     * @return paths of the files
+     * @param names the files' paths for a number, from 1
      */
     static List<Path> commitAll(List<AtomicFile> files, IntFunction<List<Path>> names) throws IOException {
         int number = 1;
@@ -248,11 +242,7 @@ public final class AtomicFile implements AutoCloseable {
         return true;
     }
 
-    /**
-     * Reserves a free name by link(2), which fails if the name exists. With a check before a rename, two writers could both succeed.
-     *
-     * @throws FileAlreadyExistsException if the name is taken
-     */
+    /** Reserves a free name by link(2), which fails if the name exists. With a check before a rename, two writers could both succeed. */
     private synchronized void claim(Path name) throws IOException {
         requireOpen();
         if (!isRenamed()) {

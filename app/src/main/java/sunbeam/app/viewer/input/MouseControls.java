@@ -17,10 +17,10 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.input.Help.Group;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.pick.PointInspector;
 import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.Player;
+import sunbeam.app.viewer.window.PointInspector;
 import sunbeam.app.viewer.window.Viewer;
 
 /** Mouse listener that applies the {@link Gesture}s to the scene. */

@@ -11,9 +11,8 @@ final class FrameScale {
     // Divisors of width and height, by scale. Coarser pictures would be unrecognizable.
     private static final double[] DIVISORS = {1, 1.25, 1.6, 2, 3, 4};
     private static final double DECAY = 0.99;
-    // A scale over budget is recorded as SLOW times its measured time, at most SLOWEST budgets. At 30 frames a second
-    // this decays below the
-    // budget in one to three seconds; then the scale is tried again.
+    // A scale over budget is recorded as SLOW times its measured time, at most SLOWEST budgets. It is tried again when
+    // this has decayed below the budget, in one to three seconds.
     private static final double SLOW = 1.5;
     private static final double SLOWEST = 2.5;
     private static final double NEWEST = 0.25;

@@ -30,8 +30,7 @@ import sunbeam.precompute.optics.Gain;
 final class MapStage {
     private static final int PREVIEW_SIZE = 48;
     private static final int SIZE = 192;
-    // Directions per batch of {@link VirtualTexture#evaluatePoints}; a batch takes about ten milliseconds, the wait
-    // until a canceled map ends.
+    // Directions evaluated together, in about ten milliseconds: the wait until a canceled map ends.
     private static final int BATCH = 1 << 10;
     private static final long COARSE_NANOSECONDS = 100_000_000;
 

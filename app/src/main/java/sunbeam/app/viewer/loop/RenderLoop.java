@@ -52,7 +52,6 @@ public final class RenderLoop implements AutoCloseable {
         MOVING,
         /** Drawing previews from the resident tiles. */
         WAITING_FOR_TILES,
-        /** Drawing progressively finer pictures. */
         REFINING,
         COMPLETE
     }
@@ -72,10 +71,7 @@ public final class RenderLoop implements AutoCloseable {
     /** @param nanoseconds time since all tiles were resident */
     public record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
-    /**
-     * @param opening creates the stage, on the render thread
-     * @param news passes notifications to the listener, perhaps on another thread
-     */
+    /** @param news passes notifications to the listener, perhaps on another thread */
     public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news) {
         this(opening, news, System::nanoTime);
     }
@@ -118,7 +114,6 @@ public final class RenderLoop implements AutoCloseable {
         inbox.close();
     }
 
-    /** Waits until the OpenGL context is closed. */
     public boolean awaitEnd(long milliseconds) throws InterruptedException {
         thread.join(milliseconds);
         return !thread.isAlive();

@@ -39,7 +39,7 @@ public final class Background implements AutoCloseable {
         });
     }
 
-    /** Accepts no more work and finishes the queue. */
+    /** Does what is queued, and no more. */
     public void finish() {
         executor.shutdown();
     }

@@ -11,18 +11,15 @@ import sunbeam.app.scene.Viewpoint;
 
 /** Geometry of mouse drags and wheel turns that move model, light or camera. */
 public final class Drags {
-    // Limits of the distance from eye to target, in meters: beyond them, float32 coordinates of both would coincide or
-    // lose the mesh.
+    // Distances from eye to target, in meters. Beyond, float32 coordinates of both would coincide or lose the mesh.
     private static final float NEAREST = 1e-6f;
     private static final float FARTHEST = 1e6f;
 
     private Drags() {}
 
     /**
-     * Turns the model about its own vertical and tilts it about the picture's horizontal, so that an upright model stays upright.
-     *
-     * @param right angle by which the model's front turns to the picture's right, radians
-     * @param up angle by which it tilts upwards, radians
+     * Turns the model about its own vertical and tilts it about the picture's horizontal, so that an upright model stays upright. Angles, in
+     * radians, move its front in the picture.
      */
     public static Scene turned(Scene scene, double right, double up) {
         Camera camera = scene.view().camera();
@@ -35,11 +32,7 @@ public final class Drags {
         return rotated(scene, rotation(-up, toRight).mul(rotation(turn, vertical)));
     }
 
-    /**
-     * Rolls the model about the line of sight.
-     *
-     * @param angle counterclockwise in the picture, radians
-     */
+    /** @param angle counterclockwise in the picture, radians */
     public static Scene rolled(Scene scene, double angle) {
         return rotated(scene, rotation(-angle, sight(scene.view().camera()).normalize()));
     }
@@ -57,12 +50,7 @@ public final class Drags {
         return camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
     }
 
-    /**
-     * Moves the light on a sphere around the model, in the direction of the drag.
-     *
-     * @param right angle to the picture's right, radians
-     * @param up angle upwards in the picture, radians
-     */
+    /** Moves the light on a sphere around the model. Angles, in radians, are in the picture. */
     public static Scene lit(Scene scene, double right, double up) {
         Matrix4f worldToCamera = scene.view().camera().worldToCamera();
         Vector3f seen = worldToCamera.transformDirection(scene.light().towards(), new Vector3f());
@@ -75,10 +63,8 @@ public final class Drags {
      * Moves the eye towards the point under the pointer, which stays at its pixel.
      *
      * @param factor factor on the distance; below 1 zooms in
-     * @param right pointer's offset from the picture's center to the right, in picture heights
-     * @param up pointer's offset upwards, in picture heights
-     * @param width width of the picture, in any unit
-     * @param height height of the picture, in the unit of the width
+     * @param right pointer's offset from the picture's center, in picture heights, like {@code up}
+     * @param width of the picture, in any unit that the height has, too
      */
     public static Scene zoomed(Scene scene, double factor, double right, double up, int width, int height) {
         Camera camera = scene.view().camera();
@@ -91,10 +77,8 @@ public final class Drags {
     /**
      * Shifts eye and target sideways, so that the picture follows the mouse.
      *
-     * @param right drag to the right, in picture heights
-     * @param up drag upwards, in picture heights
-     * @param width width of the picture, in any unit
-     * @param height height of the picture, in the unit of the width
+     * @param right drag in picture heights, like {@code up}
+     * @param width of the picture, in any unit that the height has, too
      */
     public static Scene panned(Scene scene, double right, double up, int width, int height) {
         return shifted(scene, across(scene.view(), -right, -up, width, height));

@@ -16,13 +16,13 @@ import sunbeam.precompute.method.TableMethod;
  */
 public record LoadedScene(List<SceneData> parts) {
 
-    /** Loads the parts of a scene with the given shape. May take seconds. */
+    /** May take seconds. */
     public static LoadedScene load(SceneLoader loader, Scene scene, BackgroundTask<SceneShape> shape) {
         return prepared(loader.parts(scene, shape));
     }
 
     /**
-     * Loads a scene, reusing equal parts of the previous one. May take seconds.
+     * Reuses equal parts of the previous scene. May take seconds.
      *
      * @param previous null for none
      * @param progress receives the completed share, 0 to 1
@@ -46,7 +46,7 @@ public record LoadedScene(List<SceneData> parts) {
         return new LoadedScene(parts);
     }
 
-    /** Returns the first part; all parts share its scene data. */
+    /** All parts share its scene data. */
     public SceneData firstPart() {
         return parts.get(0);
     }
@@ -59,7 +59,7 @@ public record LoadedScene(List<SceneData> parts) {
         return firstPart().scene().method().type().equals(TableMethod.TYPE);
     }
 
-    /** Returns the same parts with another scene, for which {@link Scene#sharesParts} holds. */
+    /** @param scene scene for which {@link Scene#sharesParts} holds */
     public LoadedScene with(Scene scene) {
         return new LoadedScene(parts.stream().map(part -> part.with(scene)).toList());
     }

@@ -14,11 +14,10 @@ import sunbeam.app.scene.Scene;
  * background while the old parts stay on screen; if loading fails, the old parts stay.
  */
 public final class ViewerModel {
-    /** Listener, called on the event thread. */
     public interface Listener {
         void changed();
 
-        /** Reports the completed share of the newest load, 0 to 1; 0 at its start. */
+        /** @param share completed share of the newest load, 0 to 1; 0 at its start */
         void loading(double share);
 
         void problem(String message);
@@ -27,10 +26,7 @@ public final class ViewerModel {
     /** Loader of scenes, called in the background. */
     @FunctionalInterface
     public interface Loading {
-        /**
-         * Loads a scene and reuses equal parts of the previous one (null for the first load); {@code progress} receives the completed
-         * share, 0 to 1.
-         */
+        /** @see LoadedScene#load(sunbeam.app.render.SceneLoader, Scene, LoadedScene, DoubleConsumer) */
         LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
     }
 
@@ -44,11 +40,8 @@ public final class ViewerModel {
     private final History history = new History();
 
     /**
-     * Scene that is being opened.
-     *
      * @param load number of the load
      * @param before the scene that comes back if the load fails
-     * @param opened called when the scene is loaded
      */
     private record Opening(long load, Scene before, Runnable opened) {}
 
@@ -62,18 +55,12 @@ public final class ViewerModel {
         listener = value;
     }
 
-    /** Returns the scene that the controls show. */
     public Scene scene() {
         return wanted;
     }
 
-    /** Returns the loaded scene; empty until the first one is loaded. */
     public Optional<LoadedScene> loaded() {
         return Optional.ofNullable(loaded);
-    }
-
-    public void start() {
-        load();
     }
 
     public void change(UnaryOperator<Scene> change) {
@@ -99,11 +86,7 @@ public final class ViewerModel {
         listener.changed();
     }
 
-    /**
-     * Opens a scene; if any part of it cannot be loaded, the previous scene comes back.
-     *
-     * @param opened called when the scene is loaded
-     */
+    /** Opens a scene; if any part of it cannot be loaded, the previous scene comes back. */
     public void open(Scene scene, Runnable opened) {
         history.opened(wanted, scene);
         load(scene, opened);
@@ -141,7 +124,8 @@ public final class ViewerModel {
         listener.changed();
     }
 
-    private void load() {
+    /** Starts to load the scene. */
+    public void load() {
         long number = newestLoad.incrementAndGet();
         Scene scene = wanted;
         LoadedScene previous = loaded;
@@ -187,7 +171,7 @@ public final class ViewerModel {
         listener.problem(message);
     }
 
-    /** Undo and redo stacks of scenes. A drag is one step. */
+    /** Undo and redo. A drag is one step. */
     static final class History {
         // Maximum number of steps, far more than a session needs; bounds memory.
         private static final int LONGEST = 500;

@@ -1,29 +1,5 @@
 package sunbeam.app.viewer.panel;
 
-import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
-import static sunbeam.app.scene.SceneSettings.DIFFRACTION;
-import static sunbeam.app.scene.SceneSettings.ENERGY;
-import static sunbeam.app.scene.SceneSettings.EXPOSURE;
-import static sunbeam.app.scene.SceneSettings.GROUND;
-import static sunbeam.app.scene.SceneSettings.INDEX;
-import static sunbeam.app.scene.SceneSettings.INTENSITY;
-import static sunbeam.app.scene.SceneSettings.MESH;
-import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
-import static sunbeam.app.scene.SceneSettings.SCALES;
-import static sunbeam.app.scene.SceneSettings.SHADOWS;
-import static sunbeam.app.scene.SceneSettings.SKY;
-import static sunbeam.app.scene.SceneSettings.TEXTURE;
-import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
-import static sunbeam.app.scene.SceneSettings.TONE;
-import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.patch.PatchSettings.PATCH;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.SPACING;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.awt.BorderLayout;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -41,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.viewer.model.LoadedScene;
@@ -48,8 +25,11 @@ import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.SettingRows.NameBox;
 import sunbeam.app.viewer.panel.SettingRows.ValueSlider;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
@@ -69,11 +49,11 @@ public final class ControlPanel extends JTabbedPane {
     private final String patchTip;
     private final JLabel spacingCaption;
     private final NameBox tolerance = new NameBox(List.of("0.05", "0.01", "0.001", "1e-4"));
-    private final NameBox average = SettingRows.words(AVERAGE);
+    private final NameBox average = SettingRows.words(MethodSettings.AVERAGE);
     private final JCheckBox automatic = new JCheckBox("automatic");
     private final SettingRows colorTab = new SettingRows(this::enter);
     private final SettingRows sceneTab = new SettingRows(this::enter);
-    private final ValueSlider exposure = colorTab.stops(EXPOSURE, -45, 45);
+    private final ValueSlider exposure = colorTab.stops(SceneSettings.EXPOSURE, -45, 45);
     private transient MethodPlan plan;
     private transient List<String> remarks = List.of();
     // Weight of diffracted light of the last method with power relative to a mirror's peak; empty before another one.
@@ -85,7 +65,7 @@ public final class ControlPanel extends JTabbedPane {
         this.scenes = scenes;
         this.problem = problem;
         NameBox patch = new NameBox(BuiltInPatches.names());
-        patchCaption = colorTab.row(PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
+        patchCaption = colorTab.row(PatchSettings.PATCH, patch, "Load others with Ctrl+L or by dropping a file.");
         patchTip = patchCaption.getToolTipText();
         patchCaption.addMouseListener(new MouseAdapter() {
             @Override
@@ -97,7 +77,7 @@ public final class ControlPanel extends JTabbedPane {
                 patch,
                 name -> change(scene -> scene.withPatch(loadedPatches.getOrDefault(name, PatchRequest.of(name)))));
         colorTab.onFollow(choices -> patch.select(scenes.scene().patch().patch()));
-        colorTab.row(METHOD, method, "");
+        colorTab.row(Methods.METHOD, method, "");
         method.addActionListener(event -> enterMethod());
         comparison.addItem("off");
         MethodChoice.COMPARED.forEach(comparison::addItem);
@@ -106,42 +86,45 @@ public final class ControlPanel extends JTabbedPane {
                 "Beside it",
                 comparison,
                 "Draws the same view by another method, to the right of a line that can be dragged.");
-        spacingCaption = colorTab.row(SPACING, spacing, SettingRows.ENTER);
+        spacingCaption = colorTab.row(MethodSettings.SPACING, spacing, SettingRows.ENTER);
         spacing.addActionListener(event -> enterMethod());
-        tolerance.setSelectedItem(TOLERANCE.writtenStandard().orElseThrow());
-        colorTab.box(TOLERANCE, tolerance, true);
-        colorTab.text(COHERENCE_LENGTH);
-        colorTab.box(AVERAGE, average, false);
-        colorTab.angles(ROTATE_PATCH, -180, 180, 1);
-        colorTab.text(INDEX);
-        colorTab.box(ENERGY, SettingRows.words(ENERGY), false);
-        colorTab.row(EXPOSURE, automatic, "Automatic: chosen from the picture.");
+        tolerance.setSelectedItem(MethodSettings.TOLERANCE.writtenStandard().orElseThrow());
+        colorTab.box(MethodSettings.TOLERANCE, tolerance, true);
+        colorTab.text(MethodSettings.COHERENCE_LENGTH);
+        colorTab.box(MethodSettings.AVERAGE, average, false);
+        colorTab.angles(SceneSettings.ROTATE_PATCH, -180, 180, 1);
+        colorTab.text(SceneSettings.INDEX);
+        colorTab.box(SceneSettings.ENERGY, SettingRows.words(SceneSettings.ENERGY), false);
+        colorTab.row(SceneSettings.EXPOSURE, automatic, "Automatic: chosen from the picture.");
         automatic.addActionListener(event -> enter(
-                EXPOSURE,
-                EXPOSURE.kind()
+                SceneSettings.EXPOSURE,
+                SceneSettings.EXPOSURE
+                        .kind()
                         .format(automatic.isSelected() ? OptionalDouble.empty() : OptionalDouble.of(lastExposure))));
         colorTab.row(
-                "", exposure, ControlOrigin.INSTANCE.tip(EXPOSURE, "In thirds of a stop. Double click: automatic."));
+                "",
+                exposure,
+                ControlOrigin.INSTANCE.tip(SceneSettings.EXPOSURE, "In thirds of a stop. Double click: automatic."));
         colorTab.onFollow(this::followExposure);
-        colorTab.add(DIFFRACTION, colorTab.stops(DIFFRACTION, -15, 60));
+        colorTab.add(SceneSettings.DIFFRACTION, colorTab.stops(SceneSettings.DIFFRACTION, -15, 60));
         addScene();
         addTab("Color", onTop(colorTab));
         addTab("Scene", onTop(sceneTab));
     }
 
     private void addScene() {
-        sceneTab.box(MESH, new NameBox(BuiltInMeshes.names()), false);
-        sceneTab.box(MESH_UNIT, SettingRows.words(MESH_UNIT), false);
-        sceneTab.box(TEXTURE, new NameBox(BodyTexture.names()), false);
-        sceneTab.hundredths(TEXTURE_WEIGHT, 200);
-        sceneTab.box(SCALES, SettingRows.words(SCALES), false);
-        sceneTab.angles(ROUGHNESS, 0, 100, 10);
-        sceneTab.add(INTENSITY, sceneTab.stops(INTENSITY, -15, 15));
-        sceneTab.angles(ANGULAR_DIAMETER, 0, 150, 10);
-        sceneTab.box(GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
-        sceneTab.hundredths(SKY, 200);
-        sceneTab.flag(SHADOWS);
-        sceneTab.box(TONE, SettingRows.words(TONE), false);
+        sceneTab.box(SceneSettings.MESH, new NameBox(BuiltInMeshes.names()), false);
+        sceneTab.box(SceneSettings.MESH_UNIT, SettingRows.words(SceneSettings.MESH_UNIT), false);
+        sceneTab.box(SceneSettings.TEXTURE, new NameBox(BodyTexture.names()), false);
+        sceneTab.hundredths(SceneSettings.TEXTURE_WEIGHT, 200);
+        sceneTab.box(SceneSettings.SCALES, SettingRows.words(SceneSettings.SCALES), false);
+        sceneTab.angles(SceneSettings.ROUGHNESS, 0, 100, 10);
+        sceneTab.add(SceneSettings.INTENSITY, sceneTab.stops(SceneSettings.INTENSITY, -15, 15));
+        sceneTab.angles(SceneSettings.ANGULAR_DIAMETER, 0, 150, 10);
+        sceneTab.box(SceneSettings.GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
+        sceneTab.hundredths(SceneSettings.SKY, 200);
+        sceneTab.flag(SceneSettings.SHADOWS);
+        sceneTab.box(SceneSettings.TONE, SettingRows.words(SceneSettings.TONE), false);
     }
 
     private static JPanel onTop(SettingRows rows) {
@@ -158,10 +141,10 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     private Scene by(MethodChoice choice, Scene scene) {
-        Choices entered = choice.hasSpacing() ? parsed(SPACING, spacing.getText()) : Choices.none();
+        Choices entered = choice.hasSpacing() ? parsed(MethodSettings.SPACING, spacing.getText()) : Choices.none();
         if (choice.hasTolerance()) {
             // The control keeps its tolerance while the scene's method has none, so take it from the control.
-            entered = entered.over(parsed(TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
+            entered = entered.over(parsed(MethodSettings.TOLERANCE, String.valueOf(tolerance.getSelectedItem())));
         }
         return reweighted(scene, scene.withMethod(choice.inPlaceOf(scene.method(), entered)));
     }
@@ -174,10 +157,12 @@ public final class ControlPanel extends JTabbedPane {
         boolean was = before.method().method().isNormalizedToMirror();
         boolean is = after.method().method().isNormalizedToMirror();
         if (was && !is) {
-            weightByMirror = OptionalDouble.of(before.get(DIFFRACTION));
-            return after.with(DIFFRACTION, WEIGHT_WITHOUT_MIRROR);
+            weightByMirror = OptionalDouble.of(before.get(SceneSettings.DIFFRACTION));
+            return after.with(SceneSettings.DIFFRACTION, WEIGHT_WITHOUT_MIRROR);
         }
-        return is && !was && weightByMirror.isPresent() ? after.with(DIFFRACTION, weightByMirror.getAsDouble()) : after;
+        return is && !was && weightByMirror.isPresent()
+                ? after.with(SceneSettings.DIFFRACTION, weightByMirror.getAsDouble())
+                : after;
     }
 
     public void onComparison(Runnable chosen) {
@@ -228,13 +213,13 @@ public final class ControlPanel extends JTabbedPane {
         updating = true;
         Scene shown = scenes.scene();
         loadedPatches.put(shown.patch().patch(), shown.patch());
-        Choices choices = shown.choices().orStandard(AVERAGE);
+        Choices choices = shown.choices().orStandard(MethodSettings.AVERAGE);
         colorTab.follow(choices);
         sceneTab.follow(choices);
         MethodChoice choice = MethodChoice.of(shown);
         method.setSelectedItem(choice);
-        if (choices.has(SPACING)) {
-            SettingRows.show(spacing, choices.written(SPACING));
+        if (choices.has(MethodSettings.SPACING)) {
+            SettingRows.show(spacing, choices.written(MethodSettings.SPACING));
         }
         spacing.setVisible(choice.hasSpacing());
         spacingCaption.setVisible(choice.hasSpacing());
@@ -256,7 +241,7 @@ public final class ControlPanel extends JTabbedPane {
                         part.patchRemarks().stream().map(line -> part.patch().name() + ": " + line))
                 .distinct()
                 .toList();
-        patchCaption.setText(ControlOrigin.INSTANCE.name(PATCH) + (remarks.isEmpty() ? "" : " (i)"));
+        patchCaption.setText(ControlOrigin.INSTANCE.name(PatchSettings.PATCH) + (remarks.isEmpty() ? "" : " (i)"));
         patchCaption.setToolTipText(
                 remarks.isEmpty()
                         ? patchTip
@@ -264,7 +249,7 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     private void followExposure(Choices choices) {
-        OptionalDouble chosen = choices.get(EXPOSURE);
+        OptionalDouble chosen = choices.get(SceneSettings.EXPOSURE);
         automatic.setSelected(chosen.isEmpty());
         chosen.ifPresent(factor -> {
             lastExposure = factor;

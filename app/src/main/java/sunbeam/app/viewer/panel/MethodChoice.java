@@ -1,14 +1,5 @@
 package sunbeam.app.viewer.panel;
 
-import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
-import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
-import static sunbeam.precompute.plan.MethodSettings.SPACING;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -17,6 +8,7 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -42,15 +34,19 @@ public final class MethodChoice {
     }
 
     private static List<MethodChoice> forms(MethodType type) {
-        Choices plain = Choices.at(ControlOrigin.INSTANCE).with(METHOD, type);
-        if (type.has(INTERPOLATION)) {
+        Choices plain = Choices.at(ControlOrigin.INSTANCE).with(Methods.METHOD, type);
+        if (type.has(MethodSettings.INTERPOLATION)) {
             return List.of(
                     new MethodChoice(type.label() + ", sinc", plain),
-                    new MethodChoice(type.label() + ", linear", plain.with(INTERPOLATION, PeriodInterpolation.LINEAR)));
+                    new MethodChoice(
+                            type.label() + ", linear",
+                            plain.with(MethodSettings.INTERPOLATION, PeriodInterpolation.LINEAR)));
         }
         MethodChoice first = new MethodChoice(type.label(), plain);
-        return type.has(PRESET)
-                ? List.of(first, new MethodChoice(type.label() + ", thesis", plain.with(PRESET, Preset.THESIS)))
+        return type.has(MethodSettings.PRESET)
+                ? List.of(
+                        first,
+                        new MethodChoice(type.label() + ", thesis", plain.with(MethodSettings.PRESET, Preset.THESIS)))
                 : List.of(first);
     }
 
@@ -70,38 +66,39 @@ public final class MethodChoice {
      * @param entered spacing and tolerance from the controls, of those that this method has
      */
     SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
-        List<Setting<?>> kept = new ArrayList<>(List.of(TOLERANCE, COHERENCE_LENGTH, AVERAGE));
-        if (type().has(REPLICAS)) {
-            kept.add(REPLICAS);
+        List<Setting<?>> kept = new ArrayList<>(
+                List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH, MethodSettings.AVERAGE));
+        if (type().has(MethodSettings.REPLICAS)) {
+            kept.add(MethodSettings.REPLICAS);
         }
-        if (type().has(TOLERANCE) && !type().has(AVERAGE)) {
-            kept.remove(AVERAGE);
+        if (type().has(MethodSettings.TOLERANCE) && !type().has(MethodSettings.AVERAGE)) {
+            kept.remove(MethodSettings.AVERAGE);
         }
         if (isThesis()) {
-            kept.removeAll(List.of(TOLERANCE, AVERAGE));
+            kept.removeAll(List.of(MethodSettings.TOLERANCE, MethodSettings.AVERAGE));
         }
         return new SceneMethod(own.over(other.choices().only(kept)).over(entered));
     }
 
     private MethodType type() {
-        return own.get(METHOD);
+        return own.get(Methods.METHOD);
     }
 
     private boolean isThesis() {
-        return own.has(PRESET);
+        return own.has(MethodSettings.PRESET);
     }
 
     /** True if the tolerance affects the picture. */
     public boolean hasTolerance() {
-        return type().has(TOLERANCE) && !isThesis();
+        return type().has(MethodSettings.TOLERANCE) && !isThesis();
     }
 
     boolean hasAverages() {
-        return type().has(AVERAGE);
+        return type().has(MethodSettings.AVERAGE);
     }
 
     boolean hasSpacing() {
-        return type().has(SPACING);
+        return type().has(MethodSettings.SPACING);
     }
 
     @Override

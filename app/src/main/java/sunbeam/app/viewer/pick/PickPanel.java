@@ -18,7 +18,7 @@ import sunbeam.precompute.text.Text;
 
 /** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
 public final class PickPanel extends JPanel {
-    static final int MOST = 2;
+    public static final int MOST = 2;
 
     private final transient List<Readout> readouts = List.of(
             new Readout("Double-click the skin to see its\nframe, angles, color and spectrum."), new Readout(""));
@@ -34,28 +34,28 @@ public final class PickPanel extends JPanel {
         difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
         JPanel colors = new JPanel();
         colors.setLayout(new BoxLayout(colors, BoxLayout.X_AXIS));
-        readouts.forEach(readout -> colors.add(readout.color()));
+        readouts.forEach(readout -> colors.add(readout.color));
         add(colors);
         add(difference);
         add(plot);
-        readouts.forEach(readout -> add(readout.text()));
+        readouts.forEach(readout -> add(readout.text));
         for (var part : getComponents()) {
             ((JComponent) part).setAlignmentX(LEFT_ALIGNMENT);
         }
     }
 
-    void show(int point, String description) {
+    public void show(int point, String description) {
         readouts.get(point).show(description);
     }
 
-    void showColor(int point, int rgb) {
+    public void showColor(int point, int rgb) {
         readouts.get(point).showColor(rgb);
         showDifference();
     }
 
     private void showDifference() {
         difference.setText(differenceWords());
-        difference.setVisible(readouts.get(1).color().isVisible());
+        difference.setVisible(readouts.get(1).color.isVisible());
     }
 
     private String differenceWords() {
@@ -66,17 +66,13 @@ public final class PickPanel extends JPanel {
                 .orElse(" ");
     }
 
-    String numbers() {
+    public String numbers() {
         String points = readouts.stream().map(Readout::numbers).collect(Collectors.joining());
         return (points + (differenceWords() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
     }
 
-    void showSpectrum(int point, double[] powers) {
-        plot.show(point, powers);
-    }
-
-    void awaitSpectrum(int point, boolean awaited) {
-        plot.await(point, awaited);
+    public SpectrumPlot plot() {
+        return plot;
     }
 
     /**
@@ -84,13 +80,13 @@ public final class PickPanel extends JPanel {
      *
      * @param isSpectrumOld true to dim the spectrum, whose inputs have changed
      */
-    void outdate(int point, boolean isSpectrumOld) {
+    public void outdate(int point, boolean isSpectrumOld) {
         readouts.get(point).outdate();
         showDifference();
         plot.setOld(point, isSpectrumOld);
     }
 
-    void clear(int point) {
+    public void clear(int point) {
         readouts.get(point).clear();
         showDifference();
         plot.show(point, new double[0]);
@@ -128,14 +124,6 @@ public final class PickPanel extends JPanel {
         private void follow() {
             text.setVisible(!text.getText().isEmpty());
             color.setVisible(!text.getText().equals(hint));
-        }
-
-        JTextArea text() {
-            return text;
-        }
-
-        JLabel color() {
-            return color;
         }
 
         void show(String description) {

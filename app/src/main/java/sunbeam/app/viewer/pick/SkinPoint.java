@@ -15,7 +15,7 @@ import sunbeam.precompute.text.Text;
 public record SkinPoint(Scene scene, Pick pick) {
 
     /** True if another scene has the same mesh, orientation map and patch map, so that the point is valid there. */
-    boolean staysIn(Scene other) {
+    public boolean staysIn(Scene other) {
         return scene.mesh().equals(other.mesh())
                 && scene.get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP))
                 && scene.patches().map().equals(other.patches().map());
@@ -61,22 +61,22 @@ public record SkinPoint(Scene scene, Pick pick) {
     }
 
     /** Returns the column and row of the point in a picture of the given size; they may lie outside the picture. */
-    Point pixel(int width, int height) {
+    public Point pixel(int width, int height) {
         Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
         double perUnit = 0.5 * height / scene.view().halfHeight(width, height) / -seen.z;
         return new Point(
                 (int) Math.floor(0.5 * width + perUnit * seen.x), (int) Math.floor(0.5 * height - perUnit * seen.y));
     }
 
-    /** Returns {@link #pixel}; empty if the skin faces away from the viewer or lies behind the camera. Occlusion is not tested. */
-    Optional<Point> seen(int width, int height) {
-        boolean isAhead =
-                scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f()).z < 0;
-        return isAhead && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
+    /** As {@link #pixel}; empty if the skin faces away from the viewer or lies behind the camera. Occlusion is not tested. */
+    public Optional<Point> seen(int width, int height) {
+        Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
+        return seen.z < 0 && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
     }
 
     /** Describes the tangent frame and the angles to light and viewer, one quantity per line. */
-    String describe(Vector3fc towards, Point pixel) {
+    public String describe(Vector3fc towards, int width, int height) {
+        Point pixel = pixel(width, height);
         Direction wi = light(towards);
         Direction wr = pick.wr();
         return String.join(

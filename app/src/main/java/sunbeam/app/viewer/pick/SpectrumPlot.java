@@ -25,7 +25,7 @@ public final class SpectrumPlot extends JComponent {
     private static final int STRIP = 6;
     private static final int BELOW = MARGIN + STRIP;
     /** Number of wavelengths of a spectrum, in equal steps from 380 to 780 nm. */
-    static final int COUNT = 81;
+    public static final int COUNT = 81;
 
     private static final double FIRST_WAVELENGTH = 380e-9;
     private static final double RANGE = 400e-9;
@@ -77,7 +77,7 @@ public final class SpectrumPlot extends JComponent {
     }
 
     /** Returns a wavelength of spectra in meters. */
-    static double wavelength(int index) {
+    public static double wavelength(int index) {
         return FIRST_WAVELENGTH + RANGE * index / (COUNT - 1);
     }
 
@@ -119,13 +119,13 @@ public final class SpectrumPlot extends JComponent {
         return text.toString();
     }
 
-    void await(int point, boolean awaited) {
+    public void await(int point, boolean awaited) {
         curves.get(point).isAwaited = awaited;
         repaint();
     }
 
     /** Shows a point's spectrum at equal steps of wavelength; an empty array clears it. */
-    void show(int point, double[] values) {
+    public void show(int point, double[] values) {
         curves.get(point).powers = values.clone();
         setOld(point, false);
         await(point, false);

@@ -26,12 +26,7 @@ public final class Divider {
         this.repaint = repaint;
     }
 
-    /**
-     * Shows the comparison method's picture.
-     *
-     * @param image picture by the comparison method; null if there is none yet
-     * @param complete true if the picture is final
-     */
+    /** @param image picture by the comparison method; null if there is none yet */
     public void show(BufferedImage image, String ownText, String otherText, boolean complete) {
         isShown = true;
         isFinal = complete;
@@ -67,7 +62,7 @@ public final class Divider {
         return isFinal;
     }
 
-    /** Shows the comparison method in the whole picture, or to the right of the line. */
+    /** Sets whether the comparison method has the whole picture, or what is right of the line. */
     public void whole(boolean value) {
         if (value != isWhole) {
             isWhole = value;
@@ -75,7 +70,7 @@ public final class Divider {
         }
     }
 
-    /** Moves the line to a share of the picture's width, clamped to [0, 1]. */
+    /** @param to share of the picture's width, clamped to [0, 1] */
     public void move(double to) {
         share = Math.max(0, Math.min(1, to));
         repaint.run();

@@ -8,6 +8,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.Optional;
+import sunbeam.app.viewer.picture.MapView.Labels;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
@@ -23,16 +24,14 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
     public static final List<Double> WAVELENGTHS = List.of(450e-9, 550e-9, 650e-9);
 
     private static final double GREEN = WAVELENGTHS.get(1);
-    // Smallest distance of neighboring marks in pixels; orders are skipped to keep it, since closer marks would hide
-    // the map.
+    // Smallest distance of neighboring marks in pixels; orders are skipped, since closer marks would hide the map.
     private static final double CLOSEST = 12;
     private static final List<Color> COLORS = List.of(new Color(0x5080ff), new Color(0x30d030), new Color(0xff4030));
 
     /**
      * Returns the direction of an order as (x, y) of a unit vector; empty if it is below the horizon.
      *
-     * @param order number of the order, positive or negative; 0 is the mirror direction
-     * @param wavelength wavelength in meters
+     * @param wavelength in meters
      */
     public Optional<Point2D> direction(int order, double wavelength) {
         double x = -light.x() - order * wavelength * wave.x();
@@ -45,7 +44,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
      *
      * @param withMirror whether order 0 is marked, which all gratings share
      */
-    void paint(Graphics2D graphics, MapLabels labels, boolean withMirror, double left, double side) {
+    void paint(Graphics2D graphics, Labels labels, boolean withMirror, double left, double side) {
         double apart = 0.5 * side * GREEN * wave.length();
         int step = (int) Math.max(1, Math.ceil(CLOSEST / apart));
         int last = (int) Math.floor(2 / (WAVELENGTHS.get(0) * wave.length()));
@@ -60,7 +59,7 @@ public record GratingOrders(SpatialFrequency wave, Direction light) {
         }
     }
 
-    private void paint(Graphics2D graphics, MapLabels labels, int order, double left, double side) {
+    private void paint(Graphics2D graphics, Labels labels, int order, double left, double side) {
         Optional<Point2D> previous = Optional.empty();
         for (int i = 0; i < WAVELENGTHS.size(); i++) {
             Optional<Point2D> at = direction(order, WAVELENGTHS.get(i))

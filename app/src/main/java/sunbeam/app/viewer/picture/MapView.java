@@ -3,13 +3,16 @@ package sunbeam.app.viewer.picture;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -39,12 +42,7 @@ public final class MapView extends JComponent {
         orders(List.of(), "");
     }
 
-    /**
-     * Marks the orders of gratings.
-     *
-     * @param value orders to mark; empty for none
-     * @param words sentence for the tooltip: the gratings' period, or why no orders are marked; may be empty
-     */
+    /** @param words sentence for the tooltip: the gratings' period, or why no orders are marked; may be empty */
     public void orders(List<GratingOrders> value, String words) {
         if (value.equals(orders) && words.equals(ordersInWords)) {
             return;
@@ -71,11 +69,7 @@ public final class MapView extends JComponent {
         }
     }
 
-    /**
-     * Marks a direction with a ring and sets the caption.
-     *
-     * @param direction direction to the viewer, tangent frame
-     */
+    /** @param direction marked direction to the viewer, tangent frame */
     public void mark(Optional<Direction> direction, String text) {
         if (!direction.equals(marked) || !text.equals(caption)) {
             marked = direction;
@@ -84,7 +78,7 @@ public final class MapView extends JComponent {
         }
     }
 
-    /** Removes the map and shows the reason as caption. */
+    /** Removes the map; the caption is the reason. */
     public void clear(String text) {
         map = null;
         newest(true);
@@ -114,7 +108,7 @@ public final class MapView extends JComponent {
             }
             clipped.dispose();
             graphics.setFont(graphics.getFont().deriveFont(10f));
-            MapLabels labels = new MapLabels(graphics, new Rectangle(getWidth(), side));
+            Labels labels = new Labels(graphics, new Rectangle(getWidth(), side));
             paintAxes(graphics, labels, left, side);
             for (int i = 0; i < orders.size(); i++) {
                 orders.get(i).paint(graphics, labels, i == 0, left, side);
@@ -129,7 +123,7 @@ public final class MapView extends JComponent {
         graphics.dispose();
     }
 
-    private static void paintAxes(Graphics2D graphics, MapLabels labels, int left, int side) {
+    private static void paintAxes(Graphics2D graphics, Labels labels, int left, int side) {
         double middle = left + 0.5 * side;
         graphics.setStroke(new BasicStroke(1f));
         graphics.setColor(AXES);
@@ -162,5 +156,44 @@ public final class MapView extends JComponent {
                                 1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
         graphics.setColor(Color.WHITE);
         graphics.draw(ring);
+    }
+
+    /** Small labels of one painting: each lies within the bounds and covers no other. A label that finds no free place is left out. */
+    static final class Labels {
+        private static final double GAP = 4;
+
+        private final Graphics2D graphics;
+        private final Rectangle2D bounds;
+        private final List<Rectangle2D> taken = new ArrayList<>();
+
+        Labels(Graphics2D graphics, Rectangle2D bounds) {
+            this.graphics = graphics;
+            this.bounds = bounds;
+        }
+
+        /** Paints a label beside a point: to the upper right, else upper left, lower right or lower left. Returns its place, or null. */
+        Rectangle2D paint(String text, double x, double y) {
+            FontMetrics metrics = graphics.getFontMetrics();
+            double width = metrics.stringWidth(text) + 1.0;
+            double height = metrics.getAscent();
+            for (double top : new double[] {y - GAP - height + 2, y + GAP}) {
+                for (double left : new double[] {x + GAP, x - GAP - width}) {
+                    Rectangle2D place = new Rectangle2D.Double(left, top, width, height);
+                    if (bounds.contains(place) && taken.stream().noneMatch(place::intersects)) {
+                        taken.add(place);
+                        paintOutlined(text, (float) left, (float) (top + height - 1));
+                        return place;
+                    }
+                }
+            }
+            return null;
+        }
+
+        private void paintOutlined(String text, float x, float y) {
+            graphics.setColor(Color.BLACK);
+            graphics.drawString(text, x + 1, y + 1);
+            graphics.setColor(Color.WHITE);
+            graphics.drawString(text, x, y);
+        }
     }
 }

@@ -13,6 +13,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -31,8 +32,7 @@ public final class PictureView extends JComponent {
 
     private final JLabel message = new JLabel("Loading ...", SwingConstants.CENTER);
     private BufferedImage picture;
-    // Picture with fewer pixels than displayed, enlarged while painting; {@link #whole} makes a full-size copy on
-    // demand.
+    // Enlarged while painting; {@link #whole} makes a full-size copy on demand.
     private transient Optional<Reduced> reduced = Optional.empty();
     private boolean isFinal;
     private boolean isDimmed;
@@ -58,7 +58,6 @@ public final class PictureView extends JComponent {
         return divider;
     }
 
-    /** Removes the line about the mouse; called at the first drag. */
     public void hideHint() {
         if (isHintShown) {
             isHintShown = false;
@@ -75,7 +74,7 @@ public final class PictureView extends JComponent {
         return isLightHeld;
     }
 
-    /** Returns the width of the picture in screen pixels; 0 if the component has no width. */
+    /** In screen pixels; 0 if the component has no width. */
     public int pictureWidth() {
         return (int) Math.round(getWidth() * pixelScale());
     }
@@ -84,7 +83,7 @@ public final class PictureView extends JComponent {
         return (int) Math.round(getHeight() * pixelScale());
     }
 
-    /** Returns the screen pixels per unit of Swing. */
+    /** In screen pixels per unit of Swing. */
     public double pixelScale() {
         return getGraphicsConfiguration() == null
                 ? 1
@@ -92,11 +91,9 @@ public final class PictureView extends JComponent {
     }
 
     /**
-     * Picture with fewer pixels than displayed.
+     * Picture with fewer pixels than the displayed width and height.
      *
      * @param padded picture with its edge pixels duplicated, since X servers blend the edge with the outside when they enlarge
-     * @param width displayed pixels per row
-     * @param height displayed rows
      */
     private record Reduced(BufferedImage padded, int width, int height) {
         /** @param image image of type {@link BufferedImage#TYPE_INT_RGB} */
@@ -126,16 +123,13 @@ public final class PictureView extends JComponent {
     }
 
     public void showMessage(String text) {
-        message.setText("<html><div style='text-align:center'>" + escaped(text) + "</div></html>");
+        String escaped = text.replace("&", "&amp;").replace("<", "&lt;");
+        message.setText("<html><div style='text-align:center'>" + escaped + "</div></html>");
         message.setVisible(true);
         picture = null;
         reduced = Optional.empty();
         isFinal = false;
         repaint();
-    }
-
-    private static String escaped(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
     /** Shows a picture; an image of fewer than width times height pixels is enlarged. */
@@ -170,7 +164,7 @@ public final class PictureView extends JComponent {
         repaint();
     }
 
-    /** Returns the displayed picture without overlays; empty before the first. The image is read-only and valid until the next picture. */
+    /** Without overlays; empty before the first. The image is read-only and valid until the next picture. */
     public Optional<BufferedImage> picture() {
         return Optional.ofNullable(whole());
     }
@@ -184,12 +178,11 @@ public final class PictureView extends JComponent {
         return OptionalInt.of(0xffffff & whole.getRGB(x, y));
     }
 
-    /** True if the picture is final and not dimmed. */
     public boolean isFinal() {
         return isFinal && !isDimmed;
     }
 
-    /** Marks the picture as outdated, so that it is not saved. */
+    /** An outdated picture is not saved. */
     public void outdated() {
         isFinal = false;
     }
@@ -213,11 +206,9 @@ public final class PictureView extends JComponent {
         if (value.equals(cone)) {
             return; // the next picture repaints it
         }
-        Optional<LightCone> before = cone;
-        cone = value;
         // Repaint the cone at each event of a drag, without waiting for the next picture.
-        before.ifPresent(this::repaint);
-        value.ifPresent(this::repaint);
+        Stream.concat(cone.stream(), value.stream()).forEach(light -> repaint(light.bounds(getWidth(), getHeight())));
+        cone = value;
     }
 
     public void mark(List<Optional<Point>> pixels) {
@@ -225,10 +216,6 @@ public final class PictureView extends JComponent {
             marks = pixels;
             repaint();
         }
-    }
-
-    private void repaint(LightCone light) {
-        repaint(light.bounds(getWidth(), getHeight()));
     }
 
     @Override
@@ -263,7 +250,7 @@ public final class PictureView extends JComponent {
         }
     }
 
-    /** Paints the line about the mouse near the bottom; in a narrow view as one line for each part. */
+    /** In a narrow view, each part has a line. */
     private void paintHint(Graphics2D graphics) {
         FontMetrics metrics = graphics.getFontMetrics();
         boolean isWide = metrics.stringWidth(HINT) + 2 * MARGIN <= getWidth();

@@ -45,7 +45,6 @@ import sunbeam.precompute.setting.SettingException;
 
 /** Actions that load and save files, off the event thread. */
 public final class FileActions {
-    /** Kind of files that the viewer loads and saves, with the names and filters of its dialogs. */
     public enum Kind {
         SCENE("scene", "json"),
         PATCH(
@@ -136,7 +135,6 @@ public final class FileActions {
                         .ifPresent(bounds -> model.amend(scene -> Drags.framed(scene, bounds))));
     }
 
-    /** Loads a patch; if that fails, the old one stays and the status line shows the reason. */
     public void loadPatch(Path file) {
         if (!Files.exists(file)) {
             window.status().message("cannot load " + file + ": there is no such file");
@@ -149,9 +147,7 @@ public final class FileActions {
         }
     }
 
-    /**
-     * Returns the patch of a file; empty if the user cancels. A dialog asks for the scales of an image; other files contain theirs.
-     */
+    /** A dialog asks for the scales of an image; empty if the user cancels it. Other files contain theirs. */
     private Optional<PatchRequest> patch(Path file) {
         Choices named = Choices.at(ControlOrigin.INSTANCE)
                 .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
@@ -221,7 +217,7 @@ public final class FileActions {
     }
 
     private <T> void run(Callable<T> work, Consumer<T> done) {
-        viewer.writing().run(work, done, window.status()::message);
+        viewer.writing.run(work, done, window.status()::message);
     }
 
     private Optional<Path> ask(Kind kind, int dialog) {
@@ -272,8 +268,7 @@ public final class FileActions {
             try {
                 Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
-                    // Load after this method returns: the program that is the drag's source waits for it, and loading
-                    // may open a dialog.
+                    // The drag's source waits for this method, and loading may open a dialog.
                     SwingUtilities.invokeLater(() -> load(file.toPath()));
                     return true;
                 }

@@ -85,16 +85,15 @@ final class MapPresenter {
         }
         patch = wanted;
         period = Optional.empty();
-        viewer.measuring()
-                .run(
-                        () -> GratingPeriod.of(wanted),
-                        found -> {
-                            if (patch == wanted) {
-                                period = Optional.of(found);
-                                markOrders();
-                            }
-                        },
-                        viewer.window().status()::message);
+        viewer.measuring.run(
+                () -> GratingPeriod.of(wanted),
+                found -> {
+                    if (patch == wanted) {
+                        period = Optional.of(found);
+                        markOrders();
+                    }
+                },
+                viewer.window().status()::message);
     }
 
     @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects

@@ -13,8 +13,6 @@ import sunbeam.app.terminal.Environment;
 /**
  * Files that the user loaded last, one a line in {@code $XDG_STATE_HOME/sunbeam/recent-files}, else {@code
  * ~/.local/state/sunbeam/recent-files} (XDG Base Directory Specification 0.8).
- *
- * @param list the file with the lines, which need not exist
  */
 public record RecentFiles(Path list) {
     private static final int MOST = 8;
@@ -44,11 +42,6 @@ public record RecentFiles(Path list) {
         return files;
     }
 
-    /**
-     * Puts a file at the head of the list.
-     *
-     * @throws sunbeam.app.files.output.OutputException if the list cannot be written
-     */
     void add(Path file) throws IOException {
         List<Path> files = new ArrayList<>(files());
         files.remove(file.toAbsolutePath());

@@ -35,11 +35,12 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     private final SplitViewPresenter splitView;
     private final MapPresenter map;
     private final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
+    private final CompletableFuture<Void> finalPicture = new CompletableFuture<>();
     private final Set<Overlay> overlays = EnumSet.of(Overlay.MAP);
     private Optional<ViewMeasurement> measurement = Optional.empty();
     // Number of the newest request for strokes; results of older requests are discarded.
     private long newestStrokes;
-    private volatile boolean failed;
+    private boolean failed;
     private String renderer = "";
     private ViewState requested;
     private ViewState shown;
@@ -54,13 +55,18 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         map = new MapPresenter(viewer);
     }
 
-    /** Returns a future that completes with the first picture, or exceptionally if there will be none. */
+    /** Completes exceptionally if there will be no picture; so does {@link #finalPicture}. */
     CompletableFuture<Void> firstPicture() {
         return firstPicture;
     }
 
+    CompletableFuture<Void> finalPicture() {
+        return finalPicture;
+    }
+
     void noPicture(String why) {
         firstPicture.completeExceptionally(new GraphicsException(why));
+        finalPicture.completeExceptionally(new GraphicsException(why));
     }
 
     void observe(Optional<ViewMeasurement> value) {
@@ -71,11 +77,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public boolean isSettled() {
         return completed != null && completed.state() == requested;
-    }
-
-    /** Callable on any thread. */
-    boolean hasFailed() {
-        return failed;
     }
 
     /** Returns the last final picture, or null. */
@@ -122,7 +123,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         long number = ++newestStrokes;
         int width = window.picture().pictureWidth();
         int height = window.picture().pictureHeight();
-        viewer.loop().submit(stage -> {
+        viewer.loop.submit(stage -> {
             BufferedImage strokes = stage.strokes(width, height);
             SwingUtilities.invokeLater(() -> {
                 if (number == newestStrokes) {
@@ -153,7 +154,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         removeStrokes();
         window.status().outdated();
         measurement.ifPresent(measured -> measured.requested(requested));
-        viewer.loop().show(requested);
+        viewer.loop.show(requested);
     }
 
     /** Dims the picture and shows what loads while the newest scene's mesh, patches or method are not on screen. */
@@ -282,6 +283,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         show(state, picture.image(), state == requested, true, picture.exposure());
         viewer.journal().reached(StartJournal.Stage.FINAL);
         completed = finished;
+        finalPicture.complete(null);
         viewer.files().writeWaiting();
         viewer.inspector().measure();
         if (state == requested) {

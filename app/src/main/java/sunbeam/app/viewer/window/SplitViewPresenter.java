@@ -72,7 +72,7 @@ final class SplitViewPresenter {
             loaded = loaded.with(scene);
             requested = own.by(loaded);
             divider.show(null, ownWords(), words() + ", being drawn", false);
-            viewer.loop().show(requested);
+            viewer.loop.show(requested);
             return;
         }
         divider.show(null, ownWords(), MethodChoice.of(scene) + " is being prepared", false);
@@ -81,18 +81,17 @@ final class SplitViewPresenter {
         }
         preparing = scene;
         LoadedScene previous = own.scene();
-        viewer.loading()
-                .run(
-                        () -> loading.load(scene, previous, share -> {}),
-                        result -> {
-                            preparing = null;
-                            loaded = result;
-                            requestPicture();
-                        },
-                        problem -> {
-                            preparing = null;
-                            refused(problem);
-                        });
+        viewer.loading.run(
+                () -> loading.load(scene, previous, share -> {}),
+                result -> {
+                    preparing = null;
+                    loaded = result;
+                    requestPicture();
+                },
+                problem -> {
+                    preparing = null;
+                    refused(problem);
+                });
     }
 
     private String ownWords() {

@@ -39,10 +39,6 @@ public final class StartJournal {
                         ProcessHandle.current().info().totalCpuDuration().orElse(Duration.ZERO)));
     }
 
-    synchronized boolean has(Stage stage) {
-        return moments.containsKey(stage);
-    }
-
     public synchronized String report() {
         return moments.entrySet().stream()
                 .map(entry -> Text.format(

@@ -154,7 +154,6 @@ public final class StatusLine extends JPanel {
         }
     }
 
-    /** Shows the method and tolerance of the picture, with the lines of the method's plan as tooltip. */
     void method(SceneData data, String renderer) {
         MethodChoice choice = MethodChoice.of(data.scene());
         String tolerance =

@@ -25,8 +25,7 @@ import sunbeam.precompute.units.Decimals;
  */
 public final class ViewMeasurement {
     private static final int EVENT_MILLISECONDS = 16;
-    // The warm-up lasts as long as the measurement, but no longer than this. It excludes the first frames, which are
-    // the coarsest.
+    // The warm-up lasts as long as the measurement or this. It excludes the first frames, which are the coarsest.
     private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
 
     private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
@@ -75,8 +74,7 @@ public final class ViewMeasurement {
     }
 
     /**
-     * Drags the light and then the model in an open viewer with a loaded scene; returns one line for each. Must not be called on the event
-     * thread.
+     * Drags the light and then the model in a viewer with a loaded scene; returns one line for each. Not on the event thread.
      *
      * @param seconds measured time of each drag, after the warm-up
      */
@@ -98,10 +96,7 @@ public final class ViewMeasurement {
         timer.start();
     }
 
-    /**
-     * Posts the next drag event, back and forth, so that the light stays above the scene and the model in view; after the drag, waits for
-     * the final picture.
-     */
+    /** Drags back and forth, so that the light stays above the scene and the model in view; then waits for the final picture. */
     private void move() {
         long since = System.nanoTime() - start - nanoseconds;
         if (since > 0) {

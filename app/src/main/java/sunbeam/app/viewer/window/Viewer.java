@@ -11,6 +11,8 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
@@ -23,20 +25,18 @@ import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.pick.PointInspector;
 
 /** Viewer: creates and connects window, model and render thread. Used on the event thread only. */
 public final class Viewer {
-    private static final long POLL_MILLISECONDS = 100;
 
     private final ViewerModel model;
     private final ViewerWindow window;
-    private final RenderLoop loop;
+    final RenderLoop loop;
     private final FileActions files;
     private final PointInspector inspector;
-    private final Background loading = new Background("loading");
-    private final Background writing = new Background("files");
-    private final Background measuring = new Background("spectrum");
+    final Background loading = new Background("loading");
+    final Background writing = new Background("files");
+    final Background measuring = new Background("spectrum");
     private final CountDownLatch closed = new CountDownLatch(1);
     private final StartJournal journal;
     private final ScenePresenter presenter;
@@ -44,11 +44,7 @@ public final class Viewer {
     private final AWTEventListener dragListener = this::trackDrag;
     private Scene sceneAsOpened;
 
-    /**
-     * Creates all parts; the window is not visible yet.
-     *
-     * @param opening opens OpenGL, on the render thread
-     */
+    /** @param opening opens OpenGL, on the render thread */
     public Viewer(
             Scene scene,
             ViewerModel.Loading loader,
@@ -64,8 +60,7 @@ public final class Viewer {
         loop.start();
         try {
             window = new ViewerWindow(ScenePresenter.title(scene), model);
-            inspector = new PointInspector(
-                    window.picture(), window.pick(), model, loop, measuring, window.status()::message, this::show);
+            inspector = new PointInspector(this);
             files = new FileActions(this, recent);
             presenter = new ScenePresenter(this, loader);
             window.controls().onComparison(presenter::show);
@@ -80,7 +75,7 @@ public final class Viewer {
             window.picture().addComponentListener(new ComponentAdapter() {
                 @Override
                 public void componentResized(ComponentEvent event) {
-                    show();
+                    presenter.show();
                 }
             });
         } catch (RuntimeException | Error failure) {
@@ -89,17 +84,11 @@ public final class Viewer {
         }
     }
 
-    private void show() {
-        presenter.show();
-    }
-
     private void tell(Consumer<RenderLoop.Listener> news) {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 
     /**
-     * Shows the window, then the scene.
-     *
      * @param pictureSize in screen pixels, or null
      * @param shape waits for the first scene's shape
      */
@@ -116,23 +105,7 @@ public final class Viewer {
                 shape,
                 window.picture().pictureWidth(),
                 window.picture().pictureHeight());
-        model.start();
-    }
-
-    RenderLoop loop() {
-        return loop;
-    }
-
-    Background loading() {
-        return loading;
-    }
-
-    Background writing() {
-        return writing;
-    }
-
-    Background measuring() {
-        return measuring;
+        model.load();
     }
 
     public ViewerWindow window() {
@@ -159,11 +132,7 @@ public final class Viewer {
         return inspector;
     }
 
-    /**
-     * Waits for the first picture. Must not be called on the event thread.
-     *
-     * @throws GraphicsException if there will be none, with the reason
-     */
+    /** @throws GraphicsException if there will be none, with the reason; not on the event thread */
     public void awaitPicture() throws InterruptedException {
         try {
             presenter.firstPicture().get();
@@ -177,11 +146,11 @@ public final class Viewer {
     }
 
     /**
-     * Waits until the window is closed, then for running saves and for the end of OpenGL. A save that waits for a final picture is dropped.
-     * Must not be called on the event thread.
+     * Waits, not on the event thread, until the window is closed, then for running saves and for the end of OpenGL. A save that waits for a
+     * final picture is dropped.
      *
      * @param patience longest wait for saves, and again for OpenGL, in milliseconds
-     * @return true if the OpenGL context is closed
+     * @return true if OpenGL has ended
      */
     public boolean awaitEnd(long patience) throws InterruptedException {
         closed.await();
@@ -196,13 +165,12 @@ public final class Viewer {
      * @param patience longest wait in milliseconds
      */
     public void awaitFinalByTable(long patience) throws InterruptedException {
-        long end = System.nanoTime() + patience * 1_000_000;
-        boolean isByTable = model.loaded().map(LoadedScene::isByTable).orElse(false);
-        while (isByTable
-                && !presenter.hasFailed()
-                && !journal.has(StartJournal.Stage.FINAL)
-                && System.nanoTime() < end) {
-            Thread.sleep(POLL_MILLISECONDS);
+        if (model.loaded().map(LoadedScene::isByTable).orElse(false)) {
+            try {
+                presenter.finalPicture().get(patience, TimeUnit.MILLISECONDS);
+            } catch (ExecutionException | TimeoutException none) {
+                return;
+            }
         }
     }
 

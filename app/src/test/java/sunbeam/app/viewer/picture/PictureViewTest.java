@@ -96,7 +96,7 @@ class PictureViewTest {
     void labelsAreWholeAndCoverNoOther() {
         Rectangle bounds = new Rectangle(200, 200);
         Graphics2D graphics = new BufferedImage(200, 200, BufferedImage.TYPE_INT_RGB).createGraphics();
-        MapLabels labels = new MapLabels(graphics, bounds);
+        MapView.Labels labels = new MapView.Labels(graphics, bounds);
         Random random = new Random(5);
         List<Rectangle2D> places = new ArrayList<>();
         for (int i = 0; i < 200; i++) {
@@ -108,7 +108,7 @@ class PictureViewTest {
             }
         }
         assertThat(places).hasSizeGreaterThan(20);
-        assertThat(new MapLabels(graphics, bounds).paint("x", 198, 100))
+        assertThat(new MapView.Labels(graphics, bounds).paint("x", 198, 100))
                 .as("turns away from the edge")
                 .isNotNull();
     }

@@ -1,6 +1,7 @@
-package sunbeam.app.viewer.pick;
+package sunbeam.app.viewer.window;
 
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.util.ArrayList;
@@ -12,10 +13,10 @@ import javax.swing.SwingUtilities;
 import org.joml.Vector3fc;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.viewer.loop.RenderLoop;
-import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.LoadedScene;
-import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.pick.PickPanel;
+import sunbeam.app.viewer.pick.SkinPoint;
+import sunbeam.app.viewer.pick.SpectrumPlot;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
@@ -25,13 +26,9 @@ import sunbeam.precompute.reference.ReferenceEvaluator;
 
 /** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
 public final class PointInspector {
+    private final Viewer viewer;
     private final PictureView picture;
     private final PickPanel panel;
-    private final ViewerModel model;
-    private final RenderLoop loop;
-    private final Consumer<String> message;
-    private final Background measuring;
-    private final Runnable picked;
     // At most {@link PickPanel#MOST}, in the panel's order.
     private final List<Inspected> picks = new ArrayList<>();
 
@@ -46,29 +43,12 @@ public final class PointInspector {
         }
     }
 
-    /**
-     * @param measuring worker that computes spectra
-     * @param message receives one line per failure
-     * @param picked called when points have been picked
-     */
-    public PointInspector(
-            PictureView picture,
-            PickPanel panel,
-            ViewerModel model,
-            RenderLoop loop,
-            Background measuring,
-            Consumer<String> message,
-            Runnable picked) {
-        this.picture = picture;
-        this.panel = panel;
-        this.model = model;
-        this.loop = loop;
-        this.measuring = measuring;
-        this.message = message;
-        this.picked = picked;
+    PointInspector(Viewer viewer) {
+        this.viewer = viewer;
+        picture = viewer.window().picture();
+        panel = viewer.window().pick();
     }
 
-    /** Returns the first point; empty before a pick and after a change of mesh. */
     public Optional<SkinPoint> point() {
         return points().stream().findFirst();
     }
@@ -81,11 +61,11 @@ public final class PointInspector {
     public void locate(int x, int y, Consumer<Optional<SkinPoint>> found) {
         int width = picture.pictureWidth();
         int height = picture.pictureHeight();
-        if (x < 0 || y < 0 || x >= width || y >= height || model.loaded().isEmpty()) {
+        if (viewer.model().loaded().isEmpty() || !new Rectangle(width, height).contains(x, y)) {
             return;
         }
-        Scene scene = model.loaded().get().firstPart().scene();
-        loop.submit(stage -> {
+        Scene scene = viewer.model().loaded().get().firstPart().scene();
+        viewer.loop.submit(stage -> {
             Optional<SkinPoint> located = stage.pick(x, y, width, height).map(skin -> new SkinPoint(scene, skin));
             SwingUtilities.invokeLater(() -> found.accept(located));
         });
@@ -96,7 +76,7 @@ public final class PointInspector {
         locate(x, y, located -> {
             keepFirst(isBeside ? Math.min(1, picks.size()) : 0);
             located.map(Inspected::new).ifPresent(picks::add);
-            picked.run();
+            viewer.presenter().show();
             measure();
         });
     }
@@ -128,7 +108,7 @@ public final class PointInspector {
             List<Object> inputs = spectrumInputs(pick.point, scene);
             if (!inputs.equals(pick.requestedInputs)) {
                 pick.requestedInputs = List.of(); // discards the running computation
-                panel.awaitSpectrum(i, false);
+                panel.plot().await(i, false);
             }
             panel.outdate(i, !inputs.equals(pick.displayedInputs));
         }
@@ -138,12 +118,8 @@ public final class PointInspector {
     public void showAngles(Vector3fc towards) {
         for (int i = 0; i < picks.size(); i++) {
             SkinPoint found = picks.get(i).point;
-            panel.show(i, found.describe(towards, pixel(found)));
+            panel.show(i, found.describe(towards, picture.pictureWidth(), picture.pictureHeight()));
         }
-    }
-
-    private Point pixel(SkinPoint found) {
-        return found.pixel(picture.pictureWidth(), picture.pictureHeight());
     }
 
     private static List<Object> spectrumInputs(SkinPoint found, Scene scene) {
@@ -152,7 +128,7 @@ public final class PointInspector {
 
     /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
     public void measure() {
-        model.loaded().ifPresent(loaded -> {
+        viewer.model().loaded().ifPresent(loaded -> {
             for (int i = 0; i < picks.size(); i++) {
                 measure(i, picks.get(i), loaded);
             }
@@ -162,31 +138,31 @@ public final class PointInspector {
     private void measure(int index, Inspected pick, LoadedScene loaded) {
         SkinPoint measured = pick.point;
         SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
-        Point pixel = pixel(measured);
+        Point pixel = measured.pixel(picture.pictureWidth(), picture.pictureHeight());
         picture.color(pixel.x, pixel.y).ifPresent(color -> panel.showColor(index, color));
         List<Object> inputs = spectrumInputs(measured, data.scene());
         if (inputs.equals(pick.requestedInputs)) {
             return;
         }
         pick.requestedInputs = inputs;
-        panel.awaitSpectrum(index, true);
+        panel.plot().await(index, true);
         Direction wi = measured.light(data.scene().light().towards());
         Direction wr = measured.pick().wr();
-        measuring.run(
+        viewer.measuring.run(
                 () -> wi.z() > 0 && wr.z() > 0
                         ? spectrum(data, new DirectionPair(wi, wr), () -> !inputs.equals(pick.requestedInputs))
                         : new double[0],
                 powers -> {
                     if (inputs.equals(pick.requestedInputs)) {
                         pick.displayedInputs = inputs;
-                        panel.showSpectrum(index, powers);
+                        panel.plot().show(index, powers);
                     }
                 },
                 problem -> {
                     if (inputs.equals(pick.requestedInputs)) {
-                        panel.awaitSpectrum(index, false);
+                        panel.plot().await(index, false);
                     }
-                    message.accept(problem);
+                    viewer.window().status().message(problem);
                 });
     }
 
@@ -213,11 +189,13 @@ public final class PointInspector {
 
     public void copy() {
         if (picks.isEmpty()) {
-            message.accept("nothing to copy: double-click the skin to pick a point");
+            viewer.window().status().message("nothing to copy: double-click the skin to pick a point");
             return;
         }
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(panel.numbers()), null);
-        message.accept(picks.size() > 1 ? "copied both points' numbers" : "copied the picked point's numbers");
+        viewer.window()
+                .status()
+                .message(picks.size() > 1 ? "copied both points' numbers" : "copied the picked point's numbers");
     }
 
     public void stop() {
