@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.app.scene.mesh.MeshUnit;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform.Primaries;

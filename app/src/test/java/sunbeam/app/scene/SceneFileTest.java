@@ -19,7 +19,7 @@ import sunbeam.app.files.input.JsonVariants;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.format.MeshUnit;
+import sunbeam.app.scene.mesh.MeshUnit;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;

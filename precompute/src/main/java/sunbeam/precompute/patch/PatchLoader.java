@@ -22,7 +22,7 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanBytes;
 import sunbeam.precompute.scan.ScanException;
-import sunbeam.precompute.scan.format.ScanFormat;
+import sunbeam.precompute.scan.ScanFormat;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;

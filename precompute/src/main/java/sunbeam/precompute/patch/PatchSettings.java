@@ -7,7 +7,7 @@ import sunbeam.precompute.prepare.Crop;
 import sunbeam.precompute.prepare.Edges;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.scan.ScanLimits;
-import sunbeam.precompute.scan.text.TextReader;
+import sunbeam.precompute.scan.TextReader;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 

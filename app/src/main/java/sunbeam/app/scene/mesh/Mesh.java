@@ -4,7 +4,6 @@ import java.util.stream.IntStream;
 import jrtr.VertexData;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import sunbeam.app.scene.mesh.format.FloatList;
 
 /**
  * Triangle mesh. Arrays are shared; they must not be changed.

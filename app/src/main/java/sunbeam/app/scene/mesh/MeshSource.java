@@ -3,7 +3,6 @@ package sunbeam.app.scene.mesh;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3f;
-import sunbeam.app.scene.mesh.format.RawMesh;
 
 /**
  * Merges corners of equal position, texture coordinate, normal and handedness into vertices. A vertex has the file's tangent, or the mean

@@ -16,7 +16,6 @@ import java.util.Random;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.scene.mesh.output.ObjWriter;
 import sunbeam.precompute.files.InputException;
 
 /** PLY and glTF beside OBJ. */

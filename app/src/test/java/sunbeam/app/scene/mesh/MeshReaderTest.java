@@ -14,7 +14,6 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.files.InputException;
 
 /** OBJ, and properties of PLY alone. */

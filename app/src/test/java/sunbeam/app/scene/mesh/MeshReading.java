@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.assertj.core.api.AbstractThrowableAssert;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.scene.mesh.format.MeshUnit;
 import sunbeam.precompute.files.InputException;
 
 /** Reading of a file that a test writes; its first bytes tell the format. */

@@ -1,0 +1,161 @@
+package sunbeam.app.scene.mesh;
+
+import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonPointer;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonMappingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.MapperFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.IntNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import de.javagl.jgltf.impl.v2.GlTF;
+import de.javagl.jgltf.impl.v2.Material;
+import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.text.Quoted;
+
+/**
+ * Reads the JSON of glTF 2.0 into jgltf's classes, whose own reader would open any URI and allocate any stated size. Size, depth and number
+ * of values are limited; messages about a value name its path.
+ */
+final class GltfDocument {
+    private static final int MOST_VALUES = 1_000_000;
+    private static final JsonFactory JSON = JsonFactory.builder()
+            .streamReadConstraints(
+                    StreamReadConstraints.builder().maxNestingDepth(64).build())
+            .build();
+    private static final ObjectMapper MAPPER = mapper();
+    private static final Set<String> READ_PROPERTIES = Set.of(
+            "asset",
+            "extensionsRequired",
+            "scene",
+            "scenes",
+            "nodes",
+            "meshes",
+            "materials",
+            "accessors",
+            "bufferViews",
+            "buffers");
+
+    /** An empty list is an error there, not an omission. */
+    private static final Set<String> TRANSFORMS = Set.of("matrix", "translation", "rotation", "scale");
+
+    private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
+    /** Required extensions that are read or do not affect geometry. */
+    private static final Pattern HARMLESS =
+            Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
+
+    private GltfDocument() {}
+
+    private static ObjectMapper mapper() {
+        ObjectMapper mapper = JsonMapper.builder(JSON)
+                .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES, DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+                .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+                .build();
+        ignore(mapper, Material.class, "occlusionTexture", "emissiveFactor", "alphaMode", "alphaCutoff", "doubleSided");
+        ignore(mapper, MaterialPbrMetallicRoughness.class, "baseColorFactor", "metallicFactor", "roughnessFactor");
+        return mapper;
+    }
+
+    private static void ignore(ObjectMapper mapper, Class<?> type, String... properties) {
+        mapper.configOverride(type).setIgnorals(JsonIgnoreProperties.Value.forIgnoredProperties(properties));
+    }
+
+    static GlTF read(byte[] json) throws IOException {
+        JsonNode tree = tree(json);
+        String version = tree.path("asset").path("version").asText();
+        if (!version.startsWith("2.")) {
+            throw new InputException("it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
+        }
+        ((ObjectNode) tree).retain(READ_PROPERTIES);
+        checkAndNormalize(JsonPointer.empty(), tree);
+        GlTF gltf;
+        try {
+            gltf = MAPPER.treeToValue(tree, GlTF.class);
+        } catch (JsonMappingException wrong) {
+            JsonPointer path = JsonPointer.empty();
+            for (JsonMappingException.Reference step : wrong.getPath()) {
+                path = step.getFieldName() == null
+                        ? path.appendIndex(step.getIndex())
+                        : path.appendProperty(step.getFieldName());
+            }
+            throw wrong(path, tree.at(path));
+        }
+        List<String> required = gltf.getExtensionsRequired() == null ? List.of() : gltf.getExtensionsRequired();
+        for (String extension : required) {
+            if (!HARMLESS.matcher(extension).matches()) {
+                throw new InputException("it needs the extension " + Quoted.of(extension)
+                        + ", which is not known; export it without (uncompressed)");
+            }
+        }
+        return gltf;
+    }
+
+    private static JsonNode tree(byte[] json) throws IOException {
+        try (JsonParser parser = JSON.createParser(json)) {
+            for (int values = 0; parser.nextToken() != null; values++) {
+                if (values > MOST_VALUES) {
+                    throw new InputException("its JSON has more than " + MOST_VALUES
+                            + " values; export it with its numbers in a buffer");
+                }
+            }
+            return MAPPER.readTree(json);
+        } catch (JsonProcessingException broken) {
+            throw new InputException("no valid JSON" + place(broken) + "; export it again", broken);
+        }
+    }
+
+    /**
+     * Refuses null and numbers beyond float32, except in extensions and extras. Removes empty lists, which some programs write against the
+     * rules; converts 2.0 to an integer.
+     */
+    private static JsonNode checkAndNormalize(JsonPointer path, JsonNode value) {
+        if (value.isNull() || (value.isNumber() && !Float.isFinite(value.floatValue()))) {
+            throw wrong(path, value);
+        }
+        if (value instanceof ObjectNode object) {
+            object.remove(object.properties().stream()
+                    .filter(entry -> !TRANSFORMS.contains(entry.getKey()))
+                    .filter(entry ->
+                            entry.getValue().isArray() && entry.getValue().isEmpty())
+                    .map(Map.Entry::getKey)
+                    .toList());
+            for (Map.Entry<String, JsonNode> entry : object.properties()) {
+                if (!UNCHECKED.contains(entry.getKey())) {
+                    entry.setValue(checkAndNormalize(path.appendProperty(entry.getKey()), entry.getValue()));
+                }
+            }
+        } else if (value instanceof ArrayNode array) {
+            for (int i = 0; i < array.size(); i++) {
+                array.set(i, checkAndNormalize(path.appendIndex(i), array.get(i)));
+            }
+        }
+        return value.isDouble() && value.doubleValue() == value.intValue() ? IntNode.valueOf(value.intValue()) : value;
+    }
+
+    private static InputException wrong(JsonPointer path, JsonNode value) {
+        return new InputException(
+                "it has " + Quoted.of(value.isTextual() ? value.textValue() : value.toString()) + " at "
+                        + Quoted.of(path.toString()) + ", which glTF 2.0 does not allow; repair it or export it again");
+    }
+
+    /** The parser's own message is for programmers. */
+    private static String place(JsonProcessingException wrong) {
+        return wrong.getLocation() == null
+                ? ""
+                : " in line " + wrong.getLocation().getLineNr() + ", column "
+                        + wrong.getLocation().getColumnNr();
+    }
+}

@@ -1,0 +1,226 @@
+package sunbeam.app.scene.mesh;
+
+import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLES;
+import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_FAN;
+import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_STRIP;
+
+import de.javagl.jgltf.impl.v2.GlTF;
+import de.javagl.jgltf.impl.v2.Material;
+import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
+import de.javagl.jgltf.impl.v2.MeshPrimitive;
+import de.javagl.jgltf.impl.v2.TextureInfo;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
+import org.joml.Matrix3d;
+import org.joml.Matrix3x2d;
+import org.joml.Matrix4d;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import sunbeam.precompute.files.InputException;
+
+/** Collects primitives of glTF: triangles, strips and fans. */
+final class GltfPrimitives {
+    // Primitives times placements, of which a small file can have many.
+    private static final int MOST_PRIMITIVES = 1_000_000;
+
+    private final GlTF gltf;
+    private final GltfAccessors accessors;
+    private int primitives;
+    private final RawMesh.Builder mesh = new RawMesh.Builder();
+
+    GltfPrimitives(GlTF gltf, GltfAccessors accessors) {
+        this.gltf = gltf;
+        this.accessors = accessors;
+    }
+
+    RawMesh mesh() {
+        return mesh.build();
+    }
+
+    /** Ignores points, lines and primitives scaled to nothing. */
+    void add(MeshPrimitive primitive, Matrix4d place) throws IOException {
+        if (++primitives > MOST_PRIMITIVES) {
+            throw new InputException("its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
+        }
+        Map<String, Integer> attributes = primitive.getAttributes();
+        if (attributes == null || place.determinant3x3() == 0) {
+            return;
+        }
+        int mode = primitive.getMode() == null ? GL_TRIANGLES : primitive.getMode();
+        Integer positions = attributes.get("POSITION");
+        if (positions == null || mode < GL_TRIANGLES || mode > GL_TRIANGLE_FAN) {
+            return;
+        }
+        int vertices = accessors.count(positions);
+        int corners = primitive.getIndices() == null ? vertices : accessors.count(primitive.getIndices());
+        int triangles = mode == GL_TRIANGLES ? corners / 3 : Math.max(0, corners - 2);
+        mesh.requireRoom(vertices, triangles);
+        Offsets offsets = vertices(TextureCoordinates.of(gltf, primitive), attributes, vertices, place);
+        int[] indices = indices(primitive, corners, vertices);
+        boolean mirrored = place.determinant3x3() < 0;
+        for (int triangle = 0; triangle < triangles; triangle++) {
+            int[] at = corners(mode, triangle);
+            int second = at[mirrored ? 2 : 1];
+            int third = at[mirrored ? 1 : 2];
+            mesh.addFace(offsets.polygon(indices[at[0]], indices[second], indices[third]));
+        }
+    }
+
+    /** In a strip, every second triangle has two corners exchanged (glTF 2.0, 3.7.2.1). */
+    private static int[] corners(int mode, int triangle) {
+        return switch (mode) {
+            case GL_TRIANGLE_STRIP -> new int[] {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
+            case GL_TRIANGLE_FAN -> new int[] {triangle + 1, triangle + 2, 0};
+            default -> new int[] {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+        };
+    }
+
+    private int[] indices(MeshPrimitive primitive, int corners, int vertices) throws IOException {
+        double[] given = primitive.getIndices() == null ? null : accessors.read(primitive.getIndices(), 1);
+        int[] indices = new int[corners];
+        for (int i = 0; i < corners; i++) {
+            double index = given == null ? i : given[i];
+            if (!(index >= 0 && index < vertices) || index != Math.rint(index)) {
+                throw new InputException("accessor " + primitive.getIndices() + " names vertex " + index
+                        + " but there are " + vertices + "; repair the mesh or export it again");
+            }
+            indices[i] = (int) index;
+        }
+        return indices;
+    }
+
+    /** Indices of a primitive's first position, texture coordinate and normal in the mesh, or -1. */
+    private record Offsets(int position, int textureCoordinate, int normal) {
+        int[] polygon(int... vertices) {
+            int[] polygon = new int[9];
+            for (int corner = 0; corner < 3; corner++) {
+                polygon[3 * corner] = position + vertices[corner];
+                polygon[3 * corner + 1] = textureCoordinate < 0 ? -1 : textureCoordinate + vertices[corner];
+                polygon[3 * corner + 2] = normal < 0 ? -1 : normal + vertices[corner];
+            }
+            return polygon;
+        }
+    }
+
+    private Offsets vertices(TextureCoordinates texture, Map<String, Integer> attributes, int vertices, Matrix4d place)
+            throws IOException {
+        Offsets offsets = new Offsets(
+                mesh.positions(),
+                attributes.containsKey(texture.attribute()) ? mesh.textureCoordinates() : -1,
+                attributes.containsKey("NORMAL") ? mesh.normals() : -1);
+        double[] positions = read(attributes, "POSITION", 3, vertices);
+        for (int i = 0; i < vertices; i++) {
+            Vector3d position = place.transformPosition(vector(positions, 3, i));
+            mesh.addPosition(position.x, position.y, position.z);
+        }
+        if (offsets.textureCoordinate >= 0) {
+            double[] coordinates = read(attributes, texture.attribute(), 2, vertices);
+            for (int i = 0; i < vertices; i++) {
+                Vector2d uv =
+                        texture.transform.transformPosition(new Vector2d(coordinates[2 * i], coordinates[2 * i + 1]));
+                mesh.addTextureCoordinate(uv.x, 1 - uv.y);
+            }
+        }
+        if (offsets.normal >= 0) {
+            Matrix3d normalMatrix = place.normal(new Matrix3d());
+            double hand = Math.signum(place.determinant3x3());
+            double[] normals = read(attributes, "NORMAL", 3, vertices);
+            double[] tangents = attributes.containsKey("TANGENT")
+                    ? read(attributes, "TANGENT", 4, vertices)
+                    : new double[4 * vertices];
+            for (int i = 0; i < vertices; i++) {
+                Vector3d normal = normalMatrix.transform(vector(normals, 3, i));
+                mesh.addNormal(normal.x, normal.y, normal.z);
+                Vector3d tangent = place.transformDirection(vector(tangents, 4, i));
+                mesh.addTangent(tangent.x, tangent.y, tangent.z, hand * tangents[4 * i + 3]);
+            }
+        }
+        return offsets;
+    }
+
+    private double[] read(Map<String, Integer> attributes, String name, int components, int vertices)
+            throws IOException {
+        Integer accessor = attributes.get(name);
+        if (accessors.count(accessor) != vertices) {
+            throw new InputException(name + " has " + accessors.count(accessor) + " elements of " + vertices
+                    + " vertices; export it again");
+        }
+        return accessors.read(accessor, components);
+    }
+
+    private static Vector3d vector(double[] values, int perVertex, int vertex) {
+        int at = perVertex * vertex;
+        return new Vector3d(values[at], values[at + 1], values[at + 2]);
+    }
+
+    /**
+     * Texture coordinates TEXCOORD_n of the material's first texture with its KHR_texture_transform, whose v grows downwards; without a
+     * texture the first set.
+     */
+    private record TextureCoordinates(int set, Matrix3x2d transform) {
+        private static final String TRANSFORM = "KHR_texture_transform";
+
+        static TextureCoordinates of(GlTF gltf, MeshPrimitive primitive) {
+            List<Material> materials = gltf.getMaterials();
+            Integer index = primitive.getMaterial();
+            boolean hasMaterial = index != null && materials != null && index >= 0 && index < materials.size();
+            TextureInfo texture = hasMaterial ? firstTexture(materials.get(index)) : null;
+            int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
+            Map<String, Object> extensions = texture == null ? null : texture.getExtensions();
+            if (extensions == null || !extensions.containsKey(TRANSFORM)) {
+                return new TextureCoordinates(set, new Matrix3x2d());
+            }
+            if (!(extensions.get(TRANSFORM) instanceof Map<?, ?> transform)) {
+                throw damaged();
+            }
+            Object ownSet = transform.containsKey("texCoord") ? transform.get("texCoord") : set;
+            Object rotation = transform.containsKey("rotation") ? transform.get("rotation") : 0;
+            if (!(ownSet instanceof Integer number) || !(rotation instanceof Number radians)) {
+                throw damaged();
+            }
+            // Counter-clockwise in the picture, as in the extension's first example; its formula has the other sign.
+            return new TextureCoordinates(
+                    number,
+                    new Matrix3x2d()
+                            .translate(pair(transform, "offset", new Vector2d()))
+                            .rotate(-radians.doubleValue())
+                            .scale(pair(transform, "scale", new Vector2d(1))));
+        }
+
+        private static TextureInfo firstTexture(Material material) {
+            MaterialPbrMetallicRoughness surface = material.getPbrMetallicRoughness();
+            return Stream.of(
+                            surface == null ? null : surface.getBaseColorTexture(),
+                            material.getNormalTexture(),
+                            surface == null ? null : surface.getMetallicRoughnessTexture(),
+                            material.getEmissiveTexture())
+                    .filter(Objects::nonNull)
+                    .findFirst()
+                    .orElse(null);
+        }
+
+        private static Vector2d pair(Map<?, ?> transform, String key, Vector2d fallback) {
+            if (!transform.containsKey(key)) {
+                return fallback;
+            }
+            if (transform.get(key) instanceof List<?> list
+                    && list.size() == 2
+                    && list.get(0) instanceof Number x
+                    && list.get(1) instanceof Number y) {
+                return new Vector2d(x.doubleValue(), y.doubleValue());
+            }
+            throw damaged();
+        }
+
+        private static InputException damaged() {
+            return new InputException("its " + TRANSFORM + " cannot be understood; export it again without");
+        }
+
+        String attribute() {
+            return "TEXCOORD_" + set;
+        }
+    }
+}

@@ -1,0 +1,258 @@
+package sunbeam.precompute.scan;
+
+import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.awt.image.SampleModel;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.FileImageInputStream;
+
+/**
+ * Reader of pictures: samples without gamma or color management over full scale (255 for 8 bits, 65535 for 16), row 0 on top; transparent
+ * ones are missing. ImageIO decodes PNG and BMP after a check of their size.
+ */
+final class PictureReader {
+    private static final List<String> COLORS = List.of("red", "green", "blue");
+    /** Four bands of 16 bits. */
+    private static final int MOST_BYTES_PER_PIXEL = 8;
+
+    /** Position of the compression code in a BMP file, bytes. */
+    private static final int BMP_COMPRESSION = 30;
+
+    private static final int EMBEDDED_JPEG = 4;
+    private static final int EMBEDDED_PNG = 5;
+
+    /** ImageIO's names of formats by files' first characters. */
+    private static final Map<String, String> KINDS = Map.of(
+            "\u0089PNG\r\n\u001a\n", "png",
+            "II*\0", "tiff",
+            "MM\0*", "tiff",
+            "II+\0", "tiff",
+            "MM\0+", "tiff",
+            "BM", "bmp",
+            "\u00ff\u00d8\u00ff", "JPEG",
+            "GIF8", "GIF");
+
+    private static final int WHITE_IS_ZERO = 0;
+    private static final int BLACK_IS_ZERO = 1;
+    private static final int PALETTE = 3;
+    private static final int PREMULTIPLIED = 1;
+    private static final int ALPHA = 2;
+    private static final int NO_IMAGE = 1 | 4;
+
+    private static final Pattern UNIT = Pattern.compile("(?s)ImageJ=.*?\nunit=(\\V*).*");
+
+    private PictureReader() {}
+
+    private static Optional<String> kind(ScanBytes file) throws IOException {
+        String head = file.headText(8);
+        return KINDS.keySet().stream().filter(head::startsWith).map(KINDS::get).findFirst();
+    }
+
+    static boolean recognizes(ScanBytes file) throws IOException {
+        return kind(file).isPresent();
+    }
+
+    static List<ScanChannel> channels(ScanBytes file) throws IOException {
+        try {
+            String kind = kind(file).orElseThrow();
+            return kind.equals("tiff") ? tiff(file) : channels(decoded(file, kind));
+        } catch (ScanException refused) {
+            throw refused;
+        } catch (IOException | RuntimeException broken) {
+            // Decoders throw many kinds of exceptions.
+            throw new ScanException(
+                    "is damaged or of a kind that cannot be read; export the scan again as PNG or TIFF", broken);
+        }
+    }
+
+    private static BufferedImage decoded(ScanBytes file, String kind) throws IOException {
+        switch (kind) {
+            case "bmp" -> requirePlainBmp(file);
+            case "png" -> {}
+            default ->
+                throw new ScanException("is a " + kind + ", which is not exact; export the scan as PNG, TIFF or BMP");
+        }
+        ImageReader reader = ImageIO.getImageReadersByFormatName(kind).next();
+        try (FileImageInputStream in = new FileImageInputStream(file.path().toFile())) {
+            reader.setInput(in, true, true);
+            long columns = reader.getWidth(0);
+            long rows = reader.getHeight(0);
+            ScanLimits.requireSize(columns, rows);
+            ScanLimits.requireMemory(columns * rows, columns * rows * MOST_BYTES_PER_PIXEL);
+            return reader.read(0);
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    private static void requirePlainBmp(ScanBytes file) throws IOException {
+        byte[] head = file.head(BMP_COMPRESSION + 1);
+        int compression = head.length > BMP_COMPRESSION ? head[BMP_COMPRESSION] : 0;
+        if (compression == EMBEDDED_JPEG || compression == EMBEDDED_PNG) {
+            throw new ScanException("is a BMP around another image; save it as PNG or as uncompressed BMP");
+        }
+    }
+
+    private static List<ScanChannel> channels(BufferedImage image) throws IOException {
+        if (image.getColorModel() instanceof IndexColorModel palette) {
+            return channels(palette.convertToIntDiscrete(image.getRaster(), false));
+        }
+        ColorModel model = image.getColorModel();
+        int space = model.getColorSpace().getType();
+        int colors = model.getNumColorComponents();
+        if (!(space == ColorSpace.TYPE_GRAY && colors == 1) && !(space == ColorSpace.TYPE_RGB && colors == 3)) {
+            throw new ScanException("has channels that are neither gray nor RGB; save it as gray or RGB");
+        }
+        double fullScale = fullScale(image.getSampleModel());
+        List<Samples> bands = IntStream.range(0, colors)
+                .mapToObj(band -> band(image.getRaster(), band, fullScale))
+                .toList();
+        Optional<Samples> alpha =
+                model.hasAlpha() ? Optional.of(band(image.getRaster(), colors, fullScale)) : Optional.empty();
+        return channels("", bands, alpha, Extent.UNKNOWN, ScanChannel.FULL_SCALE);
+    }
+
+    private static double fullScale(SampleModel model) {
+        int[] bits = Arrays.stream(model.getSampleSize()).distinct().toArray();
+        if (bits.length > 1 || (bits[0] != 8 && bits[0] != 16)) {
+            throw new ScanException("has " + (bits.length > 1 ? "different numbers of" : bits[0])
+                    + " bits per sample; save it with 8 or 16 bits or as 32-bit float TIFF");
+        }
+        return Math.pow(2, bits[0]) - 1;
+    }
+
+    private static Samples band(Raster raster, int band, double fullScale) {
+        int columns = raster.getWidth();
+        int rows = raster.getHeight();
+        return new Samples(
+                        columns, rows, () -> raster.getSamples(0, 0, columns, rows, band, new double[columns * rows]))
+                .scale(1 / fullScale, 0);
+    }
+
+    /**
+     * Returns gray, of one band or three equal ones; red, green and blue; alpha. Samples are missing where alpha is 0.
+     *
+     * @param prefix empty or ending in a blank
+     * @param colors one or three bands
+     */
+    static List<ScanChannel> channels(
+            String prefix, List<Samples> colors, Optional<Samples> alpha, Extent extent, String unit)
+            throws IOException {
+        List<ScanChannel> channels = new ArrayList<>();
+        if (colors.size() == 1 || colorsAreEqual(colors)) {
+            channels.add(new ScanChannel(prefix + "grey", withoutTransparent(colors.get(0), alpha), extent, unit));
+        }
+        for (int color = 0; colors.size() == 3 && color < 3; color++) {
+            channels.add(new ScanChannel(
+                    prefix + COLORS.get(color), withoutTransparent(colors.get(color), alpha), extent, unit));
+        }
+        alpha.ifPresent(band -> channels.add(new ScanChannel(prefix + "alpha", band, extent, unit)));
+        return channels;
+    }
+
+    private static boolean colorsAreEqual(List<Samples> colors) throws IOException {
+        double[] red = colors.get(0).read();
+        return Arrays.equals(red, colors.get(1).read())
+                && Arrays.equals(red, colors.get(2).read());
+    }
+
+    private static Samples withoutTransparent(Samples color, Optional<Samples> alpha) {
+        return alpha.isEmpty()
+                ? color
+                : new Samples(color.columns(), color.rows(), () -> {
+                    double[] samples = color.read();
+                    double[] opacity = alpha.get().read();
+                    Arrays.setAll(samples, i -> opacity[i] == 0 ? Double.NaN : samples[i]);
+                    return samples;
+                });
+    }
+
+    /**
+     * Reads TIFF pictures: gray, RGB or with a palette, integers or floats. Each page has its own channels; reduced copies and masks are
+     * skipped. ImageJ writes pixels per unit of length as the resolution; other programs' resolutions are for printers and ignored.
+     */
+    private static List<ScanChannel> tiff(ScanBytes file) throws IOException {
+        List<TiffPage> all = TiffPage.read(file);
+        List<TiffPage> images = all.stream()
+                .filter(page -> ((int) page.number(TIFF.TAG_SUBFILE_TYPE, 0) & NO_IMAGE) == 0)
+                .toList();
+        List<TiffPage> pages = images.isEmpty() ? all.subList(0, 1) : images;
+        Matcher unit = UNIT.matcher(all.get(0).text(TIFF.TAG_IMAGE_DESCRIPTION));
+        String lengthUnit = unit.matches() ? unit.group(1).replace("\\u00B5", "u") : "";
+        List<ScanChannel> channels = new ArrayList<>(tiffPage(pages.get(0), lengthUnit, pages.size() > 1));
+        for (TiffPage page : pages.subList(1, pages.size())) {
+            try {
+                channels.addAll(tiffPage(page, lengthUnit, true));
+            } catch (ScanException unreadable) {
+                // Such as a preview; the others may do.
+            }
+        }
+        return channels;
+    }
+
+    private static List<ScanChannel> tiffPage(TiffPage page, String unit, boolean several) throws IOException {
+        int interpretation = (int) page.number(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, BLACK_IS_ZERO);
+        if (interpretation < WHITE_IS_ZERO || interpretation > PALETTE) {
+            throw new ScanException(
+                    "is a TIFF with photometric interpretation " + interpretation + "; save it as gray or RGB");
+        }
+        int extra = (int) page.number(TIFF.TAG_EXTRA_SAMPLES, 0);
+        if (extra == PREMULTIPLIED) {
+            throw new ScanException("stores colors multiplied by alpha; save it without transparency");
+        }
+        double fullScale = page.isFloat() ? 1 : Math.pow(2, page.bits()) - 1;
+        double sign = interpretation == WHITE_IS_ZERO ? -1 : 1;
+        List<Samples> bands = new ArrayList<>();
+        for (int band = 0; band < page.bands(); band++) {
+            Samples samples = page.samples(band);
+            if (interpretation == PALETTE && band == 0) {
+                bands.addAll(palette(samples, page.numbers(TIFF.TAG_COLOR_MAP)));
+            } else {
+                bands.add(samples.scale(sign / fullScale, interpretation == WHITE_IS_ZERO ? 1 : 0));
+            }
+        }
+        int colors = interpretation > BLACK_IS_ZERO ? 3 : 1;
+        if (bands.size() < colors) {
+            throw new ScanException("has " + bands.size() + " channels where 3 colors are announced; export it again");
+        }
+        boolean alpha = extra == ALPHA && bands.size() > colors;
+        return channels(
+                several ? "page " + (page.index() + 1) + " " : "",
+                bands.subList(0, colors),
+                alpha ? Optional.of(bands.get(colors)) : Optional.empty(),
+                extent(page, unit, bands.get(0)),
+                page.isFloat() ? "" : ScanChannel.FULL_SCALE);
+    }
+
+    /** Palettes have 16 bits; some programs write 8. */
+    private static List<Samples> palette(Samples indices, double[] palette) {
+        int length = palette.length / 3;
+        double fullScale = Arrays.stream(palette).max().orElse(0) > 255 ? 65_535 : 255;
+        return IntStream.range(0, 3)
+                .mapToObj(color -> indices.map(
+                        index -> index < length ? palette[color * length + (int) index] / fullScale : Double.NaN))
+                .toList();
+    }
+
+    private static Extent extent(TiffPage page, String unit, Samples samples) {
+        double perUnitX = page.number(TIFF.TAG_X_RESOLUTION, 0);
+        double perUnitY = page.number(TIFF.TAG_Y_RESOLUTION, perUnitX);
+        return Extent.metersPer(unit).isPresent() && perUnitX > 0 && perUnitY > 0
+                ? Extent.ofPitches(1 / perUnitX, 1 / perUnitY, unit, samples)
+                : Extent.UNKNOWN;
+    }
+}

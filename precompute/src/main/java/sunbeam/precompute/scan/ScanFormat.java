@@ -1,0 +1,82 @@
+package sunbeam.precompute.scan;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * File format of scans, found by content. A new reader needs one line in {@link #ALL}.
+ *
+ * @param name for messages, such as "Gwyddion (.gwy)"
+ */
+public record ScanFormat(String name, Check check, Opener opener) {
+    private static final ScanFormat PICTURE =
+            new ScanFormat("image", PictureReader::recognizes, PictureReader::channels);
+
+    /** In the order of their checks; text and pictures come last. */
+    private static final List<ScanFormat> ALL = List.of(
+            ScanFormat.of("Gwyddion (.gwy)", GwyddionReader::channels, "GWYP", "GWYO"),
+            ScanFormat.of("Gwyddion Simple Field (.gsf)", GwyddionReader::simpleField, "Gwyddion Simple Field 1.0\n"),
+            ScanFormat.of(
+                    "Bruker Nanoscope",
+                    NanoscopeReader::channels,
+                    "\\*File list",
+                    "\\*EC File list",
+                    "\\*Force file list"),
+            ScanFormat.of("Nanosurf (.nid)", TextHeaderReaders::nanosurf, "[DataSet]"),
+            new ScanFormat("WSxM", TextHeaderReaders::isWsxm, TextHeaderReaders::wsxm),
+            ScanFormat.of("Molecular Imaging (.mi)", TextHeaderReaders::agilent, "fileType      Image"),
+            ScanFormat.of("Digital Surf (.sur)", BinaryHeaderReaders::digitalSurf, "DIGITAL SURF", "DSCOMPRESSED"),
+            new ScanFormat("ISO 25178-71 (.sdf)", SurfaceDataReaders::isSdf, SurfaceDataReaders::sdf),
+            ScanFormat.of("NumPy (.npy)", BinaryHeaderReaders::numpy, "\u0093NUMPY"),
+            new ScanFormat("ISO 25178-72 (.x3p)", SurfaceDataReaders::isX3p, SurfaceDataReaders::x3p),
+            new ScanFormat("JPK", TiffTagReaders::isJpk, TiffTagReaders::jpk),
+            new ScanFormat("Park Systems TIFF", TiffTagReaders::isPark, TiffTagReaders::park),
+            new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave));
+
+    /** Fast test; throws no exception for any content. */
+    @FunctionalInterface
+    public interface Check {
+        boolean recognizes(ScanBytes file) throws IOException;
+    }
+
+    @FunctionalInterface
+    public interface Opener {
+        /**
+         * Reads the channels from the header; their samples can be read while the file is open.
+         *
+         * @throws ScanException if the file cannot be used
+         */
+        List<ScanChannel> channels(ScanBytes file) throws IOException;
+    }
+
+    private static ScanFormat of(String name, Opener opener, String... magics) {
+        return new ScanFormat(name, file -> file.startsWith(magics), opener);
+    }
+
+    public ChannelList open(ScanBytes file) throws IOException {
+        return new ChannelList(opener.channels(file));
+    }
+
+    /**
+     * Finds the reader of a file by its content.
+     *
+     * @param mark the user's choice for texts
+     */
+    public static Optional<ScanFormat> find(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
+        for (ScanFormat reader : ALL) {
+            if (reader.check().recognizes(file)) {
+                return Optional.of(reader);
+            }
+        }
+        TextReader text = new TextReader(mark);
+        if (text.recognizes(file)) {
+            return Optional.of(new ScanFormat("text", text::recognizes, text::channels));
+        }
+        return PICTURE.check().recognizes(file) ? Optional.of(PICTURE) : Optional.empty();
+    }
+
+    public boolean isPicture() {
+        return equals(PICTURE);
+    }
+}

@@ -1,0 +1,190 @@
+package sunbeam.precompute.scan;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.StringTokenizer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Text file with numbers: its header, encoding and decimal mark.
+ *
+ * @param charset UTF-16 by its byte order mark, else UTF-8 if the first bytes are valid in it, else Latin-1
+ * @param header lines before the first line of numbers
+ * @param decimalComma whether 1,5 is one and a half
+ */
+record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
+    private static final int LONGEST_HEADER = 1 << 18;
+
+    private static final Pattern NUMBER =
+            Pattern.compile("[+\u2212-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+\u2212-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
+    // Commas are decimal marks between digits (FRACTION), never before a sign (SIGNED), if others separate the numbers
+    // (SEPARATED).
+    private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
+    private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
+    private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
+
+    /**
+     * Recognizes a text; empty without a line of numbers in its first 256 KB.
+     *
+     * @param mark the user's choice; without one, decimal commas are detected
+     */
+    static Optional<TextFile> of(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
+        byte[] bytes = file.head(LONGEST_HEADER);
+        Charset charset = charset(bytes);
+        String head = withoutCutWord(new String(bytes, charset), bytes.length < file.size());
+        if (!isText(head)) {
+            return Optional.empty();
+        }
+        List<String> header = new ArrayList<>();
+        for (String line : head.lines().toList()) {
+            // Commas separate numbers, or are decimal marks within them.
+            if (areNumbers(line, " \t;,\"\f\ufeff") || areNumbers(line, " \t;\"\f\ufeff")) {
+                boolean comma = mark.map(TextReader.DecimalMark.COMMA::equals)
+                        .orElseGet(() -> hasDecimalCommas(
+                                head.lines().skip(header.size()).collect(Collectors.joining("\n"))));
+                return Optional.of(new TextFile(file, charset, header, comma));
+            }
+            header.add(line.startsWith("\ufeff") ? line.substring(1) : line);
+        }
+        return Optional.empty();
+    }
+
+    private static boolean areNumbers(String line, String separators) {
+        StringTokenizer words = new StringTokenizer(line, separators);
+        boolean some = words.hasMoreTokens();
+        while (words.hasMoreTokens()) {
+            if (!NUMBER.matcher(words.nextToken()).matches()) {
+                return false;
+            }
+        }
+        return some;
+    }
+
+    private static Charset charset(byte[] head) {
+        boolean utf16 = head.length > 1 && (head[0] & 0xff) + (head[1] & 0xff) == 0xff + 0xfe;
+        if (utf16) {
+            return head[0] == (byte) 0xff ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_16BE;
+        }
+        // The first bytes may end within a character.
+        boolean broken = StandardCharsets.UTF_8
+                .newDecoder()
+                .decode(ByteBuffer.wrap(head), CharBuffer.allocate(head.length), false)
+                .isError();
+        return broken ? StandardCharsets.ISO_8859_1 : StandardCharsets.UTF_8;
+    }
+
+    private static boolean isText(String head) {
+        return !head.isEmpty()
+                && head.chars().allMatch(c -> c >= ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f');
+    }
+
+    /** Removes the last word, which may be cut off. */
+    private static String withoutCutWord(String head, boolean cut) {
+        int end = head.length();
+        while (cut && end > 0 && " \t;,\r\n".indexOf(head.charAt(end - 1)) < 0) {
+            end--;
+        }
+        return head.substring(0, end);
+    }
+
+    private static boolean hasDecimalCommas(String numbers) {
+        return numbers.indexOf('.') < 0
+                && FRACTION.matcher(numbers).find()
+                && SEPARATED.matcher(numbers).find()
+                && !SIGNED.matcher(numbers).find();
+    }
+
+    TextNumbers numbers() throws IOException {
+        // A single line, which is held as text, may contain all numbers.
+        ScanLimits.requireMemory(0, file.size());
+        BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
+        for (int line = 0; line < header.size(); line++) {
+            reader.readLine();
+        }
+        return TextNumbers.read(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
+    }
+
+    Facts facts() {
+        return Facts.of(header);
+    }
+
+    /** Facts of a text's header, under the keys of Gwyddion, SPIP, Park's XEI and WSxM. */
+    record Facts(String channel, Optional<Integer> columns, Optional<Integer> rows, Extent extent, String unit) {
+        private static final Pattern LINE =
+                Pattern.compile("[#%;*/\\s\"]*([^:=]{1,60}?)\\s*[:=]\\s*(.{0,200}?)[\\s\"]*");
+
+        private static final List<String> CHANNEL = List.of("channel", "name", "title");
+        private static final List<String> COLUMNS = List.of("x-pixels", "image width", "columns", "number of columns");
+        private static final List<String> ROWS = List.of("y-pixels", "image height", "rows", "number of rows");
+        private static final List<String> WIDTH =
+                List.of("width", "real width", "x-length", "x amplitude", "scan size x");
+        private static final List<String> HEIGHT =
+                List.of("height", "real height", "y-length", "y amplitude", "scan size y");
+        private static final List<String> SIDE_UNIT = List.of("x-unit", "xy-unit", "xyunits", "length unit");
+        private static final List<String> UNIT =
+                List.of("value units", "z-unit", "z unit", "zunits", "data unit", "height unit", "unit", "units");
+
+        private static Facts of(List<String> lines) {
+            Header header = new Header();
+            List<String> inOrder = new ArrayList<>();
+            for (String line : lines) {
+                Matcher matcher = LINE.matcher(line);
+                if (matcher.matches()) {
+                    header.put(matcher.group(1).toLowerCase(Locale.ROOT), matcher.group(2));
+                    inOrder.add(matcher.group(2));
+                }
+            }
+            // SPIP's own files give lengths in nm without a unit.
+            boolean spip =
+                    lines.stream().anyMatch(line -> line.contains("SPIP") || line.contains("File Format = ASCII"));
+            String sideUnit = first(header, SIDE_UNIT).flatMap(header::find).orElse(spip ? "nm" : "");
+            Optional<Double> width = first(header, WIDTH).flatMap(key -> header.meters(key, sideUnit));
+            Optional<Double> height = first(header, HEIGHT).flatMap(key -> header.meters(key, sideUnit));
+            Optional<String> unit = first(header, UNIT).flatMap(header::find);
+            if (width.isEmpty() || unit.isEmpty()) {
+                Optional<Facts> translated = inOrder(inOrder);
+                if (translated.isPresent()) {
+                    return translated.get();
+                }
+            }
+            return new Facts(
+                    first(header, CHANNEL).flatMap(header::find).orElse(""),
+                    first(header, COLUMNS).map(header::count),
+                    first(header, ROWS).map(header::count),
+                    new Extent(width, height, 1),
+                    unit.orElse(""));
+        }
+
+        /** Gwyddion's four lines (channel, width, height, unit) have keys in the user's language. */
+        private static Optional<Facts> inOrder(List<String> values) {
+            if (values.size() != 4) {
+                return Optional.empty();
+            }
+            Optional<Double> width = Header.Quantity.of(values.get(1)).flatMap(some -> some.meters(""));
+            Optional<Double> height = Header.Quantity.of(values.get(2)).flatMap(some -> some.meters(""));
+            return width.isPresent() && height.isPresent()
+                    ? Optional.of(new Facts(
+                            values.get(0),
+                            Optional.empty(),
+                            Optional.empty(),
+                            new Extent(width, height, 1),
+                            values.get(3)))
+                    : Optional.empty();
+        }
+
+        private static Optional<String> first(Header header, List<String> names) {
+            return names.stream().filter(name -> header.find(name).isPresent()).findFirst();
+        }
+    }
+}

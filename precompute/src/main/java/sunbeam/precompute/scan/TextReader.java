@@ -1,0 +1,211 @@
+package sunbeam.precompute.scan;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import sunbeam.precompute.text.Text;
+
+/**
+ * Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid.
+ *
+ * @param decimalMark the user's choice; empty to detect it
+ */
+public record TextReader(Optional<DecimalMark> decimalMark) {
+    /** If it is a point, commas separate numbers. */
+    public enum DecimalMark {
+        POINT,
+        COMMA
+    }
+
+    private static final int POINT = 3;
+    /** Lines from which on three numbers each must be points, no matrix. */
+    private static final int SURELY_POINTS = 16;
+
+    /** Evenly spaced numbers from which on they count as coordinates. */
+    private static final int FEWEST_EVENLY_SPACED = 8;
+    // Share of the step; files round numbers.
+    private static final double ROUNDING = 0.2;
+
+    private static final Pattern AXES = Pattern.compile(
+            "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+z\\s*[\\[(]([^\\])]+)[\\])].*");
+
+    public boolean recognizes(ScanBytes file) throws IOException {
+        return TextFile.of(file, decimalMark).isPresent();
+    }
+
+    /** @throws ScanException if the file cannot be used */
+    public List<ScanChannel> channels(ScanBytes file) throws IOException {
+        TextFile text = TextFile.of(file, decimalMark).orElseThrow();
+        TextFile.Facts facts = text.facts();
+        TextNumbers numbers = text.numbers();
+        boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
+        if (!matrix && numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT) {
+            Optional<ScanChannel> points = points(text, numbers);
+            if (points.isPresent()) {
+                return List.of(points.get());
+            }
+        }
+        return List.of(matrix(facts, numbers));
+    }
+
+    private static ScanChannel matrix(TextFile.Facts facts, TextNumbers numbers) {
+        if (facts.columns().isEmpty()) {
+            numbers.requireRectangular();
+        }
+        int columns = facts.columns().orElse(numbers.columns());
+        boolean announced = facts.columns().isPresent() && facts.rows().isPresent();
+        int rows = announced ? facts.rows().get() : numbers.count() / columns;
+        if ((long) columns * rows != numbers.count()) {
+            throw new ScanException("has " + numbers.count() + " numbers where its header announces " + columns + " x "
+                    + rows + "; export it again");
+        }
+        Samples samples = new Samples(columns, rows, () -> {
+            double[] heights = numbers.first(numbers.count());
+            refuseCoordinates(heights, columns, rows);
+            return heights;
+        });
+        return new ScanChannel(facts.channel(), samples, facts.extent(), facts.unit());
+    }
+
+    /** Refuses profiles, and a first column or row of coordinates or row numbers. */
+    private static void refuseCoordinates(double[] heights, int columns, int rows) {
+        if (columns == 2 && rows > 2) {
+            throw new ScanException(
+                    "has two columns, places and heights: a profile is no surface; export the whole image");
+        }
+        // The corner, where the first column and row meet, is left out.
+        if (columns > 1
+                && isEvenlySpaced(heights, columns, columns, rows - 1)
+                && !isEvenlySpaced(heights, columns + 1, columns, rows - 1)) {
+            throw coordinates("column");
+        }
+        if (rows > 1
+                && isEvenlySpaced(heights, 1, 1, columns - 1)
+                && !isEvenlySpaced(heights, columns + 1, 1, columns - 1)) {
+            throw coordinates("row");
+        }
+    }
+
+    private static ScanException coordinates(String line) {
+        return new ScanException("has a first " + line + " that counts evenly, as places or numbers of rows do, beside"
+                + " others that do not; remove it, so that only heights are left");
+    }
+
+    private static boolean isEvenlySpaced(double[] numbers, int first, int stride, int count) {
+        int last = first + (count - 1) * stride;
+        if (count < FEWEST_EVENLY_SPACED || last >= numbers.length) {
+            return false;
+        }
+        double step = (numbers[last] - numbers[first]) / (count - 1);
+        boolean even = Math.abs(step) > 0;
+        for (int i = 0; i < count && even; i++) {
+            double off = numbers[first + i * stride] - numbers[first] - i * step;
+            even = Math.abs(off) <= ROUNDING * Math.abs(step);
+        }
+        return even;
+    }
+
+    private static Optional<ScanChannel> points(TextFile text, TextNumbers numbers) {
+        Optional<PointGrid> found = PointGrid.of(numbers.column(0), numbers.column(1), numbers.column(2));
+        if (found.isEmpty()) {
+            if (numbers.rows() >= SURELY_POINTS) {
+                throw new ScanException("has three numbers a line whose first two are no points of a grid; interpolate"
+                        + " the points in Gwyddion and export a matrix or .gwy");
+            }
+            return Optional.empty();
+        }
+        PointGrid grid = found.get();
+        Optional<Matcher> axes = text.header().stream()
+                .map(AXES::matcher)
+                .filter(Matcher::matches)
+                .findFirst();
+        String unitX = axes.map(matcher -> matcher.group(1)).orElse("");
+        double metersX = Extent.metersPer(unitX).orElse(1.0);
+        double metersY =
+                axes.flatMap(matcher -> Extent.metersPer(matcher.group(2))).orElse(1.0);
+        Samples samples = new Samples(
+                grid.axisX().count(), grid.axisY().count(), () -> grid.heights().clone());
+        Extent extent =
+                Extent.ofPitches(grid.axisX().pitch(), grid.axisY().pitch() * metersY / metersX, unitX, samples);
+        return Optional.of(new ScanChannel(
+                "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse("")));
+    }
+
+    /**
+     * Grid of points x y z, listed in any order.
+     *
+     * @param axisY axis of the rows; row 0 has the largest y
+     * @param heights heights row by row, NaN for cells without a point
+     */
+    record PointGrid(Axis axisX, Axis axisY, double[] heights) {
+        /** In pitches. Coordinates closer than twice this share of the largest gap belong to one line; files round them. */
+        private static final double MOST_OFF = 0.05;
+
+        private static final double MOST_MISSING = 0.5;
+
+        /** Equidistant coordinates in ascending order, in the file's unit. */
+        record Axis(double first, double pitch, int count) {
+            int index(double coordinate) {
+                return (int) Math.round((coordinate - first) / pitch);
+            }
+
+            static Optional<Axis> of(double[] coordinates) {
+                double[] sorted = coordinates.clone();
+                Arrays.sort(sorted);
+                double least = sorted[0];
+                double range = sorted[sorted.length - 1] - least;
+                if (!(range > 0) || !Double.isFinite(range)) {
+                    return Optional.empty();
+                }
+                double largest = 0;
+                for (int i = 1; i < sorted.length; i++) {
+                    largest = Math.max(largest, sorted[i] - sorted[i - 1]);
+                }
+                double sameLine = 2 * MOST_OFF * largest;
+                int steps = (int) IntStream.range(1, sorted.length)
+                        .filter(i -> sorted[i] - sorted[i - 1] > sameLine)
+                        .count();
+                Axis axis = new Axis(least, range / steps, steps + 1);
+                return Arrays.stream(sorted).allMatch(axis::isOnLine) ? Optional.of(axis) : Optional.empty();
+            }
+
+            private boolean isOnLine(double coordinate) {
+                double position = (coordinate - first) / pitch;
+                return Math.abs(position - Math.rint(position)) <= MOST_OFF;
+            }
+        }
+
+        /** @throws ScanException if two points share a cell */
+        static Optional<PointGrid> of(double[] x, double[] y, double[] z) {
+            Optional<Axis> columns = Axis.of(x);
+            Optional<Axis> rows = columns.isEmpty() ? Optional.empty() : Axis.of(y);
+            if (rows.isEmpty()) {
+                return Optional.empty();
+            }
+            Axis axisX = columns.get();
+            Axis axisY = rows.get();
+            long cells = (long) axisX.count * axisY.count;
+            if (cells > x.length / MOST_MISSING) {
+                return Optional.empty();
+            }
+            double[] heights = new double[(int) cells];
+            boolean[] taken = new boolean[heights.length];
+            Arrays.fill(heights, Double.NaN);
+            for (int i = 0; i < x.length; i++) {
+                int row = axisY.count - 1 - axisY.index(y[i]);
+                int cell = row * axisX.count + axisX.index(x[i]);
+                if (taken[cell]) {
+                    throw new ScanException(Text.format(
+                            "has two points at x = %s, y = %s; export the scan as a matrix or as .gwy", x[i], y[i]));
+                }
+                taken[cell] = true;
+                heights[cell] = z[i];
+            }
+            return Optional.of(new PointGrid(axisX, axisY, heights));
+        }
+    }
+}

@@ -1,0 +1,246 @@
+package sunbeam.precompute.scan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.Supplier;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** All formats give the same surface, and damaged files a complaint only. */
+class ScanFormatTest {
+    /** Seven digits of 500 nm, as 32-bit floats have. */
+    private static final double ROUNDING = 5e-14;
+
+    @TempDir
+    Path folder;
+
+    static Collection<String> formats() {
+        return TestScans.FORMATS;
+    }
+
+    private Path file(byte[] content) throws IOException {
+        // No extension: formats are found by content.
+        return Files.write(folder.resolve("scan"), content);
+    }
+
+    @ParameterizedTest
+    @MethodSource("formats")
+    void readsTheHeightsTheirSizeAndWhichWayIsUp(String format) throws IOException {
+        try (ScanBytes bytes = ScanBytes.open(file(TestScans.file(format)))) {
+            ChannelList channels = TestScans.channels(bytes);
+            ScanChannel channel = channels.channels().get(channels.heights().orElseThrow());
+
+            assertThat(channel.columns()).isEqualTo(TestScans.COLUMNS);
+            assertThat(channel.rows()).isEqualTo(TestScans.ROWS);
+            assertThat(channel.extent().width().orElseThrow()).isCloseTo(TestScans.WIDTH, within(1e-6 * 1e-6));
+            assertThat(channel.extent().height().orElseThrow()).isCloseTo(TestScans.HEIGHT, within(1e-6 * 1e-6));
+            double meters = channel.metersPerUnit().orElseThrow();
+            assertThat(Arrays.stream(channel.samples().read())
+                            .map(s -> s * meters)
+                            .toArray())
+                    .containsExactly(TestScans.meters(), within(ROUNDING));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("formats")
+    void refusesATruncatedFile(String format) throws IOException {
+        byte[] whole = TestScans.file(format);
+        for (int length = 0; length < whole.length - 1; length += 1 + whole.length / 60) {
+            int cut = length;
+            assertReadOrRefused(Arrays.copyOf(whole, length), () -> format + " cut to " + cut);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("formats")
+    void damagedFilesAreRefusedWithoutACrash(String format) throws IOException {
+        byte[] whole = TestScans.file(format);
+        Random random = new Random(12);
+        for (int trial = 0; trial < 150; trial++) {
+            byte[] damaged = whole.clone();
+            int number = trial;
+            for (int hit = 0; hit <= trial % 4; hit++) {
+                // Every other trial damages the header.
+                int reach = trial % 2 == 0 ? Math.min(600, whole.length) : whole.length;
+                damaged[random.nextInt(reach)] = (byte) (trial % 3 == 0 ? 0xff : random.nextInt(256));
+            }
+            assertReadOrRefused(damaged, () -> format + ", trial " + number);
+        }
+    }
+
+    /** Reads every channel; complaints are allowed. */
+    private void assertReadOrRefused(byte[] content, Supplier<String> what) throws IOException {
+        try (ScanBytes bytes = ScanBytes.open(file(content))) {
+            ScanFormat reader = ScanFormat.find(bytes, Optional.empty()).orElse(null);
+            if (reader == null) {
+                return;
+            }
+            for (ScanChannel channel : reader.open(bytes).channels()) {
+                channel.samples().read();
+            }
+        } catch (ScanException complaint) {
+            assertThat(complaint.getMessage()).as(what).doesNotContain("\n").hasSizeBetween(10, 400);
+        } catch (RuntimeException | OutOfMemoryError crash) {
+            throw new AssertionError(what.get() + " crashes", crash);
+        }
+    }
+
+    private void assertRefused(byte[] content, String... complaints) throws IOException {
+        Path file = Files.write(folder.resolve("scan"), content);
+        assertThatThrownBy(() -> {
+                    try (ScanBytes bytes = ScanBytes.open(file)) {
+                        for (ScanChannel channel : TestScans.channels(bytes).channels()) {
+                            channel.samples().read();
+                        }
+                    }
+                })
+                .isInstanceOf(ScanException.class)
+                .satisfies(e -> assertThat(e.getMessage()).contains(complaints).doesNotContain("\n"));
+    }
+
+    private static byte[] zip(String xml, byte[] samples) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
+            zip.putNextEntry(new ZipEntry("bindata/data.bin"));
+            zip.write(samples);
+            zip.putNextEntry(new ZipEntry("main.xml"));
+            zip.write(xml.getBytes(StandardCharsets.UTF_8));
+        }
+        return bytes.toByteArray();
+    }
+
+    private static byte[] ascii(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+
+    @Test
+    void aHeaderCannotAskForMoreThanTheFileHas() throws IOException {
+        String huge = new String(TestScans.file("gsf"), StandardCharsets.ISO_8859_1);
+        assertRefused(
+                huge.replace("XRes = 7", "XRes = 9").getBytes(StandardCharsets.ISO_8859_1),
+                "ends after",
+                "copy or export");
+        assertRefused(huge.replace("XRes = 7", "XRes = 99999999999").getBytes(StandardCharsets.ISO_8859_1), "XRes");
+    }
+
+    @Test
+    void aTextOfTooManyNumbersIsRefusedByItsCount() throws IOException {
+        // 20000 numbers in each of two rows.
+        assertRefused(ascii("1 ".repeat(20_000) + "\n" + "2 ".repeat(20_000) + "\n"), "20000 x 2 samples", "crop");
+    }
+
+    @Test
+    void aTextWithRaggedRowsIsRefusedByTheLine() throws IOException {
+        assertRefused(ascii("1 2 3\n4 5 6\n7 8\n"), "2 numbers in line 3, but 3 in its first row");
+        assertRefused(ascii("1 2 3\n4 x 6\n"), "\"x\" in line 2");
+    }
+
+    @Test
+    void thousandsOfChannelsAreRefused() throws IOException {
+        byte[] wave = TestScans.file("ibw");
+        ByteBuffer.wrap(wave).order(ByteOrder.LITTLE_ENDIAN).putInt(64 + 76, 5000);
+        int sum = 0;
+        for (int i = 4; i < 384; i += 2) {
+            sum += (wave[i] & 0xff) | (wave[i + 1] << 8);
+        }
+        ByteBuffer.wrap(wave).order(ByteOrder.LITTLE_ENDIAN).putShort(2, (short) (-sum - 5));
+        assertRefused(wave, "5000 channels", "at most 256");
+    }
+
+    @Test
+    void pagesInACircleAreReadOnce() throws IOException {
+        byte[] tiff = TestScans.file("jpk");
+        ByteBuffer bytes = ByteBuffer.wrap(tiff).order(ByteOrder.BIG_ENDIAN);
+        int tags = bytes.getShort(8);
+        bytes.putInt(8 + 2 + 12 * tags, 8);
+        assertRefused(tiff, "holds no channel");
+    }
+
+    @Test
+    void anArchiveThatUnpacksToFarMoreIsNotUnpacked() throws IOException {
+        // 64 MB of blanks take 64 KB in the archive.
+        String xml = "<?xml version=\"1.0\"?><p>" + " ".repeat(1 << 26) + "</p>";
+        assertRefused(zip(xml, new byte[4]), "longer than 1 MB");
+    }
+
+    @Test
+    void archivesCannotNameFilesOutside() throws IOException {
+        String xml = "<?xml version=\"1.0\"?><!DOCTYPE p [<!ENTITY e SYSTEM \"file:///etc/hostname\">]><p>&e;</p>";
+        assertRefused(zip(xml, new byte[4]), "export it again");
+        String outside = "<p><Axes><CX><Increment>1e-7</Increment></CX><CY><Increment>1e-7</Increment></CY>"
+                + "<CZ><DataType>D</DataType></CZ></Axes><MatrixDimension><SizeX>2</SizeX><SizeY>2</SizeY></MatrixDimension>"
+                + "<DataLink><PointDataLink>../../etc/passwd</PointDataLink></DataLink></p>";
+        assertRefused(zip(outside, new byte[32]), "no bytes of ../../etc/passwd, where its matrix takes 32");
+    }
+
+    @Test
+    void pointsOnNoGridAreRefused() throws IOException {
+        StringBuilder points = new StringBuilder();
+        for (int i = 0; i < 40; i++) {
+            points.append("%d %d %d\n".formatted(i * i % 37, i * 17 % 41, i));
+        }
+        assertRefused(ascii(points.toString()), "no points of a grid");
+        assertRefused(ascii("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 1 2\n"), "two points");
+    }
+
+    /** The bits of 1, -2, 2^-24 (the smallest), 65504 (the largest), infinity and NaN. */
+    private static final short[] HALVES = {0x3c00, (short) 0xc000, 0x0001, 0x7bff, 0x7c00, 0x7e00};
+
+    private Path numpyFile(String type, String shape) throws IOException {
+        byte[] header = ("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n")
+                .getBytes(StandardCharsets.US_ASCII);
+        ByteBuffer numpyFile = ByteBuffer.allocate(10 + header.length + 2 * HALVES.length)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .put("\u0093NUMPY\u0001\u0000".getBytes(StandardCharsets.ISO_8859_1))
+                .putShort((short) header.length)
+                .put(header)
+                .order(type.startsWith(">") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+        for (short half : HALVES) {
+            numpyFile.putShort(half);
+        }
+        return Files.write(folder.resolve("scan.npy"), numpyFile.array());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "f8 | (9999999999, 128) | has 128 x 9999999999 samples; at most",
+                "u8 | (2, 3)            | numbers of type u8, which is not read; save a.astype('float64')",
+            },
+            quoteCharacter = '"')
+    void namesTheRemedy(String type, String shape, String complaint) throws IOException {
+        try (ScanBytes bytes = ScanBytes.open(numpyFile("<" + type, shape))) {
+            assertThatThrownBy(() -> BinaryHeaderReaders.numpy(bytes)).hasMessageContaining(complaint);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"<", ">"})
+    void readsHalfFloats(String order) throws IOException {
+        try (ScanBytes bytes = ScanBytes.open(numpyFile(order + "f2", "(2, 3)"))) {
+            assertThat(BinaryHeaderReaders.numpy(bytes).get(0).samples().read())
+                    .containsExactly(1, -2, Math.pow(2, -24), 65504, Double.POSITIVE_INFINITY, Double.NaN);
+        }
+    }
+}

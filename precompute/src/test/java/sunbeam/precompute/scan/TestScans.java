@@ -1,0 +1,60 @@
+package sunbeam.precompute.scan;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.List;
+import java.util.Optional;
+
+/** One surface, asymmetric, not square, in whole nanometers, as a file in every readable format, written as documented. */
+final class TestScans {
+    static final int COLUMNS = 7;
+    static final int ROWS = 5;
+    static final double WIDTH = 3.5e-6;
+    static final double HEIGHT = 2e-6;
+    /** Names of the files in the resources' folder {@code field}. */
+    static final List<String> FORMATS = List.of(
+            "gwy",
+            "gsf",
+            "gwyddion-text",
+            "gwyddion-text-german",
+            "spip-text",
+            "points",
+            "nanoscope",
+            "nanoscope-32",
+            // Samples of 32 bits, while the header gives the number of steps of 16 bits.
+            "nanoscope-32-of-16",
+            "ibw",
+            "nid",
+            "stp",
+            "top",
+            "jpk",
+            "jpk-qi-image",
+            "park",
+            "sdf-text",
+            "sdf-binary",
+            "x3p",
+            "sur",
+            "mi");
+
+    private TestScans() {}
+
+    /** Returns meters, row by row from the top. */
+    static double[] meters() {
+        double[] meters = new double[COLUMNS * ROWS];
+        for (int i = 0; i < meters.length; i++) {
+            int column = i % COLUMNS;
+            meters[i] = 1e-9 * (100 * (i / COLUMNS) + column * column - 150);
+        }
+        return meters;
+    }
+
+    static byte[] file(String format) throws IOException {
+        try (InputStream file = TestScans.class.getResourceAsStream("field/" + format)) {
+            return file.readAllBytes();
+        }
+    }
+
+    static ChannelList channels(ScanBytes bytes) throws IOException {
+        return ScanFormat.find(bytes, Optional.empty()).orElseThrow().open(bytes);
+    }
+}

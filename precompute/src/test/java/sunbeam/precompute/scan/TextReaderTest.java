@@ -1,0 +1,227 @@
+package sunbeam.precompute.scan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.IntBinaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Texts as written by people and programs. */
+class TextReaderTest {
+    private static final int SIDE = 16;
+
+    @TempDir
+    private Path folder;
+
+    private double[] read(String text) throws IOException {
+        return read(text, Optional.empty());
+    }
+
+    /** Of a matrix of two rows or more. */
+    private double[] read(String text, Optional<TextReader.DecimalMark> mark) throws IOException {
+        try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), text))) {
+            return new TextReader(mark).channels(file).get(0).samples().read();
+        }
+    }
+
+    private static String matrix(int rows, int columns, IntBinaryOperator ofRowAndColumn) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < rows * columns; i++) {
+            text.append(ofRowAndColumn.applyAsInt(i / columns, i % columns))
+                    .append((i + 1) % columns == 0 ? '\n' : '\t');
+        }
+        return text.toString();
+    }
+
+    private static int height(int row, int column) {
+        return (int) (400 * Math.sin(0.9 * column + 0.1 * row));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "1,5 -2,25\n3 4,75\n",
+                "1.5 \u22122.25\n3 4.75\n",
+                "1.5D+00 -2.25d0\n0.3D+01 47.5D\u221201\n",
+                "1,5;-2,25\n3;4,75\n",
+                "1,5, -2,25\n3, 4,75\n",
+                "1,5, -2,25,\n3, 4,75,\n",
+                "1,5,\t-2,25\r\n3,\t4,75\r\n",
+                "1.5,-2.25\n3,4.75\n",
+                "1.5, -2.25\n3, 4.75\n"
+            })
+    void fourNumbersAreReadHoweverTheyAreWritten(String text) throws IOException {
+        assertThat(read(text)).containsExactly(1.5, -2.25, 3, 4.75);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1,5,-2,25\n3,0,4,75\n", "1, 5, -2, 25\n3, 0, 4, 75\n"})
+    void commasBetweenWholeNumbersSeparateThem(String text) throws IOException {
+        assertThat(read(text)).containsExactly(1, 5, -2, 25, 3, 0, 4, 75);
+    }
+
+    @Test
+    void chosenDecimalMarksDecide() throws IOException {
+        assertThat(read("1,5 2,5\n3,5 4,5\n", Optional.of(TextReader.DecimalMark.POINT)))
+                .containsExactly(1, 5, 2, 5, 3, 5, 4, 5);
+        assertThat(read("1,5\n2,5\n", Optional.of(TextReader.DecimalMark.COMMA)))
+                .containsExactly(1.5, 2.5);
+        assertThatThrownBy(() -> read("1 2\n3 4,x\n"))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining("\"x\" in line 2");
+    }
+
+    @Test
+    void emptyFieldsAreMissingSamples() throws IOException {
+        assertThat(read("1;2;3\n4;;6\n7; ;9\n10;nan;12\n"))
+                .containsExactly(1, 2, 3, 4, Double.NaN, 6, 7, Double.NaN, 9, 10, Double.NaN, 12);
+    }
+
+    @Test
+    void numbersOfRowsAndPlacesAreNoHeights() {
+        assertThatThrownBy(() -> read(matrix(SIDE, SIDE, (row, column) -> column == 0 ? row : height(row, column))))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining("first column that counts");
+        // Rounded, descending, with a word in the corner.
+        assertThatThrownBy(() -> read(matrix(
+                        SIDE,
+                        SIDE,
+                        (row, column) -> column == 0 && row > 0
+                                ? (int) (7.8 * (SIDE - row))
+                                : row == 0 ? 9 * column : height(row, column))))
+                .hasMessageContaining("first column that counts");
+        assertThatThrownBy(() -> read(matrix(SIDE, SIDE, (row, column) -> row == 0 ? column : height(row, column))))
+                .hasMessageContaining("first row that counts");
+    }
+
+    @Test
+    void aProfileIsNoSurface() {
+        assertThatThrownBy(() -> read(matrix(3, 2, (row, column) -> column == 0 ? row * row : height(row, 3))))
+                .hasMessageContaining("a profile is no surface; export the whole image");
+    }
+
+    @Test
+    void rampsAndWavesAreHeights() throws IOException {
+        assertThat(read(matrix(SIDE, SIDE, (row, column) -> 3 * row + 2 * column)))
+                .hasSize(SIDE * SIDE);
+        assertThat(read(matrix(SIDE, SIDE, TextReaderTest::height))).hasSize(SIDE * SIDE);
+        assertThat(read(matrix(SIDE, SIDE, (row, column) -> 7))).hasSize(SIDE * SIDE);
+    }
+
+    /** UTF-16. */
+    @ParameterizedTest
+    @CsvSource({"UTF-16LE, true", "UTF-16BE, true", "UTF-8, true", "UTF-8, false"})
+    void wideCharactersAreReadAsOthers(String charset, boolean marked) throws IOException {
+        String text = """
+                # Channel: H\u00f6he
+                # Width: 5 \u03bcm
+                # Height: 2,5 \u00b5m
+                # Value units: nm
+                1,5\t2,5\t-3
+                4,25\t5\t6
+                """.replace("\n", "\r\n");
+        Path path = folder.resolve("scan.txt");
+        Files.write(path, ((marked ? "\ufeff" : "") + text).getBytes(Charset.forName(charset)));
+        try (ScanBytes bytes = ScanBytes.open(path)) {
+            TextReader reader = new TextReader(Optional.empty());
+            assertThat(reader.recognizes(bytes)).isTrue();
+            ScanChannel channel = reader.channels(bytes).get(0);
+            assertThat(channel.columns()).isEqualTo(3);
+            assertThat(channel.rows()).isEqualTo(2);
+            // Rounding of the unit's factor.
+            assertThat(channel.extent().width().orElseThrow()).isCloseTo(5e-6, within(1e-20));
+            assertThat(channel.unit()).isEqualTo("nm");
+            assertThat(channel.samples().read()).containsExactly(1.5, 2.5, -3, 4.25, 5, 6);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 7})
+    void halfACharacterIsNoNumber(int length) throws IOException {
+        Path path = folder.resolve("scan.txt");
+        Files.write(path, Arrays.copyOf("\ufeff1\t2".getBytes(StandardCharsets.UTF_16LE), length));
+        try (ScanBytes bytes = ScanBytes.open(path)) {
+            assertThat(new TextReader(Optional.empty()).recognizes(bytes)).isFalse();
+        }
+    }
+
+    private static final int COLUMNS = 37;
+    private static final int ROWS = 23;
+    private static final double PITCH = 80;
+
+    /** Cells of the grid in random order. */
+    private static List<Integer> shuffled() {
+        List<Integer> cells = IntStream.range(0, COLUMNS * ROWS).boxed().collect(Collectors.toList());
+        Collections.shuffle(cells, new Random(4));
+        return cells;
+    }
+
+    /** @param digits what coordinates are rounded to */
+    private static TextReader.PointGrid grid(List<Integer> cells, double digits) {
+        double[][] points = new double[3][cells.size()];
+        for (int i = 0; i < cells.size(); i++) {
+            int cell = cells.get(i);
+            points[0][i] = Math.rint((cell % COLUMNS + 0.5) * PITCH / digits) * digits;
+            points[1][i] = Math.rint((ROWS - cell / COLUMNS - 0.5) * PITCH / digits) * digits;
+            points[2][i] = cell;
+        }
+        return TextReader.PointGrid.of(points[0], points[1], points[2]).orElseThrow();
+    }
+
+    @Test
+    void pointsMayComeInAnyOrder() {
+        // Rounded to 3 nm: two of three columns are off by 1 nm, a fortieth of their distance.
+        for (double digits : new double[] {1e-3, 3}) {
+            TextReader.PointGrid grid = grid(shuffled(), digits);
+            assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
+            assertThat(grid.axisY().count()).isEqualTo(ROWS);
+            // The first and last of 37 columns are off by the rounding.
+            assertThat(grid.axisX().pitch()).isCloseTo(PITCH, within(digits / (COLUMNS - 1)));
+            assertThat(grid.heights())
+                    .containsExactly(
+                            IntStream.range(0, COLUMNS * ROWS).asDoubleStream().toArray());
+        }
+    }
+
+    @Test
+    void cellsWithoutPointsAreMissingSamples() {
+        List<Integer> cells = shuffled();
+        cells.removeIf(cell -> cell % 5 == 0);
+        TextReader.PointGrid grid = grid(cells, 1e-3);
+        assertThat(grid.axisX().count()).isEqualTo(COLUMNS);
+        assertThat(grid.axisY().count()).isEqualTo(ROWS);
+        for (int cell = 0; cell < COLUMNS * ROWS; cell++) {
+            double expected = cells.contains(cell) ? cell : Double.NaN;
+            assertThat(grid.heights()[cell]).isEqualTo(Double.valueOf(expected));
+        }
+    }
+
+    @Test
+    void pointsWithoutGridAreNone() {
+        Random random = new Random(9);
+        double[] x = random.doubles(400).toArray();
+        double[] y = random.doubles(400).toArray();
+        assertThat(TextReader.PointGrid.of(x, y, x)).isEmpty();
+        // On a line.
+        assertThat(TextReader.PointGrid.of(new double[400], y, x)).isEmpty();
+        x[7] = Double.NaN;
+        assertThat(TextReader.PointGrid.of(x, y, y)).isEmpty();
+    }
+}

@@ -1,0 +1,128 @@
+package sunbeam.precompute.scan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** TIFF files of one surface, written by Python's tifffile. */
+class TiffPictureTest {
+    private static final int COLUMNS = 20;
+    private static final int ROWS = 12;
+
+    @TempDir
+    Path folder;
+
+    /** Steps of 1/63, which 8 bits hold to a quarter. */
+    private static double share(int column, int row) {
+        return (7 * row + 11 * column) % 64 / 63.0;
+    }
+
+    private static Path file(String name) throws URISyntaxException {
+        return Path.of(
+                TiffPictureTest.class.getResource("tiff/" + name + ".tif").toURI());
+    }
+
+    private static void assertSurface(ScanChannel channel, double factor) throws IOException {
+        double[] samples = channel.samples().read();
+        assertThat(channel.columns()).isEqualTo(COLUMNS);
+        assertThat(channel.rows()).isEqualTo(ROWS);
+        for (int i = 0; i < samples.length; i++) {
+            // Signed integers shift heights. Half of a step of 8 bits on both sides.
+            assertThat(samples[i] - samples[0])
+                    .as("sample %d", i)
+                    .isCloseTo(factor * share(i % COLUMNS, i / COLUMNS), within(1 / 255.0));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "unsigned8-lzw-predictor2",
+                "unsigned16-lzw-predictor2-big-endian",
+                "unsigned16-zip-predictor2-tiles",
+                "unsigned32-zip-predictor2-big-endian",
+                "unsigned32",
+                "signed8-packbits",
+                "signed16-zip-predictor2-big-endian",
+                "signed32-lzw-predictor2",
+                "float16-big-endian",
+                "float16-zip-predictor3",
+                "float32-lzw-predictor3-big-endian",
+                "float32-zip-predictor3-tiles",
+                "float64-zip-predictor3-big-endian",
+                "bigtiff-float32-zip-predictor3",
+                "bigtiff-unsigned16-big-endian",
+                "white-is-zero-unsigned8",
+                "white-is-zero-unsigned16-lzw-predictor2",
+                "rgb-unsigned16-planar-lzw-predictor2"
+            })
+    void readsEveryWayOfWritingASurface(String name) throws Exception {
+        try (ScanBytes bytes = ScanBytes.open(file(name))) {
+            ChannelList channels = TestScans.channels(bytes);
+
+            assertThat(channels.label(channels.heights().orElseThrow())).isEqualTo("grey");
+            assertSurface(channels.channels().get(0), 1);
+        }
+    }
+
+    /** 12.8 pixels per micrometer along x, 6.4 along y. */
+    @ParameterizedTest
+    @ValueSource(strings = {"imagej-micron", "imagej-escaped-micrometers"})
+    void takesTheSizeFromImageJsResolutionAndUnit(String name) throws Exception {
+        try (ScanBytes bytes = ScanBytes.open(file(name))) {
+            ScanChannel channel = TestScans.channels(bytes).channels().get(0);
+
+            assertSurface(channel, 1);
+            // Resolutions are fractions of 32-bit integers.
+            assertThat(channel.extent().width().orElseThrow()).isCloseTo(COLUMNS / 12.8e6, within(1e-14));
+            assertThat(channel.extent().height().orElseThrow()).isCloseTo(ROWS / 6.4e6, within(1e-14));
+        }
+    }
+
+    /** A thumbnail, the surface, its double, a JPEG. */
+    @Test
+    void readsTheFirstWholePageAndNamesTheOthers() throws Exception {
+        try (ScanBytes bytes = ScanBytes.open(file("pages"))) {
+            ChannelList channels = TestScans.channels(bytes);
+
+            assertThat(channels.labels()).containsExactly("page 2 grey", "page 3 grey");
+            assertThat(channels.heights()).contains(0);
+            assertThat(channels.candidates()).isEqualTo(2);
+            assertThat(channels.find("grey")).contains(0);
+            assertSurface(channels.channels().get(0), 1);
+            assertSurface(channels.channels().get(1), 2);
+        }
+    }
+
+    @Test
+    void tagsThatShareTheirBytesAreNotReadIntoMemory() throws IOException {
+        int tags = 3000;
+        int size = 1 << 16;
+        // Each tag claims the whole file: 200 MB from 64 KB.
+        ByteBuffer tiff = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
+        tiff.put((byte) 'I').put((byte) 'I').putShort((short) 42).putInt(8).putShort((short) tags);
+        for (int tag = 0; tag < tags; tag++) {
+            tiff.putShort((short) (40_000 + tag))
+                    .putShort((short) 7)
+                    .putInt(size)
+                    .putInt(0);
+        }
+        Path file = Files.write(folder.resolve("bomb.tif"), tiff.array());
+        try (ScanBytes bytes = ScanBytes.open(file)) {
+            assertThatThrownBy(() -> TiffPage.read(bytes))
+                    .isInstanceOf(ScanException.class)
+                    .hasMessageContaining("tags larger than the file");
+        }
+    }
+}
