@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import sunbeam.app.scene.mesh.MeshUnit;
+import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.DisplayTransform.Primaries;
@@ -34,11 +34,11 @@ public final class SceneSettings {
     public static final Setting<String> MESH = new Setting<>(
             "mesh", ValueKind.text("MESH"), "snake, plane, sphere, cylinder, disc, or a file: OBJ, PLY, glTF.");
 
-    public static final Setting<MeshUnit> MESH_UNIT = new Setting<>(
+    public static final Setting<MeshSource.Unit> MESH_UNIT = new Setting<>(
                     "meshUnit",
-                    ValueKind.word("UNIT", MeshUnit.class),
+                    ValueKind.word("UNIT", MeshSource.Unit.class),
                     "Unit of a mesh file: m, cm, mm, um or in (inches). glTF is always in m.")
-            .withStandard(MeshUnit.M);
+            .withStandard(MeshSource.Unit.M);
 
     public static final Setting<String> TEXTURE = new Setting<>(
             "texture",

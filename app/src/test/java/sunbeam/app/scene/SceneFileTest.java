@@ -19,7 +19,6 @@ import sunbeam.app.files.input.JsonVariants;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.MeshUnit;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
@@ -101,7 +100,7 @@ class SceneFileTest {
 
         SceneWriter.write(copy, Overwrite.REFUSE, scene);
 
-        assertThat(scene.mesh().unit()).isEqualTo(MeshUnit.MM);
+        assertThat(scene.mesh().unit()).isEqualTo(MeshSource.Unit.MM);
         assertThat(SceneReader.read(copy).mesh()).isEqualTo(scene.mesh());
         Choices other = Choices.none().with(SceneSettings.MESH, "sphere");
         assertThat(scene.with(other).mesh()).as("the unit is of one file").isEqualTo(MeshSource.of("sphere"));

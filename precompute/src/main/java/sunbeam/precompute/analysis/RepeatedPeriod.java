@@ -15,8 +15,8 @@ final class RepeatedPeriod {
     private static final double OVERTONE = 0.01;
     private static final int MOST_DIRECTIONS = 3;
     // Shares of the variance in the waves and their overtones, for a period and for any piece. There the strongest
-    // frequencies need the
-    // third share: noise along one axis, too, consists of overtones of the patch's length, but of weak ones.
+    // frequencies need the third share: noise along one axis, too, consists of overtones of the patch's length, but of
+    // weak ones.
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;

@@ -20,11 +20,8 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.StandardOutput;
-import sunbeam.app.scene.mesh.GltfWriter;
-import sunbeam.app.scene.mesh.MeshReader;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.scene.mesh.ObjWriter;
-import sunbeam.app.scene.mesh.PlyWriter;
+import sunbeam.app.scene.mesh.MeshWriters;
 import sunbeam.app.scene.mesh.SkinMaps;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Scales;
@@ -81,11 +78,11 @@ public final class MeshCommand extends FileCommand {
         Optional<SkinMaps> maps = isGltf ? skinMaps(choices) : Optional.empty();
         Path written = AtomicFile.write(target, overwrite, stream -> {
             if (isGltf) {
-                GltfWriter.write(stream, read.mesh(), maps);
+                MeshWriters.glb(stream, read.mesh(), maps);
             } else if (name.endsWith(".ply")) {
-                PlyWriter.write(stream, read.mesh());
+                MeshWriters.ply(stream, read.mesh());
             } else {
-                ObjWriter.write(stream, read.mesh());
+                MeshWriters.obj(stream, read.mesh());
             }
         });
         int vertices = read.mesh().vertices();
@@ -95,8 +92,8 @@ public final class MeshCommand extends FileCommand {
                     out(target), Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
         } else {
             out(target)
-                    .println(StandardOutput.name(written) + ": " + MeshReader.count(vertices, "vertex") + ", "
-                            + MeshReader.count(triangles, "triangle"));
+                    .println(StandardOutput.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
+                            + MeshSource.count(triangles, "triangle"));
         }
         return ExitCode.OK.code();
     }

@@ -69,7 +69,7 @@ final class GltfFile {
     }
 
     static ByteBuffer map(Path file) throws IOException {
-        MeshFormat.requireSize(file);
+        MeshSource.requireSize(file);
         try (FileChannel channel = FileChannel.open(file)) {
             return channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size()).order(ByteOrder.LITTLE_ENDIAN);
         }

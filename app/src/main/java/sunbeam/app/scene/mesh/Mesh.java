@@ -1,5 +1,6 @@
 package sunbeam.app.scene.mesh;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import jrtr.VertexData;
 import org.joml.Vector3d;
@@ -126,6 +127,27 @@ public record Mesh(
                     textureCoordinates.toArray(),
                     indices.build().toArray(),
                     closed);
+        }
+    }
+
+    /** Growing array. */
+    static final class FloatList {
+        private float[] values = new float[64];
+        private int size;
+
+        void add(double value) {
+            if (size == values.length) {
+                values = Arrays.copyOf(values, size + size / 2);
+            }
+            values[size++] = (float) value;
+        }
+
+        int size() {
+            return size;
+        }
+
+        float[] toArray() {
+            return Arrays.copyOf(values, size);
         }
     }
 }

@@ -1,18 +1,86 @@
 package sunbeam.app.scene.mesh;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Text;
+import sunbeam.precompute.units.Lengths;
 
 /**
- * Mesh by name. A file with a built-in mesh's name needs its folder: {@code ./snake}.
+ * Mesh by name. A file with a built-in mesh's name needs its folder: {@code ./snake}. Files are OBJ, PLY and glTF: positions with z up,
+ * faces of 3 to 1000 corners, without lines, points and materials; a glTF's first texture selects the texture coordinates. A mesh is
+ * repaired, with a warning of what is changed:
  *
- * @param name a built-in mesh, or a file: OBJ, PLY or glTF
+ * <ul>
+ * <li>Triangles without area are dropped. A mesh far from the origin is moved there, because float32 would change its shape.
+ * <li>Missing normals are means over the triangles around a position ({@link VertexAssembly}).
+ * <li>Missing tangents follow the texture's u, or x (y where the surface faces along x) where it gives no direction; a mirrored texture
+ *       gives a left-handed frame.
+ * <li>If a face lacks texture coordinates, all are projected from above: x to u and y to v, the longer side from 0 to 1, right-handed.
+ * </ul>
+ *
  * @param unit unit of the file's numbers; meters for built-in meshes
  */
-public record MeshSource(String name, MeshUnit unit) {
+public record MeshSource(String name, Unit unit) {
+    // Longest side in meters: pixels of a smaller mesh do not average many coherence areas of sunlight (65 um); a
+    // larger one has more than a centimeter per pixel, most likely in a wrong unit.
+    private static final double LEAST = 100e-6;
+    private static final double MOST = 10;
+    private static final int HEAD_BYTES = 64;
+    private static final long MOST_BYTES = 1L << 29;
+
+    public enum Unit {
+        M(1),
+        CM(1e-2),
+        MM(1e-3),
+        UM(1e-6),
+        IN(0.0254);
+
+        final double meters;
+
+        Unit(double meters) {
+            this.meters = meters;
+        }
+    }
+
+    /** Format of files; OBJ has no signature. */
+    private enum Format {
+        PLY(PlyFile::read, "ply"),
+        GLTF(GltfFile::read, "glb", "gltf"),
+        OBJ(ObjFile::read, "obj");
+
+        private final Reader reader;
+        private final List<String> endings;
+
+        Format(Reader reader, String... endings) {
+            this.reader = reader;
+            this.endings = List.of(endings);
+        }
+
+        static Format of(String head) {
+            if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
+                return PLY;
+            }
+            return head.startsWith(GltfFile.MAGIC) || head.strip().startsWith("{") ? GLTF : OBJ;
+        }
+    }
+
+    /** Throws an {@link InputException} for damaged files; the message does not name the file. */
+    private interface Reader {
+        RawMesh read(Path file) throws IOException;
+    }
+
     /** Mesh with a line for each kind of data that the reader dropped, moved or computed. */
     public record Loaded(Mesh mesh, List<String> warnings) {
         public Loaded {
@@ -21,13 +89,21 @@ public record MeshSource(String name, MeshUnit unit) {
     }
 
     public static MeshSource of(String name) {
-        return new MeshSource(name, MeshUnit.M);
+        return new MeshSource(name, Unit.M);
+    }
+
+    /** True if the file has a mesh's ending. */
+    public static boolean isFile(Path file) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return Stream.of(Format.values())
+                .flatMap(format -> format.endings.stream())
+                .anyMatch(ending -> name.endsWith("." + ending));
     }
 
     /** @throws InputException if there is no such mesh, or the file cannot be used */
     public Loaded load() {
         if (BuiltInMeshes.names().contains(name)) {
-            if (unit != MeshUnit.M) {
+            if (unit != Unit.M) {
                 throw new InputException("mesh " + name + " is in meters; leave out the unit, which is for files");
             }
             return new Loaded(BuiltInMeshes.create(name), List.of());
@@ -37,6 +113,105 @@ public record MeshSource(String name, MeshUnit unit) {
             throw new InputException("there is no mesh " + Quoted.of(name) + "; name a mesh file, or one of "
                     + String.join(", ", BuiltInMeshes.names()));
         }
-        return MeshReader.read(file, unit);
+        return read(file, unit);
+    }
+
+    private static String head(Path file) throws IOException {
+        try (InputStream stream = Files.newInputStream(file)) {
+            return new String(stream.readNBytes(HEAD_BYTES), StandardCharsets.ISO_8859_1);
+        }
+    }
+
+    static void requireSize(Path file) throws IOException {
+        long bytes = Files.size(file);
+        if (bytes > MOST_BYTES) {
+            throw new InputException(file.getFileName() + " has " + bytes + " bytes; at most " + MOST_BYTES
+                    + " can be used, so simplify the mesh");
+        }
+    }
+
+    /** Reads a file of at most 512 MiB, 2 million positions and 2 million triangles. */
+    static Loaded read(Path file, Unit unit) {
+        InputException.requireRegular(file);
+        RawMesh raw = InputException.naming(file, () -> {
+                    requireSize(file);
+                    return Format.of(head(file)).reader.read(file);
+                })
+                .scaled(unit.meters);
+        List<String> warnings = new ArrayList<>();
+        RawMesh mesh = raw.withoutDegenerate();
+        int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
+        if (raw.cornerCount() == 0) {
+            throw new InputException(file + " has no faces; name a mesh with faces as OBJ, PLY or glTF");
+        }
+        if (mesh.cornerCount() == 0) {
+            throw new InputException(file + " has no face with an area");
+        }
+        if (dropped > 0) {
+            warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
+        }
+        Optional<Vector3d> far = mesh.farCenter();
+        far.ifPresent(center -> warnings.add(Text.format(
+                "%s: it lies far from the origin, so its center (%.3f, %.3f, %.3f) m is moved there",
+                file, center.x, center.y, center.z)));
+        return complete(file, unit, far.map(mesh::centered).orElse(mesh), warnings);
+    }
+
+    private static Loaded complete(Path file, Unit unit, RawMesh mesh, List<String> warnings) {
+        boolean planar = IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.textureCoordinate(corner) < 0);
+        if (planar) {
+            warnings.add(file + ": texture coordinates are missing; they are taken from above (x, y)");
+        }
+        VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
+        Mesh result = assembly.assemble();
+        sizeWarning(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
+        if (assembly.computedNormals() > 0) {
+            warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
+                    + count(result.vertices(), "vertex"));
+        }
+        if (!planar && assembly.undirected() > 0) {
+            warnings.add(file + ": the texture gives no direction at " + count(assembly.undirected(), "vertex")
+                    + "; the tangent follows x there");
+        }
+        return new Loaded(result, warnings);
+    }
+
+    public static String count(int number, String noun) {
+        String plural = noun.equals("vertex") ? "vertices" : noun + "s";
+        return number + " " + (number == 1 ? noun : plural);
+    }
+
+    private static Optional<String> sizeWarning(Mesh mesh, Unit unit) {
+        double side = longestSide(mesh);
+        if (isPlausible(side)) {
+            return Optional.empty();
+        }
+        String remedy = Stream.of(Unit.MM, Unit.CM, Unit.IN, Unit.M, Unit.UM)
+                .filter(other -> isPlausible(side / unit.meters * other.meters))
+                .findFirst()
+                .map(other -> other.name().toLowerCase(Locale.ROOT))
+                .map(word -> "if its numbers are in " + word + ", give --mesh-unit " + word
+                        + ", in a scene \"meshUnit\": \"" + word + "\"")
+                .orElse("scale it");
+        return Optional.of("the mesh is " + Lengths.rounded(side, 3) + " wide, where " + Lengths.format(LEAST) + " to "
+                + Lengths.format(MOST) + " make sense; " + remedy);
+    }
+
+    private static boolean isPlausible(double side) {
+        return side >= LEAST && side <= MOST;
+    }
+
+    private static double longestSide(Mesh mesh) {
+        double longest = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double least = Double.POSITIVE_INFINITY;
+            double most = Double.NEGATIVE_INFINITY;
+            for (int i = axis; i < mesh.positions().length; i += 3) {
+                least = Math.min(least, mesh.positions()[i]);
+                most = Math.max(most, mesh.positions()[i]);
+            }
+            longest = Math.max(longest, most - least);
+        }
+        return longest;
     }
 }

@@ -66,8 +66,8 @@ public record RawMesh(
         return one.cross(other);
     }
 
-    public RawMesh inMeters(MeshUnit unit) {
-        return withPositions(i -> positions[i] * unit.meters());
+    RawMesh scaled(double factor) {
+        return withPositions(i -> positions[i] * factor);
     }
 
     public RawMesh centered(Vector3d center) {
@@ -145,9 +145,9 @@ public record RawMesh(
         // Beyond this coordinate squared areas leave float32's range.
         private static final double FARTHEST = 1e9;
         private final ResizableDoubleArray positions = new ResizableDoubleArray(64);
-        private final FloatList textureCoordinates = new FloatList();
-        private final FloatList normals = new FloatList();
-        private final FloatList tangents = new FloatList();
+        private final Mesh.FloatList textureCoordinates = new Mesh.FloatList();
+        private final Mesh.FloatList normals = new Mesh.FloatList();
+        private final Mesh.FloatList tangents = new Mesh.FloatList();
         private final IntStream.Builder corners = IntStream.builder();
         private int triangles;
 

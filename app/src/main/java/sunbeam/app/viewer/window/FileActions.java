@@ -29,7 +29,6 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
-import sunbeam.app.scene.mesh.MeshFormat;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
@@ -116,7 +115,7 @@ public final class FileActions {
 
     /** Loads a scene, mesh or patch, by name (meshes) or content. */
     public void load(Path file) {
-        if (MeshFormat.isNamed(file)) {
+        if (MeshSource.isFile(file)) {
             load(Kind.MESH, file);
             return;
         }

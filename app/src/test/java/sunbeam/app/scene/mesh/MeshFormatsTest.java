@@ -25,7 +25,7 @@ class MeshFormatsTest extends MeshReading {
     @Test
     void theSameSurfaceIsReadFromEveryFormat() throws IOException {
         ByteArrayOutputStream obj = new ByteArrayOutputStream();
-        ObjWriter.write(obj, SURFACE);
+        MeshWriters.obj(obj, SURFACE);
         Mesh expected = read(obj.toByteArray()).mesh();
         byte[] buffer = MeshFiles.buffer(SURFACE);
         Files.write(folder.resolve("a b.bin"), buffer);

@@ -180,9 +180,9 @@ class MeshReaderTest extends MeshReading {
         assertRefused(SQUARE + "f 1 1 2\n").hasMessageContaining("no face");
         assertRefused("\u0089PNG\r\n\u001A\n\u0000\u0000").hasMessageContaining("no face");
         assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
-        assertThatThrownBy(() -> MeshReader.read(folder.resolve("none.obj"), MeshUnit.M))
+        assertThatThrownBy(() -> MeshSource.read(folder.resolve("none.obj"), MeshSource.Unit.M))
                 .hasMessageContaining("there is no such file");
-        assertThatThrownBy(() -> MeshReader.read(folder, MeshUnit.M)).hasMessageContaining("it is a folder");
+        assertThatThrownBy(() -> MeshSource.read(folder, MeshSource.Unit.M)).hasMessageContaining("it is a folder");
     }
 
     @Test

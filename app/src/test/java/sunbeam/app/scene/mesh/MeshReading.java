@@ -17,7 +17,7 @@ abstract class MeshReading {
     Path folder;
 
     final MeshSource.Loaded read(byte[] content) throws IOException {
-        return MeshReader.read(Files.write(folder.resolve("mesh"), content), MeshUnit.M);
+        return MeshSource.read(Files.write(folder.resolve("mesh"), content), MeshSource.Unit.M);
     }
 
     final MeshSource.Loaded read(String content) throws IOException {

@@ -31,16 +31,17 @@ class MeshUnitTest extends MeshReading {
         "1.3e-6, M, is 1.3 um wide where 100 um to 10 m make sense; scale it",
         "20,    UM, if its numbers are in mm give --mesh-unit mm",
     })
-    void aSizeThatMakesNoSenseIsNamedWithTheUnitThatHelps(double size, MeshUnit unit, String words) throws IOException {
+    void aSizeThatMakesNoSenseIsNamedWithTheUnitThatHelps(double size, MeshSource.Unit unit, String words)
+            throws IOException {
         Path file = Files.writeString(
                 folder.resolve("mesh.obj"),
                 Text.format("v 0 0 0\nv 0 0 %1$s\nv 0 %2$s 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 1 0 0\n", size, size / 2)
                         + "f 1/1/1 3/3/1 2/2/1\n");
 
-        MeshSource.Loaded read = MeshReader.read(file, unit);
+        MeshSource.Loaded read = MeshSource.read(file, unit);
 
         // Rounded to float32.
-        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.meters()), withinPercentage(1e-4));
+        assertThat(largest(read.mesh())).isCloseTo((float) (size * unit.meters), withinPercentage(1e-4));
         if (words == null) {
             assertThat(read.warnings()).isEmpty();
         } else {
@@ -60,7 +61,7 @@ class MeshUnitTest extends MeshReading {
 
     @Test
     void builtInMeshesHaveTheirOwnUnit() {
-        assertThatThrownBy(() -> new MeshSource("snake", MeshUnit.CM).load())
+        assertThatThrownBy(() -> new MeshSource("snake", MeshSource.Unit.CM).load())
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("snake is in meters");
     }

@@ -35,11 +35,11 @@ class MeshWritersTest {
 
     private static Stream<Arguments> writers() {
         return Stream.of(
-                Arguments.of("obj", (Writing) ObjWriter::write, 0.7),
-                Arguments.of("ply", (Writing) PlyWriter::write, 0.7),
+                Arguments.of("obj", (Writing) MeshWriters::obj, 0.7),
+                Arguments.of("ply", (Writing) MeshWriters::ply, 0.7),
                 Arguments.of(
                         "glb",
-                        (Writing) (stream, mesh) -> GltfWriter.write(stream, mesh, Optional.empty()),
+                        (Writing) (stream, mesh) -> MeshWriters.glb(stream, mesh, Optional.empty()),
                         1 - MeshChecks.ROUNDING));
     }
 
