@@ -66,7 +66,7 @@ class BuiltInMeshesTest {
                 .hasMessage("there is no built-in mesh \"torus\"; choose one of snake, plane, sphere, cylinder, disc");
     }
 
-    private static final Mesh SNAKE = SnakeMesh.create();
+    private static final Mesh SNAKE = BuiltInMeshes.create("snake");
 
     @Test
     void itsSkinIsClosed() {
