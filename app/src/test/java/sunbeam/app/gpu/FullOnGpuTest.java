@@ -19,7 +19,6 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Method {@code full} on the GPU: closed forms of gratings, laws of all surfaces, and directions at the ends of their ranges. */
-@NeedsDisplay
 class FullOnGpuTest extends InAContext {
     private static final double PERIOD = 2.5e-6;
     // Ten periods: an order's neighbor is exp(-0.5 (1 / 0.064)^2) of it, nothing.

@@ -28,7 +28,6 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Mesa's software renderer silently ends loops after 65,535 steps; the partial sums must be refused. */
-@NeedsDisplay
 class LoopLimitTest extends InAContext {
     private static final GaussianArea AREA =
             new GaussianArea(CoherenceWindow.ofCoherenceLength(30e-6), WindowOrigin.CENTRE, Average.ENSEMBLE);

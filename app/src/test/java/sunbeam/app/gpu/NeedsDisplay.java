@@ -1,6 +1,7 @@
 package sunbeam.app.gpu;
 
 import java.lang.annotation.ElementType;
+import java.lang.annotation.Inherited;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
@@ -8,6 +9,7 @@ import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 
 /** A test that renders. It is skipped only where there is no display at all; with one, missing OpenGL is a failure. */
 @Target({ElementType.TYPE, ElementType.METHOD})
+@Inherited
 @Retention(RetentionPolicy.RUNTIME)
 @EnabledIfEnvironmentVariable(
         named = "DISPLAY",

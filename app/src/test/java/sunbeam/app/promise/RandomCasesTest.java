@@ -12,7 +12,6 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
@@ -23,7 +22,6 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /** The promise of the tolerance on surfaces, windows and directions that nobody chose, and on some that once missed it. */
-@NeedsDisplay
 class RandomCasesTest extends InAContext {
     private static final long FIRST_SEED = 500;
     private static final int CASES = 40;

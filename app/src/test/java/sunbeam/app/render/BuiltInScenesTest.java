@@ -7,16 +7,12 @@ import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
@@ -25,11 +21,7 @@ import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.setting.Choices;
 
 /** The built-in scenes, unchanged. */
-@NeedsDisplay
-class BuiltInScenesTest extends InAContext {
-    @TempDir
-    private Path folder;
-
+class BuiltInScenesTest extends InAScene {
     @Test
     @Tag("thorough")
     void allAreDrawnInColors() throws IOException {
@@ -54,7 +46,6 @@ class BuiltInScenesTest extends InAContext {
 
     /** Before the viewer has colors it shows white under the light as white: an exposure of one over the light's intensity. */
     private void assertMeteredAsFirstShown(List<String> names) {
-        List<String> warnings = new ArrayList<>();
         SceneLoader loader =
                 new SceneLoader(new Environment(Map.of("XDG_CACHE_HOME", folder + ""), folder), warnings::add);
         for (String name : names) {
@@ -90,7 +81,7 @@ class BuiltInScenesTest extends InAContext {
             for (Scene scene : scenes) {
                 data = loader.parts(scene, List.of(data), share -> {}).get(0);
                 session.update(data);
-                float[] pixels = WholePicture.of(session, 24, 18).rgba();
+                float[] pixels = picture(session, 24, 18).rgba();
                 assertThat(isColored(pixels)).as(scene.get(SceneSettings.TITLE)).isTrue();
             }
         }
@@ -99,7 +90,7 @@ class BuiltInScenesTest extends InAContext {
     /** Tables for nine scenes would take minutes, and the occlusion of the sky two seconds for each. */
     private static Scene byFull(Scene scene) {
         return scene.with(Choices.none().with(METHOD, FullMethod.TYPE).with(TOLERANCE, 0.02))
-                .with(PlaneScenes.around(Optional.empty(), 0, false));
+                .with(around(Optional.empty(), 0, false));
     }
 
     /** True if a pixel is far from the white of daylight. */

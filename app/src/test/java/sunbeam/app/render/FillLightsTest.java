@@ -13,10 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
@@ -36,34 +33,24 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
 /** Light adds up: a scene under several lights is the sum of the scenes under each. */
-@NeedsDisplay
-class FillLightsTest extends InAContext {
+class FillLightsTest extends InAScene {
     private static final int SIZE = 64;
     private static final SceneLight KEY = new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1);
     private static final SceneLight FILL = new SceneLight(new Vector3f(0.5f, 0.1f, 0.6f), 0.4, Math.toRadians(12));
-    private static final Choices AROUND = PlaneScenes.around(Optional.of(new SceneColor(0x907050)), 0.3, true);
-
-    @TempDir
-    private Path folder;
+    private static final Choices AROUND = around(Optional.of(new SceneColor(0x907050)), 0.3, true);
 
     private static Scene scene(MethodType method) {
-        return PlaneScenes.blaze()
-                .withMethod(new SceneMethod(Choices.none().with(Methods.METHOD, method)))
+        return blaze().withMethod(new SceneMethod(Choices.none().with(Methods.METHOD, method)))
                 .with(Weights.of(20, 1, 0.8, 0.2))
                 .with(AROUND)
                 .withLight(KEY);
     }
 
-    private float[] drawn(Scene scene) {
-        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            return WholePicture.of(session, SIZE, SIZE).rgba();
-        }
-    }
-
     private void assertLightsAddUp(Scene scene) {
-        float[] both = drawn(scene.withFillLights(List.of(FILL)));
-        float[] key = drawn(scene);
-        float[] fill = drawn(scene.withLight(FILL).with(Choices.none().with(SceneSettings.SHADOWS, false)));
+        float[] both = drawn(scene.withFillLights(List.of(FILL)), SIZE, SIZE);
+        float[] key = drawn(scene, SIZE, SIZE);
+        Scene alone = scene.withLight(FILL).with(Choices.none().with(SceneSettings.SHADOWS, false));
+        float[] fill = drawn(alone, SIZE, SIZE);
         assertThat(both).isNotEqualTo(key);
         for (int i = 0; i < both.length; i++) {
             double sum = i % 4 == 3 ? key[i] : key[i] + fill[i];
@@ -99,8 +86,8 @@ class FillLightsTest extends InAContext {
     }
 
     private int[] moving(Scene scene) {
-        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            WholePicture.of(session, SIZE, SIZE);
+        try (SceneSession session = session(scene)) {
+            picture(session, SIZE, SIZE);
             BufferedImage image = session.moving(SIZE, SIZE, 1, 1);
             return image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
         }
@@ -142,13 +129,12 @@ class FillLightsTest extends InAContext {
 
     @Test
     void aWideLightNeedsATableOfEnsembleAverages() {
-        Scene coherent = PlaneScenes.blaze()
-                .withMethod(new SceneMethod(Choices.none()
+        Scene coherent = blaze().withMethod(new SceneMethod(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
                         .with(MethodSettings.AVERAGE, Average.COHERENT)))
                 .withLight(FILL);
 
-        assertThatThrownBy(() -> PlaneScenes.load(coherent, folder))
+        assertThatThrownBy(() -> load(coherent))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("angularDiameter; give ensemble");
     }

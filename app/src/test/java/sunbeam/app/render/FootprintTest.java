@@ -15,11 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 
 /** shaders/include/footprint.glsl beside its twin in double precision, and by the variance of its taps and level. */
-@NeedsDisplay
 class FootprintTest extends InAContext {
     private static final double SIGMA = 1e-3;
     private static final int LEVELS = 9;

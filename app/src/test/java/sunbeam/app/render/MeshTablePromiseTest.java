@@ -5,20 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
-import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.text.Text;
 
@@ -26,15 +19,11 @@ import sunbeam.precompute.text.Text;
  * Tables on meshes keep their tolerance, for surfaces on which an earlier version missed it. Windows are shorter than those of sunlight,
  * and periods are not longer than windows, so that tables take seconds.
  */
-@NeedsDisplay
-class MeshTablePromiseTest extends InAContext {
+class MeshTablePromiseTest extends InAScene {
     private static final double TOLERANCE = 1e-2;
     private static final int SIDE = 64;
     private static final PixelSamples SAMPLES = PixelSamples.uniform(2);
     private static final int COLUMNS = 200;
-
-    @TempDir
-    private Path folder;
 
     /**
      * A surface on a mesh.
@@ -123,11 +112,7 @@ class MeshTablePromiseTest extends InAContext {
     @ParameterizedTest
     @MethodSource("cases")
     void theToleranceIsKeptAndNoLineSaysOtherwise(Case one) throws IOException {
-        List<String> told = new ArrayList<>();
-        Scene scene = Scenes.load(write(one).toString());
-        SceneData data = new SceneLoader(new Environment(Map.of(), folder), told::add)
-                .parts(scene)
-                .get(0);
+        SceneData data = load(Scenes.load(write(one).toString()));
         try (SceneSession session = new SceneSession(context, data)) {
             PartSum sum = new PartSum(List.of(session));
             SceneSession.parts(session.scene(), SIDE, SIDE, SAMPLES).forEach(sum::draw);
@@ -139,7 +124,7 @@ class MeshTablePromiseTest extends InAContext {
             assertThat(data.method().colorTable().orElseThrow().table().pointLevelCount())
                     .isEqualTo(one.lone ? 0 : 1);
             assertThat(errors.keep(TOLERANCE)).as("%s", errors).isTrue();
-            assertThat(told).noneMatch(line -> line.contains("the table of colors errs"));
+            assertThat(warnings).noneMatch(line -> line.contains("the table of colors errs"));
         }
     }
 

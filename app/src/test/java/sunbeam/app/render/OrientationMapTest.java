@@ -11,24 +11,19 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import javax.imageio.ImageIO;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
@@ -36,16 +31,12 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Orientation maps on a mesh, compared with a constant rotation. */
-@NeedsDisplay
-class OrientationMapTest extends InAContext {
+class OrientationMapTest extends InAScene {
     private static final int WIDTH = 36;
     private static final int HEIGHT = 28;
     // Towards 30.2 degrees: (110, 64) of eight bits about 128.
     private static final int SLANTED = 0x80ee_c000;
     private static final double SLANT = Math.atan2(64, 110);
-
-    @TempDir
-    private Path folder;
 
     /** A picture of one row. */
     private String map(int... argb) throws IOException {
@@ -62,16 +53,6 @@ class OrientationMapTest extends InAContext {
         return scene.with(Choices.none().with(ORIENTATION_MAP, map).with(ROTATE_PATCH, turn));
     }
 
-    private SceneSession session(Scene scene) {
-        return new SceneSession(context, PlaneScenes.load(scene, folder));
-    }
-
-    private ScenePicture drawn(Scene scene) {
-        try (SceneSession session = session(scene)) {
-            return WholePicture.of(session, WIDTH, HEIGHT);
-        }
-    }
-
     private static Vector3fc tangent(SceneSession session, int x) {
         return session.pick(x, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow().tangent();
     }
@@ -85,9 +66,9 @@ class OrientationMapTest extends InAContext {
     /** For any alpha of the map, and in addition to a rotation. */
     @Test
     void aConstantMapIsATurnOfThePatch() throws IOException {
-        Scene plain = PlaneScenes.blaze();
-        float[] turned = drawn(mapped(plain, "none", SLANT + 0.1)).rgba();
-        float[] mapped = drawn(mapped(plain, map(SLANTED, SLANTED), 0.1)).rgba();
+        Scene plain = blaze();
+        float[] turned = drawn(mapped(plain, "none", SLANT + 0.1), WIDTH, HEIGHT);
+        float[] mapped = drawn(mapped(plain, map(SLANTED, SLANTED), 0.1), WIDTH, HEIGHT);
 
         float brightest = 0;
         for (int i = 1; i < turned.length; i += 4) {
@@ -101,13 +82,12 @@ class OrientationMapTest extends InAContext {
     @Test
     void movingPicturesTurnAlike() throws IOException {
         Choices quick = Choices.none().with(Methods.METHOD, TableMethod.TYPE).with(MethodSettings.TOLERANCE, 0.05);
-        Scene plain = PlaneScenes.blaze().withMethod(new SceneMethod(quick));
-        SceneLoader loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
-        SceneData turned = loader.parts(mapped(plain, "none", SLANT)).get(0);
-        SceneData mapped = loader.parts(mapped(plain, map(SLANTED), 0), List.of(turned), share -> {})
+        Scene plain = blaze().withMethod(new SceneMethod(quick));
+        SceneData turned = load(mapped(plain, "none", SLANT));
+        SceneData mapped = loader().parts(mapped(plain, map(SLANTED), 0), List.of(turned), share -> {})
                 .get(0);
         try (SceneSession session = new SceneSession(context, turned)) {
-            WholePicture.of(session, WIDTH, HEIGHT);
+            picture(session, WIDTH, HEIGHT);
             BufferedImage before = session.moving(WIDTH, HEIGHT, 1, 1);
             session.update(mapped);
             BufferedImage after = session.moving(WIDTH, HEIGHT, 1, 1);
@@ -129,7 +109,7 @@ class OrientationMapTest extends InAContext {
     @Test
     void eachPlaceHasItsOwnDirection() throws IOException {
         String halves = map(0xffff8000, 0xffff8000, 0xff80ff00, 0xff80ff00);
-        try (SceneSession session = session(mapped(PlaneScenes.blaze(), halves, 0.2))) {
+        try (SceneSession session = session(mapped(blaze(), halves, 0.2))) {
             // Left: along u, turned; right: along v, turned. Either has two texels, between which it does not change.
             assertPointsTo(tangent(session, WIDTH / 2 - 5), 0.2);
             assertPointsTo(tangent(session, WIDTH / 2 + 4), Math.PI / 2 + 0.2);
@@ -154,7 +134,7 @@ class OrientationMapTest extends InAContext {
                 vt 1 1
                 f 1/1 2/2 3/3 4/4
                 """);
-        Scene mirrored = PlaneScenes.blaze().withMesh(MeshSource.of(mesh.toString()));
+        Scene mirrored = blaze().withMesh(MeshSource.of(mesh.toString()));
         try (SceneSession session = session(mapped(mirrored, map(0xff80ff00), 0.2))) {
             assertPointsTo(tangent(session, WIDTH / 2), Math.PI / 2 + 0.2);
         }
@@ -165,7 +145,7 @@ class OrientationMapTest extends InAContext {
 
     @Test
     void aSceneKeepsItsMap() throws IOException {
-        Scene scene = mapped(PlaneScenes.blaze(), map(SLANTED), 0);
+        Scene scene = mapped(blaze(), map(SLANTED), 0);
         Path file = folder.resolve("scene.json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
 
@@ -178,16 +158,16 @@ class OrientationMapTest extends InAContext {
     void mapsWithoutDirectionsAreRefused(String color, String complaint) throws IOException {
         String map = map(0xff00_0000 | Integer.parseInt(color, 16), 0xff00_0000 | Integer.parseInt(color, 16));
 
-        assertThatThrownBy(() -> PlaneScenes.load(mapped(PlaneScenes.blaze(), map, 0), folder))
+        assertThatThrownBy(() -> load(mapped(blaze(), map, 0)))
                 .isInstanceOf(InputException.class)
                 .hasMessageContainingAll(map, complaint);
     }
 
     @Test
     void aMapThatIsNotThereIsRefused() {
-        Scene scene = mapped(PlaneScenes.blaze(), folder.resolve("none.png").toString(), 0);
+        Scene scene = mapped(blaze(), folder.resolve("none.png").toString(), 0);
 
-        assertThatThrownBy(() -> PlaneScenes.load(scene, folder))
+        assertThatThrownBy(() -> load(scene))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("there is no orientation map");
     }

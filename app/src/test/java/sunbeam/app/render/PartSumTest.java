@@ -5,45 +5,23 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SkinIndex;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.reference.ExactLight;
 
 /** The light of a skin with an index file is the sum of two parts, over one body. */
-@NeedsDisplay
-class PartSumTest extends InAContext {
+class PartSumTest extends InAScene {
     private static final int SIZE = 48;
-
-    @TempDir
-    private Path folder;
-
-    private SceneLoader loader;
-
-    @BeforeEach
-    void prepare() {
-        loader = new SceneLoader(new Environment(Map.of(), folder), warning -> {});
-    }
-
-    private ScenePicture draw(Scene scene) {
-        return WholePicture.ofParts(context, loader.parts(scene), SIZE, SIZE);
-    }
 
     private SkinIndex file(String table) throws IOException {
         return SkinIndex.of(
@@ -53,10 +31,10 @@ class PartSumTest extends InAContext {
     @Test
     void anIndexByWavelengthHasTheExactColors() throws IOException {
         // More reflected in the red than in the blue, as by copper.
-        Scene scene = PlaneScenes.blaze()
-                .with(SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
-        List<SceneData> parts = loader.parts(scene);
-        float[] drawn = draw(scene).rgba();
+        Scene scene = blaze().with(
+                        SceneSettings.INDEX, file("wl,n,k\n0.38,1.2,2.2\n0.55,1.0,2.6\n0.6,0.3,3.3\n0.8,0.25,5\n"));
+        List<SceneData> parts = loader().parts(scene);
+        float[] drawn = sum(parts, SIZE, SIZE).rgba();
         double brightest = 0;
         try (SceneSession session = new SceneSession(context, parts.get(0))) {
             for (int pixel : brightest(drawn)) {
@@ -80,8 +58,7 @@ class PartSumTest extends InAContext {
     void aPixelWhoseFirstSamplesDifferEqualsThatOfAllSamples() {
         Scene scene = Scenes.load("elaphe");
         PixelSamples adaptive = new PixelSamples(4, true);
-        try (SceneSession session =
-                new SceneSession(context, loader.parts(scene).get(0))) {
+        try (SceneSession session = session(scene)) {
             PartSum sum = new PartSum(List.of(session));
             DrawRequest request = DrawRequest.ofPixels(scene, SIZE, SIZE, Tile.whole(SIZE, SIZE), adaptive);
             float[] all = sum.draw(request).rgba();
@@ -118,7 +95,7 @@ class PartSumTest extends InAContext {
 
     /** The brightest pixel and two less bright ones. */
     private static int[] brightest(float[] rgba) {
-        int[] byLuminance = WholePicture.byLuminance(rgba);
+        int[] byLuminance = byLuminance(rgba);
         return new int[] {byLuminance[0], byLuminance[5], byLuminance[20]};
     }
 

@@ -10,16 +10,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
@@ -27,7 +23,6 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneReader;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Weights;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
@@ -37,15 +32,11 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Several patches on one mesh, selected by the colors of a map. */
-@NeedsDisplay
-class PatchAtlasTest extends InAContext {
+class PatchAtlasTest extends InAScene {
     private static final int WIDTH = 36;
     private static final int HEIGHT = 28;
     private static final int RED = 0xff0000;
     private static final int BLUE = 0x0000ff;
-
-    @TempDir
-    private Path folder;
 
     /** A square of 2 x 2 texels, the upper row first. */
     private String map(int type, int... rgb) throws IOException {
@@ -63,16 +54,11 @@ class PatchAtlasTest extends InAContext {
     }
 
     private static Scene scene(String map, PatchAtlas.Region... regions) {
-        return PlaneScenes.blaze().withPatches(new PatchAtlas(map, List.of(regions)));
-    }
-
-    private SceneLoader loader() {
-        return new SceneLoader(new Environment(Map.of(), folder), warning -> {});
+        return blaze().withPatches(new PatchAtlas(map, List.of(regions)));
     }
 
     private float[] drawn(Scene scene) {
-        return WholePicture.ofParts(context, loader().parts(scene), WIDTH, HEIGHT)
-                .rgba();
+        return sum(loader().parts(scene), WIDTH, HEIGHT).rgba();
     }
 
     private int regionAt(SceneSession session, int x, int y) {

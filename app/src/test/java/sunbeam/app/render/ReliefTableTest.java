@@ -11,52 +11,39 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.setting.Choices;
 
 /** Scenes with relief finer than a pixel, whose tables have few tiles. */
-@NeedsDisplay
-class ReliefTableTest extends InAContext {
+class ReliefTableTest extends InAScene {
     private static final int WIDTH = 24;
     private static final int HEIGHT = 16;
-
-    @TempDir
-    private Path folder;
 
     private Scene scene;
 
     @BeforeEach
     void prepare() {
-        Scene blaze = PlaneScenes.blaze();
+        Scene blaze = blaze();
         Choices method = Choices.none().with(Methods.METHOD, TableMethod.TYPE);
         scene = blaze.withMethod(new SceneMethod(method))
                 .with(Choices.none().with(SceneSettings.ROUGHNESS, Math.toRadians(9)));
-    }
-
-    private SceneSession session() {
-        return new SceneSession(context, PlaneScenes.load(scene, folder));
     }
 
     /** A viewer shows a picture as soon as its own tiles are there; the rest of the table comes later. */
     @Test
     void aPictureWaitsForNoOtherTiles() {
         Deque<Runnable> work = new ArrayDeque<>();
-        try (SceneSession session = session()) {
+        try (SceneSession session = session(scene)) {
             VirtualTexture tiles = session.virtualTexture().orElseThrow();
             tiles.bakeOn(work::add, () -> {});
             assertThat(session.request(WIDTH, HEIGHT, PixelSamples.uniform(1), () -> false))
@@ -66,9 +53,9 @@ class ReliefTableTest extends InAContext {
                 tiles.drain();
             }
             assertThat(tiles.isComplete()).isFalse();
-            float[] waited = WholePicture.of(session, WIDTH, HEIGHT).rgba();
-            try (SceneSession whole = session()) {
-                float[] drawn = WholePicture.of(whole, WIDTH, HEIGHT).rgba();
+            float[] waited = picture(session, WIDTH, HEIGHT).rgba();
+            try (SceneSession whole = session(scene)) {
+                float[] drawn = picture(whole, WIDTH, HEIGHT).rgba();
                 assertThat(whole.virtualTexture().orElseThrow().isComplete()).isTrue();
                 // The same tiles, and so the same bits.
                 assertThat(Arrays.equals(waited, drawn)).isTrue();
@@ -90,8 +77,7 @@ class ReliefTableTest extends InAContext {
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.2, 1.7, 3})
     void theHighlightOfAMirrorIsTheDistributionOfItsSlopes(double roughness) throws IOException {
-        List<String> warnings = new ArrayList<>();
-        float[] xyz = drawn(mirror(roughness), warnings);
+        float[] xyz = drawn(mirror(roughness), SIDE, SIDE);
         double slopes = Math.tan(Math.toRadians(roughness));
         List<Double> ratios = new ArrayList<>();
         for (int i = 0; i < SIDE * SIDE; i++) {
@@ -117,18 +103,8 @@ class ReliefTableTest extends InAContext {
     /** The levels of a table are steps of brightness there. */
     @Test
     void aWarningTellsOfSlopesTooSmallForATable() throws IOException {
-        List<String> warnings = new ArrayList<>();
-        new SceneLoader(new Environment(Map.of(), folder), warnings::add).parts(mirror(0.5));
+        load(mirror(0.5));
         assertThat(warnings).anyMatch(line -> line.startsWith("heights: roughness 0.50 deg: "));
-    }
-
-    private float[] drawn(Scene mirror, List<String> warnings) {
-        SceneData data = new SceneLoader(new Environment(Map.of(), folder), warnings::add)
-                .parts(mirror)
-                .get(0);
-        try (SceneSession session = new SceneSession(context, data)) {
-            return WholePicture.of(session, SIDE, SIDE).rgba();
-        }
     }
 
     /** Returns u, v and |w| of a pixel, whose distance from the mirror direction is that of its line of sight from the middle one. */

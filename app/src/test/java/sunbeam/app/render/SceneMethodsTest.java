@@ -8,13 +8,9 @@ import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import jrtr.Tile;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
@@ -35,33 +31,27 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
 /** The other methods on a mesh. */
-@NeedsDisplay
-class SceneMethodsTest extends InAContext {
+class SceneMethodsTest extends InAScene {
     private static final int WIDTH = 72;
     private static final int HEIGHT = 56;
-
-    @TempDir
-    private Path folder;
 
     private static Scene with(MethodType type) {
         return with(Choices.none().with(METHOD, type));
     }
 
     private static Scene with(Choices choices) {
-        return PlaneScenes.blaze().withMethod(new SceneMethod(choices));
+        return blaze().withMethod(new SceneMethod(choices));
     }
 
     private float[] draw(Scene scene) {
-        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            return WholePicture.of(session, WIDTH, HEIGHT).rgba();
-        }
+        return drawn(scene, WIDTH, HEIGHT);
     }
 
     @Test
     void nmmHasTheColorsOfFull() {
         float[] full = draw(with(FullMethod.TYPE));
         float[] nmm = draw(with(NmmMethod.TYPE));
-        int[] brightest = Arrays.copyOf(WholePicture.byLuminance(full), 200);
+        int[] brightest = Arrays.copyOf(byLuminance(full), 200);
         double[] errors = Arrays.stream(brightest)
                 .mapToDouble(i -> Math.abs(nmm[4 * i + 1] / full[4 * i + 1] - 1))
                 .sorted()
@@ -79,7 +69,7 @@ class SceneMethodsTest extends InAContext {
                 .with(PRESET, Preset.THESIS)
                 .with(MethodSettings.RADIUS, 8)
                 .with(MethodSettings.WAVELENGTH_STEP, 4e-9);
-        try (SceneSession session = new SceneSession(context, PlaneScenes.load(with(many), folder))) {
+        try (SceneSession session = session(with(many))) {
             // The session refuses partial sums.
             assertThat(session.draw(DrawRequest.ofPixels(
                                     session.scene(), 8, 6, Tile.whole(8, 6), PixelSamples.uniform(1)))
@@ -134,7 +124,7 @@ class SceneMethodsTest extends InAContext {
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("ensemble");
         Scene skin = with(GemMethod.TYPE).withPatch(PatchRequest.of("elaphe-like"));
-        assertThatThrownBy(() -> PlaneScenes.load(skin, folder)).hasMessageContaining("spacing");
+        assertThatThrownBy(() -> load(skin)).hasMessageContaining("spacing");
         assertThatThrownBy(() -> with(ReferenceMethod.TYPE))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("full, table, nmm, pq, gem");

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.scene.View.Camera;
@@ -15,11 +14,8 @@ import org.joml.Vector3f;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
@@ -37,19 +33,15 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 
-@NeedsDisplay
-class SceneSessionTest extends InAContext {
+class SceneSessionTest extends InAScene {
     private static final int WIDTH = 72;
     private static final int HEIGHT = 56;
-
-    @TempDir
-    private Path folder;
 
     private SceneSession session;
 
     @BeforeEach
     void prepare() {
-        session = new SceneSession(context, PlaneScenes.load(PlaneScenes.blaze(), folder));
+        session = session(blaze());
     }
 
     @AfterEach
@@ -59,7 +51,7 @@ class SceneSessionTest extends InAContext {
 
     private ScenePicture draw(Scene scene) {
         session.update(scene);
-        return WholePicture.of(session, WIDTH, HEIGHT);
+        return picture(session, WIDTH, HEIGHT);
     }
 
     private static float[] pixel(ScenePicture picture, int x, int y) {
@@ -69,14 +61,10 @@ class SceneSessionTest extends InAContext {
 
     @Test
     void aPixelHasTheExactColorOfItsDirection() {
-        ScenePicture picture = WholePicture.of(session, WIDTH, HEIGHT);
+        ScenePicture picture = picture(session, WIDTH, HEIGHT);
         SceneData data = session.data();
         ExactLight reference = data.scene().method().area().over(data.patch().heights(), CieTable.load());
-        int[] byLuminance = IntStream.range(0, WIDTH * HEIGHT)
-                .boxed()
-                .sorted(Comparator.comparingDouble(i -> -picture.rgba()[4 * i + 1]))
-                .mapToInt(Integer::intValue)
-                .toArray();
+        int[] byLuminance = byLuminance(picture.rgba());
         double brightest = 0;
         for (int rank : new int[] {0, 5, 20, 60, 150}) {
             int[] at = {byLuminance[rank] % WIDTH, byLuminance[rank] / WIDTH};
@@ -122,14 +110,11 @@ class SceneSessionTest extends InAContext {
     }
 
     private double light(Choices chosen) {
-        Scene scene = PlaneScenes.blaze();
-        SceneData data = PlaneScenes.load(scene.withMethod(scene.method().with(chosen)), folder);
-        try (SceneSession other = new SceneSession(context, data)) {
-            float[] rgba = WholePicture.of(other, WIDTH, HEIGHT).rgba();
-            return IntStream.range(0, WIDTH * HEIGHT)
-                    .mapToDouble(i -> rgba[4 * i + 1])
-                    .sum();
-        }
+        Scene scene = blaze();
+        float[] rgba = drawn(scene.withMethod(scene.method().with(chosen)), WIDTH, HEIGHT);
+        return IntStream.range(0, WIDTH * HEIGHT)
+                .mapToDouble(i -> rgba[4 * i + 1])
+                .sum();
     }
 
     @Test
@@ -145,12 +130,12 @@ class SceneSessionTest extends InAContext {
                     tile.y());
         }
         assertThat(tiled.rgba()).isEqualTo(whole.rgba());
-        assertThat(WholePicture.of(session, width, 24).rgba()).isEqualTo(whole.rgba());
+        assertThat(picture(session, width, 24).rgba()).isEqualTo(whole.rgba());
     }
 
     @Test
     void lightBelowTheSurfaceLeavesTheAmbientPart() {
-        Scene scene = PlaneScenes.blaze();
+        Scene scene = blaze();
         ScenePicture picture = draw(
                 scene.withLight(new SceneLight(new Vector3f(0.3f, 0, -0.5f), 2)).with(Weights.of(50, 1, 1, 0.25)));
         // Intensity 2, ambient 0.25, white. Seven digits of the matrix.
@@ -162,8 +147,7 @@ class SceneSessionTest extends InAContext {
 
     @Test
     void grazingLightAndViewStayFinite() {
-        Scene scene = PlaneScenes.blaze()
-                .withLight(new SceneLight(new Vector3f(0, 1, 1e-6f), 1))
+        Scene scene = blaze().withLight(new SceneLight(new Vector3f(0, 1, 1e-6f), 1))
                 .withView(new Viewpoint(
                         new Camera(new Vector3f(0, -0.4f, 0.004f), new Vector3f(), new Vector3f(0, 0, 1)), 0.6));
         for (float value : draw(scene).rgba()) {
@@ -173,7 +157,7 @@ class SceneSessionTest extends InAContext {
 
     @Test
     void picksTellPlaceAndFrame() {
-        Scene scene = PlaneScenes.blaze().with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
+        Scene scene = blaze().with(Choices.none().with(SceneSettings.ROTATE_PATCH, Math.PI / 2));
         session.update(scene);
         Pick pick = session.pick(WIDTH / 2, HEIGHT / 2, WIDTH, HEIGHT).orElseThrow();
         // Half a pixel of 0.4 m * 2 tan(20 deg) / 56.
@@ -204,11 +188,10 @@ class SceneSessionTest extends InAContext {
                         + "f 1 2 3 4\n");
         // Beside the middle, so that small meshes miss the center of a pixel.
         Camera camera = new Camera(new Vector3f(0, -0.1f * distance, distance), new Vector3f(), new Vector3f(0, 1, 0));
-        Scene scene = PlaneScenes.blaze()
-                .withMesh(MeshSource.of(mesh.toString()))
-                .withView(new Viewpoint(camera, Math.toRadians(30)));
-        try (SceneSession session = new SceneSession(context, PlaneScenes.load(scene, folder))) {
-            ScenePicture picture = WholePicture.of(session, SIDE, SIDE);
+        Scene scene =
+                blaze().withMesh(MeshSource.of(mesh.toString())).withView(new Viewpoint(camera, Math.toRadians(30)));
+        try (SceneSession session = session(scene)) {
+            ScenePicture picture = picture(session, SIDE, SIDE);
 
             float alpha = picture.rgba()[4 * (SIDE / 2 * SIDE + SIDE / 2) + 3];
             assertThat(alpha).isEqualTo(covers ? 1 : 0);

@@ -5,15 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import jrtr.scene.View.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
@@ -29,24 +25,16 @@ import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 
 /** Ground, sky and shadows about a white sphere of 10 cm that lies on the ground, in light from the left at 45 degrees. */
-@NeedsDisplay
-class SurroundingsTest extends InAContext {
+class SurroundingsTest extends InAScene {
     private static final int SIDE = 64;
-
-    @TempDir
-    private Path folder;
 
     private float[] draw(Choices around, UnaryOperator<Scene> change) {
         Viewpoint above = new Viewpoint(new Camera(new Vector3f(0, 0, 2), new Vector3f(), new Vector3f(0, 1, 0)), 0.4);
-        Scene scene = PlaneScenes.blaze()
-                .withMesh(MeshSource.of("sphere"))
+        Scene scene = blaze().withMesh(MeshSource.of("sphere"))
                 .withView(above)
                 .withLight(new SceneLight(new Vector3f(-1, 0, 1), 1))
                 .with(Weights.of(0, 1, 1, 0.2));
-        try (SceneSession session =
-                new SceneSession(context, PlaneScenes.load(change.apply(scene.with(around)), folder))) {
-            return WholePicture.of(session, SIDE, SIDE).rgba();
-        }
+        return drawn(change.apply(scene.with(around)), SIDE, SIDE);
     }
 
     /** Luminance of the pixel that shows a point of the ground (by similar triangles, 2 m below the eye) or of the sphere. */
@@ -58,9 +46,9 @@ class SurroundingsTest extends InAContext {
     }
 
     private static final Optional<SceneColor> WHITE = Optional.of(new SceneColor(0xffffff));
-    private static final Choices NONE = PlaneScenes.around(Optional.empty(), 0, false);
-    private static final Choices GROUND = PlaneScenes.around(WHITE, 0, false);
-    private static final Choices SHADED = PlaneScenes.around(WHITE, 0, true);
+    private static final Choices NONE = around(Optional.empty(), 0, false);
+    private static final Choices GROUND = around(WHITE, 0, false);
+    private static final Choices SHADED = around(WHITE, 0, true);
 
     @Test
     void aSphereShadesTheGroundBehindItAndNotBeforeIt() {
@@ -75,7 +63,7 @@ class SurroundingsTest extends InAContext {
     @Test
     void aConvexBodyShadesNothingOfItselfThatFacesTheLight() {
         float[] free = draw(NONE, scene -> scene);
-        float[] shaded = draw(PlaneScenes.around(Optional.empty(), 0, true), scene -> scene);
+        float[] shaded = draw(around(Optional.empty(), 0, true), scene -> scene);
         for (double x = -0.09; x < 0.04; x += 0.01) {
             assertThat(luminance(shaded, x, 0)).as("at %s", x).isCloseTo(luminance(free, x, 0), within(1e-4f));
         }
@@ -84,8 +72,7 @@ class SurroundingsTest extends InAContext {
     @Test
     void aSkyAddsWhatGlossReflects() {
         float[] dark = draw(NONE, scene -> scene.with(Weights.of(0, 1e-6, 1, 0)));
-        float[] sky =
-                draw(PlaneScenes.around(Optional.empty(), 1, false), scene -> scene.with(Weights.of(0, 1e-6, 1, 0)));
+        float[] sky = draw(around(Optional.empty(), 1, false), scene -> scene.with(Weights.of(0, 1e-6, 1, 0)));
         // Keratin reflects 4 % along the normal, of a zenith of 1.
         assertThat(luminance(sky, 0, 0) - luminance(dark, 0, 0)).isCloseTo(0.04f, within(0.002f));
     }
@@ -109,6 +96,6 @@ class SurroundingsTest extends InAContext {
     void theThesisPresetHasNoSurroundings() {
         UnaryOperator<Scene> thesis = scene -> scene.with(
                 Choices.none().with(Methods.METHOD, PqMethod.TYPE).with(MethodSettings.PRESET, Preset.THESIS));
-        assertThat(draw(PlaneScenes.around(WHITE, 1, true), thesis)).isEqualTo(draw(NONE, thesis));
+        assertThat(draw(around(WHITE, 1, true), thesis)).isEqualTo(draw(NONE, thesis));
     }
 }

@@ -88,15 +88,9 @@ class IlluminantTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "532",
-                "300nm",
-                "600nm..500nm",
-                "500nm..500.2nm",
-                "500nm..900nm",
-                "1nm..2nm..3nm",
-                "",
-                "..",
-                "NaNnm"
+                "532", "300nm", "600nm..500nm",
+                "500nm..500.2nm", "500nm..900nm", "1nm..2nm..3nm",
+                "", "..", "NaNnm"
             })
     void textsThatAreNoBandAreRefusedByName(String text) {
         assertThatThrownBy(() -> WavelengthBand.parse(text))

@@ -31,26 +31,11 @@ class SharedScansTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "di-1.di",
-                "di-3.di",
-                "spot_1-1000nm.ibw",
-                "nid-1.nid",
-                "example_ps.tiff",
-                "sample_0.jpk",
-                "stp-1.stp",
-                "top-1.top",
-                "x3p-2.x3p",
-                "sdf-1.sdf",
-                "mi-1.mi",
-                "sur-2.sur",
-                "test.gwy",
-                "gwyddion-export-english.txt",
-                "gwyddion-export-german.txt",
-                "matrix-3.txt",
-                "matrix-6.txt",
-                "txt_example.txt",
-                "xyz-1.txt",
-                "xyz-2.txt"
+                "di-1.di", "di-3.di", "spot_1-1000nm.ibw", "nid-1.nid",
+                "example_ps.tiff", "sample_0.jpk", "stp-1.stp", "top-1.top",
+                "x3p-2.x3p", "sdf-1.sdf", "mi-1.mi", "sur-2.sur",
+                "test.gwy", "gwyddion-export-english.txt", "gwyddion-export-german.txt", "matrix-3.txt",
+                "matrix-6.txt", "txt_example.txt", "xyz-1.txt", "xyz-2.txt"
             })
     void agreesWithOtherPrograms(String name) throws IOException {
         JsonNode expected = expected(name);

@@ -12,29 +12,11 @@ final class TestScans {
     static final double WIDTH = 3.5e-6;
     static final double HEIGHT = 2e-6;
     /** Names of the files in the resources' folder {@code field}. */
-    static final List<String> FORMATS = List.of(
-            "gwy",
-            "gsf",
-            "gwyddion-text",
-            "gwyddion-text-german",
-            "spip-text",
-            "points",
-            "nanoscope",
-            "nanoscope-32",
-            // Samples of 32 bits, while the header gives the number of steps of 16 bits.
-            "nanoscope-32-of-16",
-            "ibw",
-            "nid",
-            "stp",
-            "top",
-            "jpk",
-            "jpk-qi-image",
-            "park",
-            "sdf-text",
-            "sdf-binary",
-            "x3p",
-            "sur",
-            "mi");
+    static final List<String> FORMATS = List.of(("gwy gsf gwyddion-text gwyddion-text-german spip-text points"
+                    // In the last, samples have 32 bits, while the header gives the number of steps of 16 bits.
+                    + " nanoscope nanoscope-32 nanoscope-32-of-16"
+                    + " ibw nid stp top jpk jpk-qi-image park sdf-text sdf-binary x3p sur mi")
+            .split(" "));
 
     private TestScans() {}
 

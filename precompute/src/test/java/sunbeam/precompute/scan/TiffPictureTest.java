@@ -48,24 +48,15 @@ class TiffPictureTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "unsigned8-lzw-predictor2",
-                "unsigned16-lzw-predictor2-big-endian",
-                "unsigned16-zip-predictor2-tiles",
-                "unsigned32-zip-predictor2-big-endian",
-                "unsigned32",
-                "signed8-packbits",
-                "signed16-zip-predictor2-big-endian",
-                "signed32-lzw-predictor2",
-                "float16-big-endian",
-                "float16-zip-predictor3",
-                "float32-lzw-predictor3-big-endian",
-                "float32-zip-predictor3-tiles",
-                "float64-zip-predictor3-big-endian",
-                "bigtiff-float32-zip-predictor3",
-                "bigtiff-unsigned16-big-endian",
-                "white-is-zero-unsigned8",
-                "white-is-zero-unsigned16-lzw-predictor2",
-                "rgb-unsigned16-planar-lzw-predictor2"
+                "unsigned8-lzw-predictor2", "unsigned16-lzw-predictor2-big-endian",
+                "unsigned16-zip-predictor2-tiles", "unsigned32-zip-predictor2-big-endian",
+                "unsigned32", "signed8-packbits",
+                "signed16-zip-predictor2-big-endian", "signed32-lzw-predictor2",
+                "float16-big-endian", "float16-zip-predictor3",
+                "float32-lzw-predictor3-big-endian", "float32-zip-predictor3-tiles",
+                "float64-zip-predictor3-big-endian", "bigtiff-float32-zip-predictor3",
+                "bigtiff-unsigned16-big-endian", "white-is-zero-unsigned8",
+                "white-is-zero-unsigned16-lzw-predictor2", "rgb-unsigned16-planar-lzw-predictor2"
             })
     void readsEveryWayOfWritingASurface(String name) throws Exception {
         try (ScanBytes bytes = ScanBytes.open(file(name))) {

@@ -18,7 +18,6 @@ import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
@@ -28,7 +27,6 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.setting.Choices;
 
-@NeedsDisplay
 class MaterialMapTest extends InAContext {
     private static final int SIZE = 24;
     private static final double THETA = 50;

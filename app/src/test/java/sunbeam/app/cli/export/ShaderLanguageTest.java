@@ -21,13 +21,11 @@ import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 
 /**
  * Translations of the exported function, compiled to GLSL by other programs and compared with the original on the same directions. A test
  * is skipped if its compiler is missing.
  */
-@NeedsDisplay
 class ShaderLanguageTest extends InAContext {
     private static final int SIDE = 64;
     private static final int TABLE = 32;

@@ -109,12 +109,8 @@ class MethodOptionsTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "--tolerance 0.01",
-                "--expansion taylor",
-                "--terms 5",
-                "--radius 1",
-                "--anchor floor",
-                "--wavelength-step 5nm"
+                "--tolerance 0.01", "--expansion taylor", "--terms 5",
+                "--radius 1", "--anchor floor", "--wavelength-step 5nm"
             })
     void aMethodWithoutTablesTakesNoChoiceOfThem(String option) {
         for (String method : new String[] {"reference", "gem"}) {

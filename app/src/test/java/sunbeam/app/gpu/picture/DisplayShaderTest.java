@@ -15,13 +15,11 @@ import jrtr.glsl.ShaderLibrary;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.Shaders;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 
 /** display.glsl and srgb.glsl against their twins in double precision. */
-@NeedsDisplay
 class DisplayShaderTest extends InAContext {
     // The shader's matrices have seven digits behind the point, its numbers 24 bits.
     private static final double DIGITS = 1e-7;

@@ -2,10 +2,8 @@ package sunbeam.app.measure.errors;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -15,19 +13,14 @@ import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.gpu.InAContext;
-import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.measure.errors.Certificate.Limits;
 import sunbeam.app.render.DrawRequest;
+import sunbeam.app.render.InAScene;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelSamples;
-import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneSession;
-import sunbeam.app.render.WholePicture;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
@@ -35,7 +28,6 @@ import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.Weights;
-import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
@@ -47,8 +39,7 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
 /** Compares method table on meshes with full: a point if a pixel sees a point, else the mean over the pixel. */
-@NeedsDisplay
-class SceneTableTest extends InAContext {
+class SceneTableTest extends InAScene {
     private static final double TOLERANCE = 1e-2;
     private static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
     // Orders as bright as the body, as on a skin.
@@ -56,9 +47,6 @@ class SceneTableTest extends InAContext {
     private static final Vector3f EYE = new Vector3f(-0.05f, -0.1f, 0.4f);
     // Across the lines it lies opposite to the eye, so that orders go through the picture's middle.
     private static final Vector3f LIGHT = new Vector3f(-0.2f, 0.242f, 0.949f);
-
-    @TempDir
-    private Path folder;
 
     /** The blazed grating, which sends orders to the camera. */
     private static Scene plane(Vector3f eye, Vector3f light, double fieldOfView, Choices weights, MethodType type) {
@@ -79,22 +67,14 @@ class SceneTableTest extends InAContext {
                 new SceneMethod(method));
     }
 
-    private SceneData load(Scene scene) {
-        return new SceneLoader(new Environment(Map.of(), folder), warning -> {})
-                .parts(scene)
-                .get(0);
-    }
-
     @Test
     void pixelsThatSeePointsHaveTheColorsOfFull() {
         int width = 24;
         int height = 18;
-        try (SceneSession full =
-                        new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, FullMethod.TYPE)));
-                SceneSession table =
-                        new SceneSession(context, load(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, TableMethod.TYPE)))) {
-            float[] exact = WholePicture.of(full, width, height).rgba();
-            float[] drawn = WholePicture.of(table, width, height).rgba();
+        try (SceneSession full = session(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, FullMethod.TYPE));
+                SceneSession table = session(plane(EYE, LIGHT, 1, DIFFRACTION_ONLY, TableMethod.TYPE))) {
+            float[] exact = picture(full, width, height).rgba();
+            float[] drawn = picture(table, width, height).rgba();
             List<Comparison> compared = IntStream.range(0, width * height)
                     .mapToObj(i -> new Comparison(xyz(drawn, i), xyz(exact, i), 1))
                     .toList();
@@ -141,8 +121,8 @@ class SceneTableTest extends InAContext {
         Scene point = plane(EYE, LIGHT, 20, ON_A_BODY, TableMethod.TYPE);
         SceneLight wide = new SceneLight(LIGHT, 1, Math.toRadians(degrees));
         Scene exact = plane(EYE, LIGHT, 20, ON_A_BODY, FullMethod.TYPE).withLight(wide);
-        try (SceneSession full = new SceneSession(context, load(exact));
-                SceneSession table = new SceneSession(context, load(point))) {
+        try (SceneSession full = session(exact);
+                SceneSession table = session(point)) {
             SceneCertifier certifier = new SceneCertifier(24, 18, PixelSamples.uniform(1));
             PartSum sum = new PartSum(List.of(full));
             PartSum tables = new PartSum(List.of(table));
@@ -178,8 +158,8 @@ class SceneTableTest extends InAContext {
         SceneCertifier certifier = new SceneCertifier(24, 18, PixelSamples.uniform(1));
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
-        try (SceneSession full = new SceneSession(context, load(exact));
-                SceneSession table = new SceneSession(context, load(drawn))) {
+        try (SceneSession full = session(exact);
+                SceneSession table = session(drawn)) {
             PartSum sum = new PartSum(List.of(full));
             Certificate certificate = certifier.certify(new PartSum(List.of(table)), drawn, sum, exact, 1, count);
             Certificate points = certifier.certify(sum, exact, sum, exact, 1, count);
@@ -194,8 +174,8 @@ class SceneTableTest extends InAContext {
     @Test
     void aMeshThatTurnsItsBackToTheLightIsDark() {
         Scene scene = plane(EYE, new Vector3f(0.2f, 0, -0.9f), 10, DIFFRACTION_ONLY, TableMethod.TYPE);
-        try (SceneSession session = new SceneSession(context, load(scene))) {
-            float[] drawn = WholePicture.of(session, 8, 6).rgba();
+        try (SceneSession session = session(scene)) {
+            float[] drawn = picture(session, 8, 6).rgba();
             assertThat(xyz(drawn, 27)).containsExactly(0, 0, 0);
             assertThat(drawn[4 * 27 + 3]).as("covered").isOne();
         }
@@ -205,10 +185,9 @@ class SceneTableTest extends InAContext {
     void aPictureIsTheSameHoweverItIsDivided() {
         int width = 24;
         int height = 18;
-        try (SceneSession one = new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)));
-                SceneSession other =
-                        new SceneSession(context, load(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE)))) {
-            float[] whole = WholePicture.of(one, width, height).rgba();
+        try (SceneSession one = session(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE));
+                SceneSession other = session(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE))) {
+            float[] whole = picture(one, width, height).rgba();
             for (Tile tile : Tile.cover(width, height, 7)) {
                 float[] part = other.draw(
                                 DrawRequest.ofPixels(other.scene(), width, height, tile, PixelSamples.uniform(1)))

@@ -1,0 +1,119 @@
+package sunbeam.app.render;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import jrtr.Tile;
+import jrtr.scene.View.Camera;
+import org.joml.Quaternionf;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.gpu.InAContext;
+import sunbeam.app.scene.PatchAtlas;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneMethod;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.Viewpoint;
+import sunbeam.app.scene.Weights;
+import sunbeam.app.terminal.Environment;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.setting.Choices;
+
+/** Test that draws scenes in one render context, with a new folder as home. */
+public abstract class InAScene extends InAContext {
+    @TempDir
+    protected Path folder;
+
+    /** What loaders tell. */
+    protected final List<String> warnings = new ArrayList<>();
+
+    private static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
+
+    /** The blazed grating, viewed near its normal; the light sends orders to the camera. */
+    protected static Scene blaze() {
+        Choices own = Choices.none()
+                .with(SceneSettings.TITLE, "plane")
+                .with(SceneSettings.MESH, "plane")
+                .with(SceneSettings.TEXTURE, "none")
+                .with(SceneSettings.EXPOSURE, OptionalDouble.of(1))
+                .with(SceneSettings.BACKGROUND, new SceneColor(0x204060))
+                .over(DIFFRACTION_ONLY);
+        return new Scene(
+                own,
+                PatchAtlas.of(PatchRequest.of("blaze")),
+                new Viewpoint(
+                        new Camera(new Vector3f(-0.05f, -0.1f, 0.4f), new Vector3f(), new Vector3f(0, 1, 0)),
+                        Math.toRadians(40)),
+                new Quaternionf(),
+                new SceneLight(new Vector3f(-0.2f, 0.3f, 0.9f), 1),
+                List.of(),
+                new SceneMethod(Choices.none().with(Methods.METHOD, FullMethod.TYPE)));
+    }
+
+    protected static Choices around(Optional<SceneColor> ground, double sky, boolean shadows) {
+        return Choices.none()
+                .with(SceneSettings.GROUND, ground)
+                .with(SceneSettings.SKY, sky)
+                .with(SceneSettings.SHADOWS, shadows);
+    }
+
+    protected final SceneLoader loader() {
+        return new SceneLoader(new Environment(Map.of(), folder), warnings::add);
+    }
+
+    protected final SceneData load(Scene scene) {
+        return loader().parts(scene).get(0);
+    }
+
+    protected final SceneSession session(Scene scene) {
+        return new SceneSession(context, load(scene));
+    }
+
+    /** Returns linear RGBA of a whole picture. */
+    protected final float[] drawn(Scene scene, int width, int height) {
+        try (SceneSession session = session(scene)) {
+            return picture(session, width, height).rgba();
+        }
+    }
+
+    /** Draws a whole picture. */
+    protected static ScenePicture picture(SceneSession session, int width, int height) {
+        ScenePicture picture = ScenePicture.empty(width, height);
+        for (DrawRequest part : SceneSession.parts(session.scene(), width, height, PixelSamples.uniform(1))) {
+            picture.put(session.draw(part), part.tile().x(), part.tile().y());
+        }
+        return picture;
+    }
+
+    /** Draws the sum of a scene's parts. */
+    protected static ScenePicture sum(List<SceneData> parts, int width, int height) {
+        List<SceneSession> sessions = new ArrayList<>();
+        try {
+            parts.forEach(part -> sessions.add(new SceneSession(context, part)));
+            Scene scene = parts.get(0).scene();
+            PartSum sum = new PartSum(sessions);
+            return sum.draw(
+                    DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), PixelSamples.uniform(1)));
+        } finally {
+            sessions.forEach(SceneSession::close);
+        }
+    }
+
+    /** Returns the indices of pixels, the brightest first. */
+    protected static int[] byLuminance(float[] rgba) {
+        return IntStream.range(0, rgba.length / 4)
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> -rgba[4 * i + 1]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+    }
+}
