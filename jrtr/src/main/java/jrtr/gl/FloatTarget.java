@@ -251,7 +251,7 @@ public final class FloatTarget extends Resource {
         copy(from, from.spec.width() == spec.width() ? 1 : 2, GL3.GL_COLOR_BUFFER_BIT, GL3.GL_LINEAR);
     }
 
-    /** @param from target of the same size; both have depth */
+    /** Copies the depth of a target of the same size. */
     public void copyDepthFrom(FloatTarget from) {
         copy(from, 1, GL3.GL_DEPTH_BUFFER_BIT, GL3.GL_NEAREST);
     }

@@ -54,7 +54,7 @@ public abstract class Resource implements AutoCloseable {
         return label;
     }
 
-    /** @throws IllegalStateException on any thread but the context's */
+    /** Throws IllegalStateException on any thread but the context's. */
     @Override
     public final void close() {
         device.requireOwner();

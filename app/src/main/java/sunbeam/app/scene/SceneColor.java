@@ -9,7 +9,7 @@ import sunbeam.precompute.text.Text;
 public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
 
-    /** @throws IllegalArgumentException unless the text is {@code #rrggbb}; the message is for the user */
+    /** Throws IllegalArgumentException unless the text is {@code #rrggbb}; the message is for the user. */
     public static SceneColor parse(String text) {
         if (!HEXADECIMAL.matcher(text.strip()).matches()) {
             throw new IllegalArgumentException(Quoted.of(text) + " is no color; write it as #rrggbb, such as #101418");

@@ -55,6 +55,8 @@ public final class SceneReader {
     }
 
     /**
+     * Reads a scene.
+     *
      * @throws InputException when it is missing or not a scene
      *
      * @throws sunbeam.precompute.setting.SettingException when a value cannot be used

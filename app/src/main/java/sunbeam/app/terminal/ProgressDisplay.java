@@ -66,6 +66,8 @@ public final class ProgressDisplay {
     }
 
     /**
+     * Starts to show a task.
+     *
      * @param label name of the task, for example {@code rendering}
      * @param total number of steps, at least 0
      */

@@ -60,7 +60,7 @@ public final class JsonObject {
         this.node = node;
     }
 
-    /** @throws InputException when it cannot be read, is too large or no JSON object */
+    /** Throws InputException when the file cannot be read, is too large or no JSON object. */
     public static JsonObject read(Path file) {
         InputException.requireRegular(file);
         try (InputStream stream = Files.newInputStream(file)) {

@@ -36,6 +36,8 @@ public final class PatchLoader {
     private PatchLoader() {}
 
     /**
+     * Loads a patch.
+     *
      * @param cache cache of the heights of built-in patches
      * @throws InputException if there is no such patch, or its file or descriptor cannot be used
      * @throws SettingException if a choice contradicts the patch or is absurd

@@ -8,6 +8,8 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
 /**
+ * Choices of a patch.
+ *
  * @param choices values of {@link PatchSettings}
  * @param raw whether files without a descriptor are prepared as in the thesis: mean subtracted, repeated
  */

@@ -25,7 +25,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
             Pattern.compile("height|topo|\\bz\\b|\\bz[- _]?(axis|sensor|scan|piezo|drive)|hoehe|h\u00f6he|hauteur");
     private static final Pattern SENSOR = Pattern.compile("sensor|measured|\\blvdt|closed loop");
 
-    /** @throws ScanException if there are no channels or too many */
+    /** Throws ScanException if there are no channels or too many. */
     public ChannelList(List<ScanChannel> channels) {
         this(checked(channels), labels(channels));
     }

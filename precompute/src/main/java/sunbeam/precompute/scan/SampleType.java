@@ -47,7 +47,7 @@ public enum SampleType {
         return decoder.decode(from, at);
     }
 
-    /** @throws ScanException unless the width is 8, 16, 32 or 64 bits */
+    /** Throws ScanException unless the width is 8, 16, 32 or 64 bits. */
     public static SampleType signed(int bits) {
         return Stream.of(SIGNED_8, SIGNED_16, SIGNED_32, SIGNED_64)
                 .filter(type -> Byte.SIZE * type.size == bits)
@@ -63,7 +63,7 @@ public enum SampleType {
                 .findFirst();
     }
 
-    /** @throws ScanException for an unknown code */
+    /** Throws ScanException for an unknown code. */
     public static SampleType of(Map<?, SampleType> types, Object code) {
         SampleType type = types.get(code);
         if (type == null) {
@@ -72,7 +72,7 @@ public enum SampleType {
         return type;
     }
 
-    /** @throws ScanException if the stream ends too early */
+    /** Throws ScanException if the stream ends too early. */
     public double[] read(InputStream in, int count, ByteOrder order) throws IOException {
         double[] samples = new double[count];
         byte[] bytes = new byte[BUFFER_SAMPLES * size];

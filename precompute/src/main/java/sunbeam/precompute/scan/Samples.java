@@ -86,7 +86,7 @@ public record Samples(int columns, int rows, Source source) {
         return new Samples(newColumns, newRows, source);
     }
 
-    /** @throws ScanException if there are too many, or fewer than announced */
+    /** Throws ScanException if there are too many, or fewer than announced. */
     public double[] read() throws IOException {
         ScanLimits.requireSize(columns, rows);
         ScanLimits.requireMemory(count(), 0);

@@ -28,6 +28,8 @@ public final class TextNumbers {
     }
 
     /**
+     * Reads the numbers of a text.
+     *
      * @param line number of the first line, for messages
      *
      * @throws ScanException if there are too many numbers, or a word that is no number

@@ -37,7 +37,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         return TextFile.of(file, decimalMark).isPresent();
     }
 
-    /** @throws ScanException if the file cannot be used */
+    /** Throws ScanException if the file cannot be used. */
     public List<ScanChannel> channels(ScanBytes file) throws IOException {
         TextFile text = TextFile.of(file, decimalMark).orElseThrow();
         TextFile.Facts facts = text.facts();

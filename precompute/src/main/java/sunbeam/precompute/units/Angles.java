@@ -13,7 +13,7 @@ public final class Angles {
 
     private Angles() {}
 
-    /** @throws IllegalArgumentException when the text has no number or an unknown unit */
+    /** Throws IllegalArgumentException when the text has no number or an unknown unit. */
     public static double parse(String text) {
         String value = text.strip().toLowerCase(Locale.ROOT).replaceFirst("\u00b0$", "deg");
         boolean radians = value.endsWith("rad");

@@ -38,7 +38,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 
-    /** @throws InputException if the file cannot be used; the message names line, column and value */
+    /** Throws InputException if the file cannot be used; the message names line, column and value. */
     public static DirectionList read(Path file) {
         if (Files.isDirectory(file)) {
             throw new InputException("cannot read " + file + ": it is a folder; name a file in it");

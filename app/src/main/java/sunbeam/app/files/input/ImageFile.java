@@ -45,7 +45,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
         });
     }
 
-    /** @throws InputException if the file is missing, no such image, too large for a heap of this size, or damaged */
+    /** Throws InputException if the file is missing, no such image, too large for a heap of this size, or damaged. */
     public BufferedImage read(Path file, long heapBytes) {
         InputException.requireRegular(file);
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {

@@ -41,6 +41,8 @@ public final class LightTable {
     private LightTable() {}
 
     /**
+     * Returns the chosen light as the chosen observer sees it.
+     *
      * @throws InputException if a file cannot be used
      * @throws sunbeam.precompute.setting.SettingException if the light has no power in the chosen band
      */

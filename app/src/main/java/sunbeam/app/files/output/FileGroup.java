@@ -37,7 +37,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
         return new FileGroup(path.resolveSibling(stem), endings, overwrite);
     }
 
-    /** @throws OutputException if a file cannot be written */
+    /** Throws OutputException if a file cannot be written. */
     public void checkWritable() {
         plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
     }

@@ -38,7 +38,7 @@ public final class TevClient implements AutoCloseable {
         this.err = err;
     }
 
-    /** @throws OutputException if no program listens on the port, or does not answer */
+    /** Throws OutputException if no program listens on the port, or does not answer. */
     public static TevClient connect(int port, PrintWriter err) {
         TevClient client = new TevClient(err);
         try {

@@ -100,7 +100,7 @@ public record MeshSource(String name, Unit unit) {
                 .anyMatch(ending -> name.endsWith("." + ending));
     }
 
-    /** @throws InputException if there is no such mesh, or the file cannot be used */
+    /** Throws InputException if there is no such mesh, or the file cannot be used. */
     public Loaded load() {
         if (BuiltInMeshes.names().contains(name)) {
             if (unit != Unit.M) {
