@@ -1,9 +1,7 @@
 package sunbeam.app.cli;
 
 import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
-import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.Arrays;
@@ -14,7 +12,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
-import picocli.CommandLine.IHelpSectionRenderer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
@@ -22,6 +19,7 @@ import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Setting;
 
 /** Help of a command, with options in groups. The short form has the common options, each with the first sentence of its description. */
@@ -31,18 +29,10 @@ final class CommandHelp {
     private static final Set<String> LAST = Set.of("--output", "--force", "--resume", "--json");
     private static final Set<String> GENERAL = Set.of("--help", COMPLETE, "--version", "--debug", "--quiet");
     private static final List<Setting<?>> METHOD_SETTINGS =
-            List.of(METHOD, PRESET, TOLERANCE, COHERENCE_LENGTH, AVERAGE);
+            List.of(METHOD, MethodSettings.PRESET, TOLERANCE, COHERENCE_LENGTH, MethodSettings.AVERAGE);
 
-    private static final Set<String> EXPERT = Set.of(
-            "--tone",
-            "--primaries",
-            "--linear",
-            "--tev",
-            "--light-cone",
-            "--strokes",
-            "--version",
-            "--debug",
-            "--quiet");
+    private static final Set<String> EXPERT =
+            Set.of("--tone --primaries --linear --tev --light-cone --strokes --version --debug --quiet".split(" ", -1));
 
     private static final Set<Setting<?>> COMMON = Set.of(
             PatchSettings.PATCH,
@@ -68,7 +58,7 @@ final class CommandHelp {
     private CommandHelp() {}
 
     static void install(CommandLine command, boolean complete) {
-        Map<String, IHelpSectionRenderer> sections = command.getHelpSectionMap();
+        Map<String, CommandLine.IHelpSectionRenderer> sections = command.getHelpSectionMap();
         sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST_HEADING, help -> "");
         sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, help -> options(help, complete));
         if (!complete) {

@@ -64,7 +64,6 @@ final class RootCommand implements Callable<Integer>, ReportingCommand.Root {
         return environment;
     }
 
-    /** Returns the lines below the options: files, environment and examples. */
     static String[] footer() {
         return Environment.resource(RootCommand.class, "footer.txt").lines().toArray(String[]::new);
     }

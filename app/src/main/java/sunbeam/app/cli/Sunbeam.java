@@ -9,11 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import picocli.CommandLine;
-import picocli.CommandLine.ExecutionException;
-import picocli.CommandLine.HelpCommand;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.ParseResult;
-import picocli.CommandLine.RunLast;
+import picocli.CommandLine.Model.UsageMessageSpec;
 import sunbeam.app.cli.benchmark.BenchmarkCommand;
 import sunbeam.app.cli.brdfmap.BrdfMapCommand;
 import sunbeam.app.cli.cache.CacheCommand;
@@ -75,7 +71,7 @@ public final class Sunbeam {
     }
 
     /** Runs the command. Control characters in its output, which may come from files, are made harmless; those of the help stay. */
-    private int execute(CommandLine root, ParseResult parsed, boolean quiet) {
+    private int execute(CommandLine root, CommandLine.ParseResult parsed, boolean quiet) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
             return help;
@@ -87,7 +83,9 @@ public final class Sunbeam {
         }
         Optional<Collection> collection =
                 Optional.ofNullable(parsed.subcommand()).flatMap(command -> Collection.of(command, this::inner));
-        return collection.isPresent() ? run(collection.get(), parsed.subcommand()) : new RunLast().execute(parsed);
+        return collection.isPresent()
+                ? run(collection.get(), parsed.subcommand())
+                : new CommandLine.RunLast().execute(parsed);
     }
 
     private Collection.Outcome inner(List<String> words) {
@@ -98,12 +96,12 @@ public final class Sunbeam {
         return new Collection.Outcome(code, stdout.toString(), Messages.last(stderr.toString()));
     }
 
-    private int run(Collection collection, ParseResult command) {
+    private int run(Collection collection, CommandLine.ParseResult command) {
         CommandLine commandLine = command.commandSpec().commandLine();
         try {
             return collection.run(commandLine.getOut(), commandLine.getErr(), environment.progress());
         } catch (RuntimeException failure) {
-            throw new ExecutionException(commandLine, failure.getMessage(), failure);
+            throw new CommandLine.ExecutionException(commandLine, failure.getMessage(), failure);
         }
     }
 
@@ -124,9 +122,7 @@ public final class Sunbeam {
         return code;
     }
 
-    /**
-     * Returns all commands, in the order of the help. The help constructs them all, so they must not load OpenGL or plots before they run.
-     */
+    /** Returns all commands, in the help's order. The help constructs all, so constructors must not load OpenGL or plots. */
     private Map<String, Supplier<Object>> commands() {
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
         commands.put("brdf-map", BrdfMapCommand::new);
@@ -146,7 +142,7 @@ public final class Sunbeam {
         commands.put("view", ViewCommand::new);
         commands.put("cache", CacheCommand::new);
         commands.put("doctor", () -> new DoctorCommand(environment));
-        commands.put("help", HelpCommand::new);
+        commands.put("help", CommandLine.HelpCommand::new);
         return commands;
     }
 
@@ -174,15 +170,14 @@ public final class Sunbeam {
     }
 
     private static void describe(CommandLine commandLine) {
-        CommandSpec specification = commandLine.getCommandSpec();
-        specification.usageMessage().abbreviateSynopsis(true);
-        if (specification.usageMessage().header().length > 0) {
-            specification.usageMessage().synopsisHeading("%nUsage: ");
+        UsageMessageSpec usage = commandLine.getCommandSpec().usageMessage().abbreviateSynopsis(true);
+        if (usage.header().length > 0) {
+            usage.synopsisHeading("%nUsage: ");
         }
-        if (specification.usageMessage().footer().length > 0) {
-            specification.usageMessage().footerHeading("%nExamples:%n");
+        if (usage.footer().length > 0) {
+            usage.footerHeading("%nExamples:%n");
         }
-        specification.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
+        usage.exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
         commandLine.getSubcommands().values().forEach(Sunbeam::describe);
     }
 }

@@ -14,7 +14,6 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import sunbeam.app.cli.benchmark.Meter.ExactViews;
 import sunbeam.app.cli.benchmark.Meter.Measurement;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.JsonOption;
@@ -157,8 +156,8 @@ public final class BenchmarkCommand extends FileCommand {
                 new DiffractionSetup(patch, environment(), err()).withLight(LightTable.of(methodOptions.choices()));
         List<Contender> contenders = new ArrayList<>(List.of(Contender.THESIS));
         contenders.addAll(Contender.of(setup.limitToScan(asked, err())));
-        Optional<ExactViews> views =
-                samples == 0 ? Optional.empty() : Optional.of(new ExactViews(setup, meter.light(), samples));
+        Optional<Meter.ExactViews> views =
+                samples == 0 ? Optional.empty() : Optional.of(new Meter.ExactViews(setup, meter.light(), samples));
         List<Measurement> rows = new ArrayList<>();
         try (Progress progress = environment().progress().start("Benchmark " + patch.name(), contenders.size())) {
             for (Contender contender : contenders) {
@@ -176,7 +175,6 @@ public final class BenchmarkCommand extends FileCommand {
         return rows;
     }
 
-    /** A method to measure, with a name that distinguishes it from others of the run. */
     record Contender(String name, Method method) {
         static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 

@@ -29,10 +29,8 @@ import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -43,23 +41,13 @@ import sunbeam.precompute.text.Text;
 record Meter(RenderContext context, int size, Direction light) {
     static final int FRAMES = 3;
 
-    /** Least time of all frames of a method together, seconds. */
     static final double LEAST_SECONDS = 0.5;
 
-    /** Time after which no further frame starts, seconds. */
     static final double MOST_SECONDS = 5;
 
     private static final int MOST_FRAMES = 1000;
 
-    /**
-     * Cost and error of a method on a surface.
-     *
-     * @param method name that distinguishes the method from the others of the run
-     * @param makingSeconds seconds from the heights to the tables on the graphics card
-     * @param frameSeconds median time of a map
-     * @param pixels number of the disc's pixels in the map
-     * @param errors relative errors of X, Y, Z; without samples if not measured
-     */
+    /** Cost and error of a method on a surface: making is from the heights to the card, a frame one map, pixels are the disc's. */
     record Measurement(
             String patch,
             String method,
@@ -92,15 +80,11 @@ record Meter(RenderContext context, int size, Direction light) {
         }
     }
 
-    /**
-     * @param exact views at which the method's error is measured; empty for no measurement
-     * @throws sunbeam.precompute.setting.SettingException if the method does not suit the surface
-     * @throws jrtr.GraphicsException if the graphics card lacks memory
-     */
+    /** @throws sunbeam.precompute.setting.SettingException if the method does not suit the surface */
     Measurement measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface().withStatistics(Roughness.Cache.NONE), VisibleRange.of(light));
-        ShaderTables tables = setup.freshTables(plan, MethodUse.COLOR, GpuBaker::of);
+        ShaderTables tables = setup.freshTables(plan, ShaderTables.MethodUse.COLOR, GpuBaker::of);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;
@@ -224,7 +208,7 @@ record Meter(RenderContext context, int size, Direction light) {
                 int batch = Math.min(BATCH, wanted - found.size());
                 tried += batch;
                 List<View> bright = Stream.generate(queries).limit(batch).toList().parallelStream()
-                        .map(query -> new View(query, exact.xyz(query.pair(), Quadrature.INTEGRATED)))
+                        .map(query -> new View(query, exact.xyz(query.pair(), ExactLight.Quadrature.INTEGRATED)))
                         .filter(view -> Comparison.largest(view.xyz()) > Comparison.FLOOR)
                         .toList();
                 found.addAll(bright);

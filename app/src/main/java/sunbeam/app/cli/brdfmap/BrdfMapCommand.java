@@ -4,8 +4,6 @@ import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.method.Methods.METHOD;
-import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
@@ -29,7 +27,6 @@ import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.PatchOptions.Compared;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
@@ -55,6 +52,7 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
@@ -108,7 +106,7 @@ public final class BrdfMapCommand extends FileCommand {
     private DisplayOptions exposure;
 
     @Mixin
-    private Compared compared;
+    private PatchOptions.Compared compared;
 
     @Option(
             names = "--annotate",
@@ -152,7 +150,6 @@ public final class BrdfMapCommand extends FileCommand {
     private int draw(Choices asked) {
         check();
         ToDoubleFunction<List<LinearPicture>> exposureRule = exposure.parse();
-        exposure.check();
         certify.check(Methods.of(asked));
         RefractiveIndex material = material(asked);
         // All options are checked before scans are read.
@@ -206,7 +203,7 @@ public final class BrdfMapCommand extends FileCommand {
                             pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
                             firstMap::overStandard,
                             environment().progress())
-                    .certify(first, count, factor, asked.get(TOLERANCE)));
+                    .certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             doubt = DoubtfulPicture.judge(
@@ -286,7 +283,7 @@ public final class BrdfMapCommand extends FileCommand {
         }
         if (!material.isConstant() && FresnelFactor.of(asked) == FresnelFactor.SQUARED) {
             throw asked.complaint(
-                    FRESNEL,
+                    MethodSettings.FRESNEL,
                     "squared is for an index that is the same at all wavelengths; give once, or a number as --index");
         }
         return material;

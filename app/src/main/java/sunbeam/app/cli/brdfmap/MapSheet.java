@@ -1,8 +1,5 @@
 package sunbeam.app.cli.brdfmap;
 
-import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
@@ -13,6 +10,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
@@ -37,12 +35,10 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
         return map.picture().shown(display);
     }
 
-    /**
-     * Draws the maps with rings, marks and captions of texts about index and exposure; the choices are those before a scan's size limits
-     * the coherence length.
-     */
+    /** Draws the maps with rings, marks and captions; the choices are those before a scan's size limits the coherence length. */
     BufferedImage annotated(Optional<String> index, String exposed, Choices asked) {
-        Choices light = asked.only(LightSettings.ALL).over(asked.only(List.of(ROTATE_PATCH, ANGULAR_DIAMETER)));
+        Choices light = asked.only(LightSettings.ALL)
+                .over(asked.only(List.of(SceneSettings.ROTATE_PATCH, SceneSettings.ANGULAR_DIAMETER)));
         String remarks = (light.chosen().isEmpty() ? "" : light.describe() + "; ")
                 + index.map(words -> "refractive index " + words + "; ").orElse("");
         return sheet(maps.stream()

@@ -1,8 +1,6 @@
 package sunbeam.app.cli.brdfmap;
 
 import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
-import static sunbeam.app.scene.SceneSettings.ENERGY;
-import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
 import static sunbeam.precompute.colortable.ColorTable.MIDDLE_WAVELENGTH;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
@@ -23,6 +21,7 @@ import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.scene.SceneLight;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.Progress;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
@@ -44,7 +43,6 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /**
  * BRDF map of one patch of any material: the sum of one map for each part of its reflection and of a lamp. Shaders compute the standard
@@ -65,17 +63,12 @@ final class MaterialMap {
     private final double turn;
     private final List<Part> parts;
 
-    /** Point of light with its share of the lamp's light, and the choices with its window. */
     private record Point(Direction towards, double share, Choices choices) {}
 
     /** Map to add: one part of the reflection under one point of light, divided where energy is conserved. */
     private record Part(Point point, ReflectionPart reflection, CieTable cie, MethodPlan plan) {}
 
-    /**
-     * A drawn map with its patch, light and settings.
-     *
-     * @param trial validation of the color tables, one for each part of the reflection; empty without tables
-     */
+    /** A drawn map with its patch, light and settings, and the validation of each part's color table, empty without tables. */
     record Result(
             Patch patch,
             Direction light,
@@ -92,9 +85,9 @@ final class MaterialMap {
         this.method = Methods.of(choices);
         this.index = index;
         this.light = light;
-        this.turn = choices.get(ROTATE_PATCH);
-        Optional<EnergyDivisor> divisor =
-                choices.get(ENERGY, Energy.SCALAR).divisor(setup.patch().heights(), index, choices);
+        this.turn = choices.get(SceneSettings.ROTATE_PATCH);
+        Optional<EnergyDivisor> divisor = choices.get(SceneSettings.ENERGY, Energy.SCALAR)
+                .divisor(setup.patch().heights(), index, choices);
         this.parts = points().stream()
                 .flatMap(
                         point -> ReflectionPart.of(index, setup.cie()).stream().map(part -> part(point, part, divisor)))
@@ -159,7 +152,6 @@ final class MaterialMap {
         return setup.withLight(parts.get(0).cie).exact(method);
     }
 
-    /** Returns the reflectance relative to the standard material's, for a material without dispersion. */
     double overStandard(DirectionPair pair) {
         return parts.get(0).reflection.overStandard(pair);
     }
@@ -171,7 +163,7 @@ final class MaterialMap {
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
             String label = "BRDF map" + (parts.size() > 1 ? " " + (i + 1) + " of " + parts.size() : "");
-            ShaderTables made = setup.tables(part.plan, MethodUse.COLOR, GpuBaker::of);
+            ShaderTables made = setup.tables(part.plan, ShaderTables.MethodUse.COLOR, GpuBaker::of);
             trials.add(made.trial());
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);

@@ -114,8 +114,8 @@ public final class Collection {
     }
 
     /**
-     * Runs the command for all surfaces, and prints a summary, and a line on standard error for each surface that failed. Returns the exit
-     * code of the first one that failed, else 3 if a surface has it.
+     * Runs the command for all surfaces; prints a summary, and a line on standard error for each that failed. Returns the exit code of the
+     * first one that failed, else 3 if a surface has it.
      */
     public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
         check();

@@ -41,22 +41,10 @@ import sunbeam.precompute.units.Decimals;
  */
 final class CollectionFolder {
     private static final List<String> COLUMNS = List.of(
-            "/theta_i_deg",
-            "/verdict_code",
-            "/verdict",
-            "/period_m",
-            "/period_low_m",
-            "/period_high_m",
-            "/about_m",
-            "/direction_deg",
-            "/first_orders_deg",
-            "/purest/srgb",
-            "/purest/theta_r_deg",
-            "/purest/dominant_m",
-            "/purest/purity",
-            "/faults",
-            "/notes");
-
+            ("/theta_i_deg /verdict_code /verdict /period_m /period_low_m /period_high_m /about_m /direction_deg"
+                            + " /first_orders_deg /purest/srgb /purest/theta_r_deg /purest/dominant_m /purest/purity"
+                            + " /faults /notes")
+                    .split(" ", -1));
     private static final String REPORTS = "reports";
     private final ObjectMapper json = new ObjectMapper();
     private final Path folder;

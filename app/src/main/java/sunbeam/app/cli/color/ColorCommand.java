@@ -24,7 +24,6 @@ import sunbeam.app.cli.options.IndexOption;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.PatchOptions.Compared;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.cli.options.SettingOptions;
@@ -51,7 +50,6 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
 
@@ -73,7 +71,7 @@ public final class ColorCommand extends FileCommand {
     private final PatchOptions patchOptions = PatchOptions.ofMany();
 
     @Mixin
-    private Compared compared;
+    private PatchOptions.Compared compared;
 
     @Mixin
     private final SettingOptions turn = new SettingOptions(List.of(ROTATE_PATCH));
@@ -129,7 +127,6 @@ public final class ColorCommand extends FileCommand {
         }
         RefractiveIndex material = index.parse();
         ToDoubleFunction<List<LinearPicture>> exposed = exposure.parse();
-        exposure.check();
         Methods.of(choices);
         if (output != null) {
             files(output).checkWritable();
@@ -218,11 +215,7 @@ public final class ColorCommand extends FileCommand {
         return reports.stream().allMatch(report -> report.colored()) ? judged : ExitCode.TOLERANCE_MISSED;
     }
 
-    /**
-     * Plans the method for a surface's views. Prints its warnings in one line, or with {@code --explain} in full.
-     *
-     * @throws SettingException if the plan needs too much memory or time
-     */
+    /** Plans the method for a surface's views. Prints its warnings in one line, or with {@code --explain} in full. */
     private SurfaceColors plan(
             Patch patch,
             CieTable spectrum,

@@ -26,8 +26,7 @@ import sunbeam.precompute.units.Decimals;
  * @param azimuthDegrees azimuth of the plane along, degrees
  * @param coherenceLength coherence length of the light, meters, as far as the scan's size allows it
  * @param colors colors by ascending viewing angle, those of strip along first, then those across
- * @param spectrum spectrum of the purest color; of a surface without a color of its own, that in the mirror direction
- * @param purest purest color; empty for a surface without a color of its own
+ * @param spectrum spectrum of the purest color, or without one in the mirror direction
  */
 record ColorReport(
         Patch patch,
@@ -41,12 +40,9 @@ record ColorReport(
         Spectrum spectrum,
         Optional<ViewColor> purest) {
     /**
-     * Relative radiance by wavelength, and the band that makes the color: half of the light lies within it, a quarter below and a quarter
-     * above. Unlike a width at half maximum, this band hardly changes with a single bright grain of speckle.
-     *
-     * @param nanometers wavelengths from 380 to 780 nm, in steps of 1 nm
-     * @param from shortest wavelength of the band, meters
-     * @param to longest wavelength of the band, meters
+     * Relative radiance by wavelength from 380 to 780 nm in steps of 1 nm, and the band that makes the color, meters: half of the light
+     * lies within it, a quarter below and a quarter above. Unlike a width at half maximum, it hardly changes with a single bright grain of
+     * speckle.
      */
     record Spectrum(ViewColor.View view, double[] nanometers, double[] radiances, double from, double to) {
         private static final int FIRST = 380;
@@ -114,7 +110,6 @@ record ColorReport(
         }
     }
 
-    /** Returns the verdict, and the purest color with its direction if the surface has one. */
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict.sentence()));
         purest.ifPresent(color -> lines.add(Text.format(

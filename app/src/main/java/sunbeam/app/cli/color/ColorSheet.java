@@ -83,7 +83,6 @@ final class ColorSheet {
                 .draw();
     }
 
-    /** Returns the line above a surface's strips; its purest color is at the exposure that all surfaces share. */
     static String title(ColorReport report) {
         String purest = report.purest()
                 .map(color -> "; purest (square) " + color.hex() + " at "

@@ -69,11 +69,10 @@ final class SurfaceColors {
     private record Part(ReflectionPart reflection, MethodPlan plan) {}
 
     /**
-     * Chooses the directions and plans the method for them.
+     * Plans the method for all views; the color at each viewing angle, in degrees, is the mean over a step.
      *
      * @param light light's azimuth, by default that of each plane, and the patch's rotation
      * @param theta angle of the light to the normal, degrees
-     * @param angles viewing angles, degrees; the color at each is the mean over a step
      */
     SurfaceColors(
             DiffractionSetup setup,
@@ -140,7 +139,6 @@ final class SurfaceColors {
         return parts.get(0).plan;
     }
 
-    /** Evaluates X, Y, Z of the relative radiance for each view. */
     void draw(RenderContext context) {
         List<DirectionPair> pairs =
                 views.stream().flatMap(view -> view.pairs().stream()).toList();

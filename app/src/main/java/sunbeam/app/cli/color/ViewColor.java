@@ -15,9 +15,8 @@ import sunbeam.precompute.text.Text;
 /**
  * Color of a surface from one viewing direction.
  *
- * @param xyz X, Y, Z of the relative radiance, before exposure
+ * @param xyz X, Y, Z of the relative radiance, before exposure; chromaticity and hue are theirs
  * @param rgb screen color 0xRRGGBB, after exposure
- * @param chromaticity chromaticity of {@code xyz}
  * @param lab CIE L*a*b* after exposure; a color brighter than white is first scaled to the luminance of white
  * @param uncertainty error of the computation in CIEDE2000, which 95 % of directions keep
  */
@@ -36,7 +35,6 @@ record ViewColor(
      * Viewing direction and light of a color; angles in degrees.
      *
      * @param along true in the plane across the lines of the grating, where color spreads most; false in the plane at right angles to it
-     * @param phiDegrees azimuth of the viewing plane
      * @param thetaRDegrees angle of the viewer to the normal, positive towards the plane's azimuth
      * @param pairs directions whose mean is the color, evenly spread over the step of viewing angles, such as a pupil's aperture
      */
@@ -77,8 +75,8 @@ record ViewColor(
     }
 
     /**
-     * Returns the color with the largest product of excitation purity and the cube root of its luminance, relative to a bright color of the
-     * list. So a dark color does not win, and the exposure has no influence.
+     * Returns the color with the largest product of purity and the cube root of its luminance, relative to a bright color of the list. So a
+     * dark color does not win, and the exposure has no influence.
      */
     static Optional<ViewColor> purest(List<ViewColor> colors) {
         double[] luminances =

@@ -1,9 +1,5 @@
 package sunbeam.app.cli.compare;
 
-import static sunbeam.app.scene.SceneSettings.EXPOSURE;
-import static sunbeam.app.scene.SceneSettings.PRIMARIES;
-import static sunbeam.app.scene.SceneSettings.TONE;
-
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -96,7 +92,8 @@ public final class CompareCommand extends FileCommand {
     @Mixin
     private final SettingOptions overrides = SettingOptions.overriding(
             SceneOverrides.SETTINGS.stream()
-                    .filter(setting -> !List.of(EXPOSURE, TONE, PRIMARIES).contains(setting))
+                    .filter(setting -> !List.of(SceneSettings.EXPOSURE, SceneSettings.TONE, SceneSettings.PRIMARIES)
+                            .contains(setting))
                     .toList(),
             SceneOverrides.STANDARDS);
 

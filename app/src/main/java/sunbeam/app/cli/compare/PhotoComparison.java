@@ -11,7 +11,6 @@ import sunbeam.app.render.LitPixels;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.numerics.Quantiles;
@@ -22,12 +21,10 @@ import sunbeam.precompute.text.Text;
  * Exposure and correlations leave out pixels that are clipped in the photograph.
  *
  * @param exposure factor by which the scene's X, Y, Z match the photograph's
- * @param covered number of compared pixels
- * @param clipped number of compared pixels that are clipped in the photograph
+ * @param covered number of compared pixels, some of them clipped
  * @param differences CIEDE2000 of each pixel, row by row; NaN if a pixel is not compared
  * @param high 95th percentile of the differences
  * @param luminance Pearson's correlation of the luminances; NaN if one is constant
- * @param lit pixels of the scene that are not black at this exposure
  */
 record PhotoComparison(
         double exposure,
@@ -51,10 +48,6 @@ record PhotoComparison(
 
     private static final int MOST_STEPS = 50;
 
-    /**
-     * @param given exposure, a factor of the scene's light; empty to fit it
-     * @throws InputException if nothing can be compared
-     */
     static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {
         float[] seen = photo.picture().rgba();
         float[] drawn = scene.rgba();
@@ -132,7 +125,7 @@ record PhotoComparison(
     }
 
     private static DisplayTransform display(double exposure) {
-        return new DisplayTransform(exposure, Tone.CLIP);
+        return new DisplayTransform(exposure, DisplayTransform.Tone.CLIP);
     }
 
     private static CieLab[] colors(float[] rgba, int[] pixels, double exposure) {
@@ -180,12 +173,10 @@ record PhotoComparison(
     }
 
     /**
-     * Comparison of hues, the angle h of CIE 1976 L*a*b*, over pairs of colors.
+     * Comparison of hues, the angle h of CIE 1976 L*a*b*, over the pairs of colors that both have one; NaN without them.
      *
-     * @param count number of pairs in which both colors have a hue
-     * @param correlation circular correlation of the hues (S. R. Jammalamadaka and A. SenGupta, "Topics in Circular Statistics", 2001, 8.2), -1
-     *     to 1; NaN if one hue is constant
-     * @param turnDegrees mean angle from the first hue to the second, degrees; NaN without pairs
+     * @param correlation circular correlation (S. R. Jammalamadaka and A. SenGupta, "Topics in Circular Statistics", 2001, 8.2), -1 to 1
+     * @param turnDegrees mean angle from the first hue to the second, degrees
      * @param first histogram of the first hues: share of all colors in each step of {@link #STEP_DEGREES} from 0
      */
     record HueComparison(int count, double correlation, double turnDegrees, double[] first, double[] second) {

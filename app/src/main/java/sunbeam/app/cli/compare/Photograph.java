@@ -18,21 +18,14 @@ import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 
-/**
- * A decoded photograph: samples as the file stores them, and the orientation (1 to 8, as in Exif) that turns them upright. Its methods
- * return upright sizes and pictures.
- */
+/** A decoded photograph: samples as stored, and the orientation (1 to 8, as in Exif) that turns them upright; its methods do so. */
 record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientation) {
     /** Reader with limits of side and pixels: twice those of the largest cameras. Larger photographs would take minutes. */
     private static final ImageFile FILES = new ImageFile("photograph", 32_768, 160_000_000, 4);
     /** Overlap of two pixels that counts as none, as a share of a pixel's area: it is due to rounding. */
     private static final double ROUNDING = 1e-9;
 
-    /**
-     * A photograph in linear light; its coverage is the photograph's alpha.
-     *
-     * @param clipped for each pixel, row by row: true if any channel of any of the file's pixels in it was at its maximum
-     */
+    /** A photograph in linear light, covered by its alpha; {@code clipped} where any channel of any of the file's pixels was. */
     record Linear(ScenePicture picture, boolean[] clipped) {}
 
     /**
@@ -136,21 +129,16 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
     }
 
     /**
-     * Converts a photograph's samples to linear light by an ICC profile, or else by the curve of sRGB, also for gray samples.
+     * Converts samples to linear light by an ICC profile, or else by the curve of sRGB, also for gray samples.
      *
      * @param channels number of color channels; an alpha channel may follow in the samples
-     * @param white largest value of a sample
-     * @param curve linear light of each value of a sample, 0 to 1, used if there is no conversion
-     * @param conversion conversion by the profile to linear sRGB of 16 bits; it clips at the gamut of sRGB, as the comparison does for the
-     *     scene
+     * @param curve linear light of each value of a sample up to {@code white}, 0 to 1, used if there is no conversion
+     * @param conversion conversion by the profile to linear sRGB of 16 bits, clipped at its gamut, as the scene is for the comparison
      */
     record Colors(Path file, int channels, int white, float[] curve, Optional<ColorConvertOp> conversion) {
         private static final int WHITE_16 = 65_535;
 
-        /**
-         * @param space color space of the samples; a standard one nevertheless means that the file's profile was damaged
-         * @throws InputException for unknown kinds of samples or color spaces, and for a damaged profile
-         */
+        /** Refuses unknown kinds of samples or color spaces, and damaged profiles, for which Java takes a standard {@code space}. */
         static Colors of(Path file, Raster raster, int channels, ColorSpace space, boolean hasProfile) {
             int type = raster.getTransferType();
             int bits = raster.getSampleModel().getSampleSize(0);

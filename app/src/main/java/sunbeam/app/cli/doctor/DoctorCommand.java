@@ -45,7 +45,6 @@ public final class DoctorCommand extends ReportingCommand {
         this(environment, DoctorCommand::graphics);
     }
 
-    /** @param graphics opens an OpenGL context as rendering does and returns checks of it */
     DoctorCommand(Environment environment, Supplier<List<Check>> graphics) {
         this.environment = environment;
         this.graphics = graphics;

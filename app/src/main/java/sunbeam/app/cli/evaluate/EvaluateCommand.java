@@ -56,7 +56,6 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ShaderTables;
-import sunbeam.precompute.shader.ShaderTables.MethodUse;
 
 /** Command {@code sunbeam evaluate}: compares a patch's response to light with the grating equation, as the thesis does in chapter 4. */
 @Command(
@@ -158,10 +157,7 @@ public final class EvaluateCommand extends FileCommand {
     }
 
     private Optional<FirstOrder> given() {
-        OptionalDouble period = grating.period();
-        return period.isPresent()
-                ? Optional.of(FirstOrder.around(period.getAsDouble(), GIVEN_FACTOR))
-                : Optional.empty();
+        return grating.period().map(period -> FirstOrder.around(period, GIVEN_FACTOR));
     }
 
     private FirstOrder order(Patch patch, GratingPeriod period) {
@@ -209,7 +205,7 @@ public final class EvaluateCommand extends FileCommand {
 
     /** Evaluates by the shader that also draws BRDF maps, with a fragment for each direction and wavelength. */
     private static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
-        ShaderTables tables = setup.tables(plan, MethodUse.SPECTRAL, GpuBaker::of);
+        ShaderTables tables = setup.tables(plan, ShaderTables.MethodUse.SPECTRAL, GpuBaker::of);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
         try (RenderContext context = RenderContext.offscreen();

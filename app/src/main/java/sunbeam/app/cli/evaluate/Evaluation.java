@@ -19,7 +19,6 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix;
-import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -30,11 +29,8 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
 /**
- * A patch's response in the plane of incidence, and the period of its heights to compare it with (docs/evaluation.md).
- *
- * @param period period of the heights, searched among the periods and directions that the options allow
- * @param ridge ridge of the first order; empty if the orders overlap, or if none is found
- * @param noRidge reason why there is no ridge
+ * A patch's response in the plane of incidence, and the period of its heights to compare it with, among those that the options allow
+ * (docs/evaluation.md). The ridge of the first order is empty, with a reason, if the orders overlap, or if none is found.
  */
 record Evaluation(
         Patch patch,
@@ -105,10 +101,7 @@ record Evaluation(
                 .toPlainString();
     }
 
-    /**
-     * @param area words for the part of the surface that is averaged over
-     * @param explained true to add the numbers of the thesis's Table 4.1
-     */
+    /** @param area words for the part of the surface that is averaged over */
     List<String> lines(String area, boolean explained) {
         List<String> lines = new ArrayList<>();
         lines.add(patch.name() + ", " + light());
@@ -139,7 +132,7 @@ record Evaluation(
     }
 
     Map<String, Object> tree() {
-        ResponseGrid grid = response.grid();
+        ResponseMatrix.ResponseGrid grid = response.grid();
         Map<String, Object> tree = ReportFields.of(patch, period, verdict());
         tree.put("theta_i_deg", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_deg", Math.toDegrees(grid.plane().phiI()));
@@ -174,7 +167,7 @@ record Evaluation(
 
     /** Returns a row for each wavelength in nm and a column for each angle, whose heading is the angle in degrees. */
     AtomicFile.StreamContent csv() {
-        ResponseGrid grid = response.grid();
+        ResponseMatrix.ResponseGrid grid = response.grid();
         List<String> header = new ArrayList<>(List.of("wavelength_nm"));
         for (double angle : grid.angles()) {
             header.add(Text.format("%.6f", Math.toDegrees(angle)));

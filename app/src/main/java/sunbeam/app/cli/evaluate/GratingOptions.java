@@ -2,6 +2,7 @@ package sunbeam.app.cli.evaluate;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.LightOptions;
@@ -10,7 +11,6 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.evaluation.GratingPlane;
-import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -116,8 +116,8 @@ public final class GratingOptions extends SettingOptions {
         }
     }
 
-    OptionalDouble period() {
-        return choices().find(PERIOD).map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+    Optional<Double> period() {
+        return choices().find(PERIOD);
     }
 
     Peaks peaks() {
@@ -129,7 +129,7 @@ public final class GratingOptions extends SettingOptions {
     }
 
     /** Returns the grid of angles and wavelengths. Refuses steps too coarse to resolve a peak, and angles that do not see the order. */
-    ResponseGrid grid(GratingPlane plane, FirstOrder order, CoherenceWindow window) {
+    ResponseGrid grid(GratingPlane plane, GratingPlane.FirstOrder order, CoherenceWindow window) {
         double[] meters =
                 Arrays.stream(wavelengths.values()).map(nm -> nm * 1e-9).toArray();
         ResponseGrid grid = new ResponseGrid(plane, meters, angles(plane, order, meters));
@@ -144,7 +144,7 @@ public final class GratingOptions extends SettingOptions {
         return grid;
     }
 
-    private double[] angles(GratingPlane plane, FirstOrder order, double[] meters) {
+    private double[] angles(GratingPlane plane, GratingPlane.FirstOrder order, double[] meters) {
         if (angles != null) {
             return Arrays.stream(angles.values()).map(Math::toRadians).toArray();
         }

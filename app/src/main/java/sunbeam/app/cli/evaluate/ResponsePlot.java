@@ -14,8 +14,8 @@ import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.text.Text;
 
 /**
- * Plot as in the thesis's figures 4.9 to 4.11: the response over wavelength and angle, its brightest angles, and curves of the grating
- * equation for the period of the heights, for both ends of its interval, and for the mean period of the brightest angles.
+ * Plot as in the thesis's figures 4.9 to 4.11: the response, its brightest angles, and the grating equation for the period of the heights,
+ * for both ends of its interval, and for the mean period of the brightest angles.
  */
 final class ResponsePlot {
     private static final int WIDTH = 1100;

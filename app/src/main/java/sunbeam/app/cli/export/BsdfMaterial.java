@@ -25,7 +25,7 @@ import sunbeam.precompute.optics.Gain;
  * division leaves the spectra smooth. Slices are ordered by the first direction's azimuth, then by its angle to the normal.
  *
  * @param azimuths density of the square's rows over the half vector's azimuth, the same for all slices
- * @param densities by slice: density of the map of half vectors
+ * @param densities density of the map by slice
  * @param spectra by slice: {@code [(band * side + row) * side + column]}
  * @param luminance by slice: probability, not normalized, with which readers sample each point of the square
  */
@@ -167,7 +167,6 @@ record BsdfMaterial(
         return mix(both[0], both[1], band - b);
     }
 
-    /** Computes the spectra of one first direction from its map and from color grids of all bands. */
     private record Slice(Shape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
         // Least cosine of the second direction in the divisor of the luminance, which would be infinite at the horizon.
         private static final double LEAST_COSINE = 0.03;
@@ -226,22 +225,17 @@ record BsdfMaterial(
     }
 
     /**
-     * Numbers of samples along the axes of a tensor file. They grow as the steps of the color grid, and so its orders, get narrower.
-     *
-     * @param phis number of azimuths of the first direction, from -180 to 180 degrees
-     * @param thetas number of the first direction's angles to the normal, from 0 to {@code largest}, radians
-     * @param side number of samples along each side of the unit square that holds the second direction
-     * @param rows number of the half vector's azimuths in the density of {@link HalfVectors}
-     * @param columns number of the half vector's angles to the normal in that density
+     * Numbers of samples along the axes of a tensor file, which grow as the orders get narrower: azimuths of the first direction and its
+     * angles to the normal, from 0 to {@code largest}, radians; the side of the unit square that holds the second direction; azimuths
+     * (rows) and angles (columns) of the half vector in the density of {@link HalfVectors}.
      */
     record Shape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
         // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is
         // unstable.
         private static final double LARGEST_ANGLE = Math.toRadians(88);
         private static final int LEAST_COLUMNS = 48;
-        // Angle between first directions, radians, by the root of the grid's step: between them an order's place errs
-        // by
-        // its square. By this factor and the next, measured on patch blaze, each axis causes about the same error.
+        // Angle between first directions, radians, by the root of the grid's step: an order's place errs by its square.
+        // This and the next factors are chosen on patch blaze for equal errors.
         private static final double DIRECTION_STEP = 1.3;
         // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
         private static final double SIDE = 0.65;

@@ -41,7 +41,6 @@ final class BsdfTable implements TableWriter {
     private String note = "";
     private ErrorStatistics errors;
 
-    /** @param bandCount number of bands; 0 for as many as the orders' width needs */
     BsdfTable(WavelengthBand range, int bandCount) {
         this.range = range;
         this.bandCount = bandCount;
@@ -155,12 +154,7 @@ final class BsdfTable implements TableWriter {
                 .toArray());
     }
 
-    /** Named arrays in the format of Mitsuba's and pbrt's tensor files: version 1.0, little endian, the last index runs fastest. */
-
-    /**
-     * @param bytes bytes of a text or a flag; null for numbers
-     * @param values float32 numbers in consecutive portions
-     */
+    /** An array of bytes, or, if these are null, of float32 numbers in consecutive portions. */
     private record Field(String name, long[] shape, byte[] bytes, List<float[]> values) {
         static Field of(String name, byte... bytes) {
             return new Field(name, new long[] {bytes.length}, bytes, List.of());

@@ -8,10 +8,9 @@ import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.numerics.Lagrange;
 
 /**
- * Ensemble-averaged colors C(u, v, w) under a coherence window, on a regular grid.
- *
- * @param level level of the color table: its window, and the scale from power under it to power under the requested window
- * @param roots square roots of X, Y, Z by slice of w: {@code [(row * columns + column) * 3 + channel]}, v ascending by row
+ * Ensemble-averaged colors C(u, v, w) on a regular grid, under the window of a color table's level, whose scale converts them to power
+ * under the requested window. The square roots of X, Y, Z are by slice of w {@code [(row * columns + column) * 3 + channel]}, v ascending
+ * by row.
  */
 record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     static final int CHANNELS = 3;

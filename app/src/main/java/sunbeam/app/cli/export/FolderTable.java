@@ -15,10 +15,8 @@ import sunbeam.app.files.output.ExrFile;
 import sunbeam.precompute.colortable.NumberFormat;
 
 /**
- * A folder for renderers: shader source that evaluates the color for light and view, and the table as textures.
- *
- * @param isGlsl true for GLSL, HLSL and WGSL with mip levels and an example page; false for Open Shading Language, whose renderers filter
- *     by averaging samples
+ * A folder for renderers: shader source that evaluates the color for light and view, and the table as textures; for GLSL, HLSL and WGSL
+ * with mip levels and a page, or for Open Shading Language, whose renderers filter by averaging samples.
  */
 record FolderTable(boolean isGlsl) implements TableWriter {
     /** Mip levels of the KTX2 texture beside the finest. */
@@ -121,9 +119,8 @@ record FolderTable(boolean isGlsl) implements TableWriter {
     }
 
     /**
-     * A texture file in Khronos's format KTX 2.0: an array of two-dimensional textures of four half floats, with mip levels.
+     * A texture file in Khronos's format KTX 2.0: layers of four half floats, with mip levels.
      *
-     * @param layers array layers of each level
      * @param levels half floats, the finest level first; layer by layer, row by row from the bottom
      * @param metadata text that is stored under the key {@code sunbeam}
      */

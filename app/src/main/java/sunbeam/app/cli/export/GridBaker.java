@@ -84,10 +84,8 @@ final class GridBaker {
     }
 
     /**
-     * Returns the finest grid within a size limit. It tries levels from coarse to fine; each grid covers only the part of the (u, v) plane
-     * in which the coarser grid before it has light.
-     *
-     * @throws UsageException if not even the coarsest grid fits
+     * Returns the finest grid within a size limit; refuses to if not even the coarsest fits. It tries levels from coarse to fine; each grid
+     * covers only the part of the (u, v) plane in which the coarser grid before it has light.
      */
     ColorGrid finest(GridShape.AngleRange range, Limit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);

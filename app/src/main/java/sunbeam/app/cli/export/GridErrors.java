@@ -23,11 +23,9 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 /**
- * Errors of a color grid at random pairs of directions, half of them uniform on the hemisphere and half aimed at orders. An error is the
- * largest difference of the three channels, X, Y, Z or bands, relative to the largest channel.
- *
- * @param quantity name of the compared numbers
- * @param sums errors against sums over wavelengths, which are fast enough for many pairs
+ * Errors of a color grid at random pairs of directions, half uniform on the hemisphere and half aimed at orders: the largest difference of
+ * three channels, X, Y, Z or bands, relative to the largest channel. There are more against sums over wavelengths, which are fast, than
+ * against the exact reference.
  */
 record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics sums) {
     private static final long SEED = 3;
@@ -40,9 +38,8 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
     private static final int MOST_TRIES = 20 * SUM_PAIRS;
 
     /**
-     * Measures the errors of a grid.
+     * Measures the errors of a grid as a reader of the file sees it.
      *
-     * @param read grid as a reader of the file sees it
      * @param weights weights over wavelength of the compared numbers: those of the light, or of three bands
      * @param samples number of pairs for the reference; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
      */

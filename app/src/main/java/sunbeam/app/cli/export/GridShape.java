@@ -4,12 +4,7 @@ import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.optics.CoherenceWindow;
 
-/**
- * Axes of a color grid: texels at regular u, v and w.
- *
- * @param depth slices of |w|, at least {@link TableDesign#TAPS}
- * @param range angles of light and view that the grid serves
- */
+/** Axes of a color grid for some angles of light and view; slices of |w|, at least {@link TableDesign#TAPS}, are its depth. */
 record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
     /** Largest |(u, v)|, and largest |w|, of any two directions. */
     static final double REACH = 2;
@@ -18,7 +13,6 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
 
     /** Axis of a grid: equally spaced values, at least one; the step is positive. */
     record Axis(double first, double step, int count) {
-        /** Returns the shortest axis with this step that covers the interval and has the same center. */
         static Axis covering(double from, double to, double step) {
             int count = 1 + (int) Math.ceil((to - from) / step);
             return new Axis(0.5 * (from + to - (count - 1) * step), step, count);
@@ -95,7 +89,6 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
         return (long) u.count() * v.count() * depth.count();
     }
 
-    /** Returns the number of texels, over all slices, that any two directions of the range reach. */
     long evaluated() {
         long sum = 0;
         for (int row = 0; row < v.count(); row++) {

@@ -16,10 +16,8 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
     private static final double FEWER_OUTSIDE = 0.35;
 
     /**
-     * A density that is linear between equally spaced nodes, as tensor files define it along each axis.
-     *
-     * @param sums integral of the density up to each node; the distance between nodes is 1
-     * @param values density at each node, not negative, not all 0
+     * A density that is linear between nodes at distance 1, as tensor files define it along each axis, with its integral up to each node;
+     * the values are not negative, not all 0.
      */
     record Density(double[] sums, double[] values) {
         static Density of(double[] values) {

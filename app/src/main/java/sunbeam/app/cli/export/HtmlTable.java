@@ -78,12 +78,9 @@ final class HtmlTable implements TableWriter {
     }
 
     /**
-     * A compressed grid, which page.html decompresses. Logarithms of Y, X / Y and Z / Y are rounded to equal steps. Their differences from
-     * a prediction by the neighbors and the slice before are split into low and high bytes, and deflated.
-     *
-     * @param grid colors after rounding
-     * @param packed compressed bytes, in zlib's format
-     * @param most largest number of steps of any color
+     * A compressed grid, which page.html decompresses. Logarithms of Y, X / Y and Z / Y are rounded to equal steps, {@code most} at most.
+     * Their differences from a prediction by the neighbors and the slice before are split into low and high bytes, and deflated in zlib's
+     * format.
      */
     private record QuantizedGrid(ColorGrid grid, byte[] packed, int most) {
         /** Power that is added to each color before its logarithm is taken, so that much darker colors become 0. */

@@ -18,11 +18,7 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.optics.Direction;
 
-/**
- * A NumPy archive: array {@code C} of shape (w, v, u, channel), the axes {@code w}, {@code v}, {@code u}, and metadata.json.
- *
- * @param bands wavelength bands of spectral channels; else unused
- */
+/** A NumPy archive: array {@code C} of shape (w, v, u, channel), its axes, and metadata.json; bands are for spectral channels. */
 record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     private static final String INTERPOLATION =
             "square roots (of negative values, minus that of the absolute) linear along u and v; their squares by the"

@@ -12,7 +12,7 @@ import sunbeam.precompute.text.Text;
  * Measurement of a figure's pictures, and the rule by which the thesis's claim holds.
  *
  * @param of pictures to measure, each as patch, hyphen, name and, for a number, a JSON pointer
- * @param to picture with which the pictures are compared; null for none
+ * @param to picture to compare with; null for none
  * @param rule {@code ascending}, {@code descending}, or limits such as {@code < 1}: one for all values or one for each
  */
 record Check(Measure measure, List<String> of, String to, String rule) {

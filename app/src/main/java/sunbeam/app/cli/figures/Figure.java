@@ -107,7 +107,6 @@ record Figure(
         return Character.toUpperCase(named.charAt(0)) + named.substring(1) + ": " + title;
     }
 
-    /** Picture of one patch, with the command line that draws it and the file of the picture to compare it with. */
     record Drawing(String number, String patch, Picture picture, Path file, List<String> command, Optional<Path> base) {
         /** True if the command has {@code --resume}: it redraws an existing picture only if the parameters differ. Others are kept. */
         boolean resumes() {
@@ -165,7 +164,6 @@ record Figure(
         return patches == null ? List.of("") : patches;
     }
 
-    /** @param source function from a patch to the argument of {@code --patch} */
     List<Drawing> drawings(UnaryOperator<String> source, Sizes sizes, Path folder) {
         return rows().stream()
                 .flatMap(patch -> pictures.stream().map(picture -> drawing(patch, picture, source, sizes, folder)))

@@ -14,7 +14,6 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.color.CieTable.Observer;
 import sunbeam.precompute.color.Illuminant;
 
 /** Plot that no command draws: of formulas of the thesis, or of the results of a figure's other pictures. */
@@ -66,7 +65,7 @@ enum FigurePlot {
 
     /** Plots the observer's functions and measures the largest relative error of their integrals in the thesis's steps of 5 nm. */
     private static Plot colorMatching(Map<String, Double> numbers) {
-        CieTable table = CieTable.of(Observer.CIE1931, Illuminant.of("E"));
+        CieTable table = CieTable.of(CieTable.Observer.CIE1931, Illuminant.of("E"));
         Plot plot = Plot.linear("CIE 1931, 2 degrees", "wavelength / nm", "color matching function", WIDTH, HEIGHT);
         double[] nanometers = IntStream.rangeClosed(380, 780).asDoubleStream().toArray();
         // Blue, green and red, in the order in which the functions peak.
@@ -116,7 +115,7 @@ enum FigurePlot {
 
     /**
      * Plots the thesis's slits, 30 um wide and 150 um apart, in light of 500 nm on a screen in 0.5 m: the pattern of a single slit times
-     * the power of the sum of the slits' waves. Their paths have exact lengths; the thin line is for parallel rays.
+     * the power of the sum of the slits' waves, with exact ways; the thin line is for parallel rays.
      */
     private static Plot slits(Map<String, Double> numbers) {
         double distance = 0.5;

@@ -186,7 +186,6 @@ public final class FiguresCommand extends FileCommand {
         }
     }
 
-    /** Writes index.html: each figure with its pictures, captions and commands. */
     private String page(List<Figure> figures, List<Figure.Drawing> drawings) {
         StringBuilder html = new StringBuilder();
         for (Figure figure : figures) {
@@ -211,7 +210,6 @@ public final class FiguresCommand extends FileCommand {
                 .replace("@FIGURES@", html);
     }
 
-    /** Returns a table of the thesis's numbers and Sunbeam's; an empty text if the figure has none. */
     private static String table(Figure figure, List<Figure.Drawing> drawings) {
         List<List<String>> rows = figure.own(drawings).stream()
                 .flatMap(drawing -> drawing.numbers().stream())

@@ -74,7 +74,6 @@ enum Measure {
                     .toArray();
         }
 
-        /** Returns the width of the largest maximum at half of its height. */
         double width() {
             int top = IntStream.range(0, values.length)
                     .filter(i -> values[i] == 1)
@@ -97,12 +96,7 @@ enum Measure {
         boolean contains(double x, double y);
     }
 
-    /**
-     * Measures a picture; NaN if the command did not write the file of numbers, or found none.
-     *
-     * @param pointer JSON pointer of a number
-     * @param base picture to compare with; null for measures that need none
-     */
+    /** Measures a picture, or a number at a JSON pointer, perhaps beside another picture; NaN if the command did not write it. */
     double of(Figure.Drawing drawing, String pointer, Figure.Drawing base) {
         return switch (this) {
             case CHROMA -> chroma(drawing, (x, y) -> true);
@@ -200,7 +194,6 @@ enum Measure {
         return image.getRGB(pixel % image.getWidth(), pixel / image.getWidth()) & 0xffffff;
     }
 
-    /** Returns the sum of the errors of luminance of a map's linear colors, relative to the sum of its luminance. */
     static double error(Figure.Drawing drawing, Figure.Drawing base) {
         FloatBuffer ours = linear(drawing);
         FloatBuffer exact = linear(base);
@@ -229,9 +222,8 @@ enum Measure {
     }
 
     /**
-     * Reads a number that the command wrote beside the picture, or into it; NaN if there is none.
-     *
-     * @param pointer JSON pointer, with _nm and _nm2 where the number is in meters (_m, _m2)
+     * Reads a number that the command wrote beside the picture, or into it; NaN if there is none. At the end of the JSON pointer, _nm and
+     * _nm2 stand for numbers in meters (_m, _m2).
      */
     static double number(Figure.Drawing drawing, String pointer) {
         Path file = drawing.beside(".json");

@@ -34,9 +34,7 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param thetaI angle of the light to the normal that the verdict is for, degrees
  * @param energy energy of all orders under light along the normal, where it is largest; empty for a deep relief
- * @param spectrum power spectrum of the heights, periodic if the period is exact, else tapered at the edges
- * @param drawing plan of method full for any pair of directions; empty if it is not requested or impossible
- * @param refusal reason why there is no such plan; empty if there is one or none is requested
+ * @param drawing plan of method full for any pair of directions; empty if it is not requested or, with a refusal, impossible
  */
 record Inspection(
         Patch patch,

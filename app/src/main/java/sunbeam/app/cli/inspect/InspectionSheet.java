@@ -1,12 +1,10 @@
 package sunbeam.app.cli.inspect;
 
 import java.awt.image.BufferedImage;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.files.plot.HeatMap;
-import sunbeam.app.files.plot.HeatMap.ColorMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -64,7 +62,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         double[] heights = map.heights();
         double low = Quantiles.of(heights, DUST) * NANOMETERS;
         double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
-        HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, ColorMap.GRAY);
+        HeatMap.Colors colors = new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
         double width = map.width() * MICROMETERS;
         double bar = Plot.round(0.25 * width);
         return new HeatMap(
@@ -97,7 +95,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         }
         double high = largest > 0 ? largest : 1;
         HeatMap.Colors colors = new HeatMap.Colors(
-                "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
+                "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
         double halfX = (reachX + 0.5) / spectrum.width() / MICROMETERS;
         double halfY = (reachY + 0.5) / spectrum.height() / MICROMETERS;
         HeatMap picture = new HeatMap(
@@ -142,21 +140,28 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
                 .draw();
     }
 
+    /** Samples a line through the center at the finer of both pitches, as far as the patch reaches. */
     private BufferedImage profile() {
         GratingPeriod period = inspection.period();
         boolean column = map.columns() == 1;
         double direction = period.hasWave() ? period.azimuth() : column ? 0.5 * Math.PI : 0;
         double longest = period.hasWave() ? PROFILE_PERIODS * period.period() : Double.POSITIVE_INFINITY;
-        Profile profile = Profile.through(map, direction, longest);
+        double pitch = Math.min(map.pitchX(), map.pitchY());
+        double cosine = Math.cos(direction);
+        double sine = Math.sin(direction);
+        int half = 0;
+        while (half * pitch < 0.5 * longest && isInside((half + 1) * pitch * cosine, (half + 1) * pitch * sine)) {
+            half++;
+        }
+        double[] positions = new double[2 * half + 1];
+        double[] heights = new double[positions.length];
+        for (int i = 0; i < positions.length; i++) {
+            positions[i] = i * pitch * MICROMETERS;
+            heights[i] = at((i - half) * pitch * cosine, (i - half) * pitch * sine) * NANOMETERS;
+        }
         String title = Text.format(
                 "Profile through the center, direction %.1f degrees",
                 Math.floorMod(Math.round(10 * Math.toDegrees(direction)), 1800L) / 10.0);
-        double[] positions = Arrays.stream(profile.positions())
-                .map(meters -> meters * MICROMETERS)
-                .toArray();
-        double[] heights = Arrays.stream(profile.heights())
-                .map(meters -> meters * NANOMETERS)
-                .toArray();
         return panel(title, "position / um", "height / nm")
                 .line("heights", positions, heights)
                 .draw();
@@ -166,35 +171,13 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
         return Plot.linear(title, x, y, PANEL_WIDTH, PLOT_HEIGHT);
     }
 
-    /** Heights along a straight line through a patch's center, and distances from the line's first point, both in meters. */
-    private record Profile(double[] positions, double[] heights) {
-        /** Samples a line at the finer of both pitches, as far as the patch reaches; its direction in radians counterclockwise from +x. */
-        static Profile through(HeightMap map, double direction, double longest) {
-            double pitch = Math.min(map.pitchX(), map.pitchY());
-            double cosine = Math.cos(direction);
-            double sine = Math.sin(direction);
-            int half = 0;
-            while (half * pitch < 0.5 * longest
-                    && isInside(map, (half + 1) * pitch * cosine, (half + 1) * pitch * sine)) {
-                half++;
-            }
-            double[] positions = new double[2 * half + 1];
-            double[] heights = new double[positions.length];
-            for (int i = 0; i < positions.length; i++) {
-                positions[i] = i * pitch;
-                heights[i] = at(map, (i - half) * pitch * cosine, (i - half) * pitch * sine);
-            }
-            return new Profile(positions, heights);
-        }
+    private boolean isInside(double x, double y) {
+        return Math.abs(x) <= 0.5 * (map.columns() - 1) * map.pitchX()
+                && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
+    }
 
-        private static boolean isInside(HeightMap map, double x, double y) {
-            return Math.abs(x) <= 0.5 * (map.columns() - 1) * map.pitchX()
-                    && Math.abs(y) <= 0.5 * (map.rows() - 1) * map.pitchY();
-        }
-
-        private static double at(HeightMap map, double x, double y) {
-            return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
-                    Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
-        }
+    private double at(double x, double y) {
+        return map.at((int) Math.floor(0.5 * map.columns() + x / map.pitchX() - 1e-9), (int)
+                Math.floor(0.5 * map.rows() - y / map.pitchY() - 1e-9));
     }
 }

@@ -99,11 +99,7 @@ public final class CertifyOption {
                 .orElse(ExitCode.OK);
     }
 
-    /**
-     * Prints a certificate, complains if its limits are missed or not promised by the plan, and returns the exit code.
-     *
-     * @param promised true if the plan promises the limits for all pixels or rows
-     */
+    /** Prints a certificate, complains if its limits are missed or not promised by the plan for all places, and returns the exit code. */
     public static ExitCode judge(
             Certificate certificate, boolean promised, String remedy, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + certificate.summary());

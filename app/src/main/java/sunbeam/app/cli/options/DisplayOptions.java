@@ -11,7 +11,6 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Primaries;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.plan.MethodSettings.Preset;
@@ -46,16 +45,14 @@ public final class DisplayOptions {
 
     /** Returns the rule that chooses one factor of linear colors for all pictures; reads the picture that {@code --exposure} may name. */
     public ToDoubleFunction<List<LinearPicture>> parse() {
+        display(1, Choices.none());
         if (isAutomatic()) {
             int limit = isOfAll() ? Integer.MAX_VALUE : 1;
             return pictures ->
                     LinearPicture.exposure(pictures.stream().limit(limit).toArray(LinearPicture[]::new));
         }
-        if (exposure.toLowerCase(Locale.ROOT).endsWith(".png")) {
-            double recorded = recorded();
-            return pictures -> recorded;
-        }
-        double value = Decimals.parse(exposure).orElse(Double.NaN);
+        boolean isPicture = exposure.toLowerCase(Locale.ROOT).endsWith(".png");
+        double value = isPicture ? recorded() : Decimals.parse(exposure).orElse(Double.NaN);
         if (!(value > 0)) {
             throw new UsageException("--exposure '" + exposure
                     + "' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from"
@@ -70,12 +67,7 @@ public final class DisplayOptions {
                 factor,
                 parsed("--tone", tone, TONES).orElse(Tone.of(Preset.isThesis(method))),
                 parsed("--primaries", primaries, SceneSettings.PRIMARIES.kind())
-                        .orElse(Primaries.of(Preset.isThesis(method))));
-    }
-
-    /** Refuses an unknown tone or unknown primaries. */
-    public void check() {
-        display(1, Choices.none());
+                        .orElse(DisplayTransform.Primaries.of(Preset.isThesis(method))));
     }
 
     private static <T> Optional<T> parsed(String option, String text, ValueKind<T> kind) {
@@ -88,15 +80,11 @@ public final class DisplayOptions {
 
     /** True if the factor is computed from pictures. */
     public boolean isAutomatic() {
-        return isOfAll() || isOfFirst();
+        return isOfAll() || exposure.equalsIgnoreCase(FIRST);
     }
 
     public boolean isOfAll() {
         return exposure.equalsIgnoreCase(AUTOMATIC);
-    }
-
-    private boolean isOfFirst() {
-        return exposure.equalsIgnoreCase(FIRST);
     }
 
     private double recorded() {

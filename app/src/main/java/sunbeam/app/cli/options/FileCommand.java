@@ -27,11 +27,7 @@ public abstract class FileCommand extends ReportingCommand {
         return force ? Overwrite.REPLACE : Overwrite.REFUSE;
     }
 
-    /**
-     * Returns the rule for an existing output file.
-     *
-     * @param named name given by the user, or null if Sunbeam chooses the name
-     */
+    /** Returns the rule for an existing output file of a name given by the user, or null if Sunbeam chooses it. */
     protected final Overwrite overwrite(Path named) {
         return force || named != null ? overwrite() : Overwrite.NUMBER;
     }

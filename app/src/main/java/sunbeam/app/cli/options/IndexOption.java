@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import picocli.CommandLine.Option;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.RefractiveIndex;
 
 /** Option {@code --index}, the material of the surface; a picocli mixin. */
@@ -23,11 +22,7 @@ public final class IndexOption {
         return IndexFile.isName(index) ? Path.of(index).getFileName() + ", " + parsed.describe() : parsed.describe();
     }
 
-    /**
-     * Parses the option.
-     *
-     * @throws InputException if the file cannot be used
-     */
+    /** Parses the option, or reads the file that it names. */
     public RefractiveIndex parse() {
         try {
             return IndexFile.isName(index) ? IndexFile.read(Path.of(index)) : RefractiveIndex.parse(index);

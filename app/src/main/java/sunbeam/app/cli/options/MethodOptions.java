@@ -1,6 +1,7 @@
 package sunbeam.app.cli.options;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -14,7 +15,6 @@ import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -43,12 +43,9 @@ public final class MethodOptions extends SettingOptions {
 
     /** Returns the options of commands that compute a color table for all directions. */
     public static SettingOptions ofTables(Map<Setting<?>, String> helpTexts) {
-        return new SettingOptions(
-                Stream.concat(
-                                Stream.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH),
-                                LightSettings.ALL.stream())
-                        .toList(),
-                helpTexts);
+        List<Setting<?>> settings = new ArrayList<>(List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH));
+        settings.addAll(LightSettings.ALL);
+        return new SettingOptions(settings, helpTexts);
     }
 
     /** Returns the options of a command that chooses the average itself if none is given; {@code chosen} is the help's text for it. */
@@ -58,7 +55,7 @@ public final class MethodOptions extends SettingOptions {
 
     /** Returns the choices with the ensemble average if none is chosen and the method has it: a single coherence area shows speckle. */
     public static Choices averaged(Choices chosen) {
-        boolean open = !chosen.has(MethodSettings.AVERAGE) && !Preset.isThesis(chosen);
+        boolean open = !chosen.has(MethodSettings.AVERAGE) && !MethodSettings.Preset.isThesis(chosen);
         return open && chosen.get(Methods.METHOD).has(MethodSettings.AVERAGE)
                 ? chosen.with(MethodSettings.AVERAGE, Average.ENSEMBLE)
                 : chosen;

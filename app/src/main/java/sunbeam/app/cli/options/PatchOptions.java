@@ -123,12 +123,10 @@ public final class PatchOptions extends SettingOptions {
         }
     }
 
-    /** Loads the patch without the cache. */
     public Patch load(Choices method) {
         return load(choices(), method, HeightCache.NONE);
     }
 
-    /** Loads the patch of another name with the same options. */
     public Patch load(String named, Choices method) {
         return load(choices().with(PATCH, named), method, HeightCache.NONE);
     }
@@ -153,12 +151,10 @@ public final class PatchOptions extends SettingOptions {
                     "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
         }
 
-        /** Returns the index of the part's first item among {@code count}. */
         public long first(long count) {
             return count * (number - 1) / parts;
         }
 
-        /** Returns the index after the part's last item. */
         public long end(long count) {
             return count * number / parts;
         }
@@ -179,7 +175,6 @@ public final class PatchOptions extends SettingOptions {
             return !others.isEmpty();
         }
 
-        /** Loads the first surface and the others. */
         public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
             if (others.size() > MOST) {
                 throw new UsageException(

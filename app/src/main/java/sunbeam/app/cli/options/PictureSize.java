@@ -24,7 +24,6 @@ public record PictureSize(int width, int height) {
         return width + "x" + height;
     }
 
-    /** Parses {@code 800x600}, or {@code 600} for a square. */
     public static final class Converter implements ITypeConverter<PictureSize> {
         private static final Pattern SIZE = Pattern.compile("(\\d{1,6})(?:[xX](\\d{1,6}))?");
 

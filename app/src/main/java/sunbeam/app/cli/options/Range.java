@@ -7,11 +7,7 @@ import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.units.Decimals;
 
-/**
- * Evenly spaced values {@code minimum, minimum + step, ...} up to {@code maximum}, in the option's unit.
- *
- * @param maximum at least the minimum; a value within 1e-9 steps above it belongs to the range, so that 0:1:0.1 ends at 1
- */
+/** Evenly spaced values {@code minimum, minimum + step, ...} up to {@code maximum}, in the option's unit; 0:1:0.1 ends at 1. */
 public record Range(double minimum, double maximum, double step) {
     private static final int MOST_VALUES = 1_000_000;
     /** Tolerance for rounding of (maximum - minimum) / step, in steps. */

@@ -31,9 +31,7 @@ public abstract class ReportingCommand implements Callable<Integer> {
         return specification.commandLine().getErr();
     }
 
-    /**
-     * Returns the stream for the report: standard output, but standard error if one of these files, which may be null, is standard output.
-     */
+    /** Returns standard output for the report, or standard error if one of these files, which may be null, is standard output. */
     protected final PrintWriter out(Path... targets) {
         for (Path target : targets) {
             if (StandardOutput.isMeant(target)) {

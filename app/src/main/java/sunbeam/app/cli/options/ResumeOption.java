@@ -34,19 +34,10 @@ public final class ResumeOption {
     private static final String EXIT_CODE = "Exit code";
     private static final String LINEAR_HASH = "Linear file";
     /** Options that do not change the picture's pixels and so do not enter the hash. */
-    private static final Set<String> IGNORED = Set.of(
-            "--resume",
-            "--json",
-            "--force",
-            "--explain",
-            "--output",
-            "--linear",
-            "--tev",
-            "--quiet",
-            "--debug",
-            "--help",
-            "--help-all",
-            "--version");
+    private static final Set<String> IGNORED =
+            Set.of(("--resume --json --force --explain --output --linear --tev --quiet --debug"
+                            + " --help --help-all --version")
+                    .split(" ", -1));
 
     private static final int BLOCK_BYTES = 1 << 16;
 
@@ -75,9 +66,7 @@ public final class ResumeOption {
         return resume ? Overwrite.REPLACE : overwrite;
     }
 
-    /**
-     * Returns the name to treat as given by the user: with {@code --resume} also a chosen one, so that a file is replaced, not numbered.
-     */
+    /** Returns the name to treat as the user's: with {@code --resume} also a chosen one, so that a file is replaced, not numbered. */
     public Path named(Path byUser, Path chosen) {
         return resume ? chosen : byUser;
     }
@@ -87,10 +76,9 @@ public final class ResumeOption {
         List<String> words = new ArrayList<>(List.of(command.qualifiedName()));
         patches.forEach(patch -> words.add("|" + patch.digest()));
         for (OptionSpec option : command.options()) {
-            List<String> values = option.originalStringValues();
-            if (values.isEmpty() && option.defaultValue() != null) {
-                values = List.of(option.defaultValue());
-            }
+            List<String> values = option.originalStringValues().isEmpty() && option.defaultValue() != null
+                    ? List.of(option.defaultValue())
+                    : option.originalStringValues();
             values.forEach(value -> words.add(option.longestName() + "=" + value));
         }
         return hash(words);
@@ -130,7 +118,6 @@ public final class ResumeOption {
         }
     }
 
-    /** Adds to a picture's text the hash of the linear file that is written with it. */
     public static void noteLinear(Map<String, String> text, Path file) {
         text.put(LINEAR_HASH, addFile(new Sha256(), file).hex());
     }
@@ -142,10 +129,8 @@ public final class ResumeOption {
     }
 
     /**
-     * Returns the exit code of the earlier run that wrote these files. Empty without {@code --resume}, if a file is missing, or if it was
-     * made with other options.
-     *
-     * @param linear linear file of the same run, whose hash the picture's text holds
+     * Returns the exit code of the earlier run that wrote these files, the linear one by the hash in the picture's text. Empty without
+     * {@code --resume}, if a file is missing, or if it was made with other options.
      */
     public OptionalInt finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
         if (!resume) {

@@ -86,11 +86,7 @@ public class SettingOptions {
         return help + standard.map(value -> " Default: " + value + ".").orElse("");
     }
 
-    /**
-     * Returns the choices that the command line makes among these settings.
-     *
-     * @throws sunbeam.precompute.setting.SettingException if a value is invalid
-     */
+    /** Returns the choices that the command line makes among these settings; throws a {@code SettingException} for invalid values. */
     public Choices choices() {
         Choices choices = Choices.at(OptionOrigin.INSTANCE);
         for (Setting<?> setting : settings) {

@@ -3,7 +3,6 @@ package sunbeam.app.cli.options;
 import java.io.PrintWriter;
 import java.util.Optional;
 import picocli.CommandLine.Option;
-import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.TevClient;
 
 /** Option {@code --tev} of commands that draw pictures; a picocli mixin. */
@@ -15,11 +14,7 @@ public final class TevOption {
                             + " machine (port 14158): scenes tile by tile, maps when they are drawn.")
     private boolean asked;
 
-    /**
-     * Returns the connection to tev; empty without the option.
-     *
-     * @throws OutputException if tev does not run
-     */
+    /** Returns the connection to tev, which must run; empty without the option. */
     public Optional<TevClient> connect(PrintWriter err) {
         return asked ? Optional.of(TevClient.connect(TevClient.PORT, err)) : Optional.empty();
     }

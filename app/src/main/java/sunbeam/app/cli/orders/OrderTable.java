@@ -15,21 +15,17 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.OrderLattice;
 import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.analysis.OrderLight;
-import sunbeam.precompute.analysis.OrderLight.Efficiency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
-import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Efficiencies of a surface's orders over wavelength and angle of incidence (docs/evaluation.md).
- *
- * @param phi azimuth of the light, degrees
- * @param cie light and observer for the orders' colors
+ * Efficiencies of a surface's orders over wavelength and angle of incidence (docs/evaluation.md), for an azimuth of the light in degrees;
+ * light and observer are for the orders' colors.
  */
 record OrderTable(
         Patch patch,
@@ -44,19 +40,8 @@ record OrderTable(
     private static final double NANOMETER = 1e-9;
     // Luminance, relative to white, of an order's color on the screen: about that of pure red.
     private static final double LUMINANCE = 0.2;
-    private static final List<String> COLUMNS = List.of(
-            "theta_i",
-            "phi_i",
-            "theta_r",
-            "phi_r",
-            "wavelength",
-            "m",
-            "n",
-            "efficiency",
-            "low",
-            "high",
-            "sum",
-            "mirror");
+    private static final List<String> COLUMNS =
+            List.of("theta_i phi_i theta_r phi_r wavelength m n efficiency low high sum mirror".split(" ", -1));
 
     /** All orders at one angle of incidence, degrees to the normal, with lights by ascending wavelength. */
     record Incidence(double theta, List<OrderLight> lights, List<Series> orders) {
@@ -76,7 +61,7 @@ record OrderTable(
         }
     }
 
-    record Seen(OrderLight light, Direction wr, Efficiency efficiency) {
+    record Seen(OrderLight light, Direction wr, OrderLight.Efficiency efficiency) {
         private double theta() {
             return Math.toDegrees(Math.atan2(Math.hypot(wr.x(), wr.y()), wr.z()));
         }
@@ -140,7 +125,7 @@ record OrderTable(
     }
 
     private static String describe(Seen seen) {
-        Efficiency efficiency = seen.efficiency;
+        OrderLight.Efficiency efficiency = seen.efficiency;
         String interval = efficiency.low() == efficiency.value()
                 ? ""
                 : Text.format(" (%.5f to %.5f)", efficiency.low(), efficiency.high());
@@ -185,7 +170,7 @@ record OrderTable(
     }
 
     private static String srgb(double... xyz) {
-        return Text.format("#%06x", new DisplayTransform(LUMINANCE / xyz[1], Tone.COMPRESS).rgb(xyz));
+        return Text.format("#%06x", new DisplayTransform(LUMINANCE / xyz[1], DisplayTransform.Tone.COMPRESS).rgb(xyz));
     }
 
     /** Returns one row for each order, wavelength and angle of incidence; its directions are columns of {@code reflectance}. */

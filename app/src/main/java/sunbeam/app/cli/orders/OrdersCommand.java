@@ -185,7 +185,6 @@ public final class OrdersCommand extends FileCommand {
         return new OrderTable(patch, period, verdict, lattice, phi, incidences, cie);
     }
 
-    /** Plots the strongest orders' efficiencies, their sum and a mirror's reflectance. */
     private static BufferedImage plot(OrderTable table) {
         Sheet sheet = new Sheet(PLOT_WIDTH)
                 .heading(table.patch().name() + ": " + table.verdict().sentence());

@@ -20,13 +20,12 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Evaluates the rows of a list of directions by the shaders or by the reference. The result for a row with a wavelength is coherent power,
- * ensemble-averaged power, rho and BRDF; without wavelengths it is X, Y, Z and gain.
+ * Evaluates the rows of a list of directions by the shaders or by the reference: for a row with a wavelength to coherent power,
+ * ensemble-averaged power, rho and BRDF; without wavelengths to X, Y, Z and gain.
  */
 record Evaluator(DirectionList list, ProgressDisplay display) {
     private static final int RHO = 2;
@@ -65,7 +64,7 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
                 row -> {
                     double[] exact = list.spectral()
                             ? new double[] {light.power(list.pair(row), list.wavelength(row))}
-                            : light.xyz(list.pair(row), Quadrature.INTEGRATED);
+                            : light.xyz(list.pair(row), ExactLight.Quadrature.INTEGRATED);
                     return new Comparison(Arrays.copyOfRange(results.get(row), from, to), exact, 1);
                 },
                 list.spectral() ? "power" : "XYZ",
@@ -73,8 +72,8 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
     }
 
     /**
-     * Converts results from the standard material to another; power does not depend on it. Rho becomes relative to a flat mirror of that
-     * material at normal incidence (for a tabulated index, to its mean weighted by luminance).
+     * Converts results from the standard material to another; power does not depend on it. Rho becomes relative to a flat mirror of it at
+     * normal incidence (for a tabulated index, to its mean weighted by luminance).
      */
     List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
         if (index.isStandard()) {
@@ -125,7 +124,7 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
     }
 
     private double[] color(ExactLight light, int row) {
-        double[] xyz = light.xyz(list.pair(row), Quadrature.EXACT);
+        double[] xyz = light.xyz(list.pair(row), ExactLight.Quadrature.EXACT);
         return new double[] {xyz[0], xyz[1], xyz[2], Gain.relativeRadiance(list.pair(row))};
     }
 }

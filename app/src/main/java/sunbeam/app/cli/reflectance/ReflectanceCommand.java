@@ -2,8 +2,6 @@ package sunbeam.app.cli.reflectance;
 
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -43,6 +41,7 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
@@ -96,7 +95,6 @@ public final class ReflectanceCommand extends FileCommand {
         DirectionList list =
                 DirectionList.read(directions).seenByTurned(turn.choices().get(ROTATE_PATCH));
         if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
-            // Refused before the patch is loaded and planned.
             throw DiffractionSetup.withoutPower();
         }
         if (bothAverages && !list.spectral()) {
@@ -116,7 +114,7 @@ public final class ReflectanceCommand extends FileCommand {
                 ? loaded
                 : loaded.withLight(divisor.get().under(light(list), loaded.cie()));
         Method method = Methods.of(choices);
-        boolean ensemble = choices.get(AVERAGE) == Average.ENSEMBLE;
+        boolean ensemble = choices.get(MethodSettings.AVERAGE) == Average.ENSEMBLE;
         Map<String, Object> report = new LinkedHashMap<>();
         report.put("patch", setup.patch().name());
         report.put("source", setup.patch().source());
@@ -138,7 +136,7 @@ public final class ReflectanceCommand extends FileCommand {
         methodOptions.printTrial(tables.trial(), err);
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.certificate(
-                count -> evaluator.certify(setup.exact(method), results, count, choices.get(TOLERANCE)));
+                count -> evaluator.certify(setup.exact(method), results, count, choices.get(MethodSettings.TOLERANCE)));
         write(list, ensemble, evaluator.divided(divisor, evaluator.indexed(material, setup.cie(), results)));
         report.put("plan", plan.summary());
         certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));

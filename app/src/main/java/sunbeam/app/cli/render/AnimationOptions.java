@@ -12,8 +12,6 @@ import sunbeam.precompute.units.Angles;
 
 /** Options of an animation's motion, a picocli mixin. */
 public final class AnimationOptions {
-    private static final int FRAMES = 24;
-    private static final double FRAME_RATE = 12;
     private static final int MOST_FRAMES = 9999;
 
     @Option(
@@ -44,10 +42,7 @@ public final class AnimationOptions {
     record Sweep(double from, double to) {
         static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
 
-        /**
-         * Returns the angle of a frame, from 0. A sweep of whole turns leaves out its last angle, which equals the first, so that the
-         * animation loops smoothly.
-         */
+        /** Returns the angle of a frame, from 0. Whole turns leave out the last angle, the same as the first, to loop smoothly. */
         double at(int frame, int frames) {
             double turns = (to - from) / (2 * Math.PI);
             boolean whole = Math.abs(turns) > 0.5 && Math.abs(turns - Math.rint(turns)) < 1e-9;
@@ -56,7 +51,6 @@ public final class AnimationOptions {
         }
     }
 
-    /** Parses {@code FROM:TO} in degrees, such as {@code -60:60}. */
     static final class SweepConverter implements ITypeConverter<Sweep> {
         @Override
         public Sweep convert(String text) {
@@ -78,7 +72,7 @@ public final class AnimationOptions {
     }
 
     double frameRate() {
-        return frameRate != null ? frameRate : FRAME_RATE;
+        return frameRate != null ? frameRate : 12;
     }
 
     String name() {
@@ -96,17 +90,14 @@ public final class AnimationOptions {
             throw new UsageException("--frames " + frames + " needs --light-sweep, whose frames it counts"
                     + (turntable != null ? "; --turntable has its own number" : ", as in --light-sweep 0:360"));
         }
-        if (frames() < 1 || frames() > MOST_FRAMES) {
-            throw new UsageException((turntable != null ? "--turntable " : "--frames ") + frames()
-                    + " is out of range; give 1 to " + MOST_FRAMES);
-        }
+        UsageException.requireWithin(turntable != null ? "--turntable" : "--frames", frames(), 1, MOST_FRAMES);
         if (!(frameRate() >= 0.1 && frameRate() <= 50)) {
             throw new UsageException("--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
         }
     }
 
     private int frames() {
-        return turntable != null ? turntable : frames != null ? frames : FRAMES;
+        return turntable != null ? turntable : frames != null ? frames : 24;
     }
 
     List<Scene> scenes(Scene scene) {

@@ -11,10 +11,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.precompute.text.Text;
 
 /**
- * Files of a picture, or of an animation's frames in a folder.
- *
- * @param mayExist true if the target may be an existing file or folder; false if a taken name gets a number
- * @param resumes true if existing pictures of the same parameters stay
+ * Files of a picture, or of an animation's frames in a folder. A taken name gets a number unless the target may exist; with {@code
+ * --resume}, existing pictures of the same parameters stay.
  */
 record FrameFiles(Path target, boolean isAnimation, boolean mayExist, boolean resumes, Overwrite overwrite) {
     private static final String GIF = "animation.gif";

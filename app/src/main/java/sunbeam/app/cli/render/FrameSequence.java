@@ -62,10 +62,8 @@ public final class FrameSequence implements AutoCloseable {
     private boolean drawn;
 
     /**
-     * Prepares to draw frames of the scene that these sessions hold.
-     *
-     * @param sessions sessions whose light is added; closed with this object
-     * @param viewer viewer that shows tiles as they are drawn; or null
+     * Prepares to draw frames of the scene that these sessions, which are closed with this object, hold together; {@code viewer} shows
+     * tiles as they are drawn, or is null.
      */
     public FrameSequence(
             RenderContext context,
@@ -90,11 +88,7 @@ public final class FrameSequence implements AutoCloseable {
         return sessions.stream().map(SceneSession::data).toList();
     }
 
-    /**
-     * Returns for each frame whether its file is missing or has other parameters.
-     *
-     * @throws OutputException.Exists for a file with other parameters that must not be replaced
-     */
+    /** Returns for each frame whether its file is missing or has other parameters; throws an exception if it must not be replaced. */
     List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
         List<Boolean> missing = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
@@ -110,9 +104,8 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     /**
-     * Draws the missing frames with the first one's exposure, so that an animation does not flicker, and returns their files.
-     *
-     * @param linear file for the linear colors of a single frame, which is then drawn even if it is not missing; or null
+     * Draws the missing frames with the first one's exposure, so that an animation does not flicker, and returns their files. A single
+     * frame, even if it is not missing, may have a file for its linear colors, else null.
      */
     List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
         List<Path> places = new ArrayList<>(files);
@@ -134,7 +127,6 @@ public final class FrameSequence implements AutoCloseable {
         return places;
     }
 
-    /** Draws a frame's linear light without writing a file. */
     public ScenePicture light(Scene scene) {
         PartSum parts = new PartSum(sessions);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());

@@ -177,7 +177,6 @@ public final class RenderCommand extends FileCommand {
         }
     }
 
-    /** Prints how much of the mesh is lit and returns the exit code that the picture deserves. */
     private static ExitCode doubt(FrameSequence frames, List<SceneData> parts, PrintWriter err) {
         Optional<LitPixels> lit = frames.lit();
         lit.map(LitPixels::summary).ifPresent(err::println);

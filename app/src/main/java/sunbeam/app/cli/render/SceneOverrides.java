@@ -1,8 +1,6 @@
 package sunbeam.app.cli.render;
 
 import static sunbeam.app.scene.SceneSettings.INDEX;
-import static sunbeam.app.scene.SceneSettings.MESH;
-import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.patch.PatchSettings.PATCH;
@@ -70,11 +68,7 @@ public final class SceneOverrides {
         return all;
     }
 
-    /**
-     * Returns the scene with these choices in place of its own.
-     *
-     * @throws sunbeam.precompute.setting.SettingException for choices that contradict each other or the scene
-     */
+    /** Returns the scene with these choices in place of its own; throws a {@code SettingException} for contradictions. */
     public static Scene apply(Scene scene, Choices asked) {
         // The thesis's preset means method full, unless another method with that preset is chosen.
         boolean chooses = Preset.isThesis(asked)
@@ -82,10 +76,10 @@ public final class SceneOverrides {
                 && !scene.method().type().has(PRESET);
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
-        Choices placed =
-                withAbsoluteName(withAbsoluteName(given, MESH, BuiltInMeshes.names()), TEXTURE, BodyTexture.names());
+        Choices placed = withAbsoluteName(
+                withAbsoluteName(given, SceneSettings.MESH, BuiltInMeshes.names()), TEXTURE, BodyTexture.names());
         Choices lit = withAbsoluteName(placed, ILLUMINANT, Illuminant.NAMES);
-        Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, ORIENTATION_MAP, List.of(Body.NONE)));
+        Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE)));
         return patch(scene.with(chosen), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
     }
 

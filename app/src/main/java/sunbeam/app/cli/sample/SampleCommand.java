@@ -1,8 +1,5 @@
 package sunbeam.app.cli.sample;
 
-import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
-
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -40,10 +37,10 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
+import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ExactLight.Quadrature;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
@@ -140,9 +137,9 @@ public final class SampleCommand extends FileCommand {
         requireRoom(rows, hdf5);
         DiffractionSetup setup =
                 new DiffractionSetup(patchOptions.load(asked), environment(), err()).withLight(LightTable.of(asked));
-        Choices choices =
-                setup.limitToScan(asked.with(Methods.METHOD, TableMethod.TYPE).with(AVERAGE, Average.ENSEMBLE), err());
-        TableMethod method = new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
+        Choices choices = setup.limitToScan(
+                asked.with(Methods.METHOD, TableMethod.TYPE).with(MethodSettings.AVERAGE, Average.ENSEMBLE), err());
+        TableMethod method = new TableMethod(choices.get(MethodSettings.TOLERANCE), GaussianArea.of(choices));
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
         SpectrumPlan bins = plan.spectrum().orElseThrow();
@@ -253,7 +250,7 @@ public final class SampleCommand extends FileCommand {
                     SampleRows.Row one = sampled.row(first + row);
                     if (channels == RowKind.XYZ) {
                         double[] xyz = Comparison.xyz(sampled.xyz(first + row, 1), 0);
-                        return new Comparison(xyz, exact.xyz(one.pair(), Quadrature.INTEGRATED), 1);
+                        return new Comparison(xyz, exact.xyz(one.pair(), ExactLight.Quadrature.INTEGRATED), 1);
                     }
                     return Comparison.ofPower(sampled.power(one), exact.power(one.pair(), one.wavelength()));
                 },

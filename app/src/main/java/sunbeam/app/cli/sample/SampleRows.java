@@ -19,10 +19,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
-/**
- * Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number, so that
- * parts of the rows can be computed separately.
- */
+/** Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number. */
 final class SampleRows {
     private static final int CHANNELS = 3;
 

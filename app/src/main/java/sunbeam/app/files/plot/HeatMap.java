@@ -57,7 +57,6 @@ public final class HeatMap {
         }
     }
 
-    /** Choice among several values in one pixel. */
     public enum Reduction {
         /** The largest value, so that thin ridges and peaks stay visible. */
         LARGEST,
@@ -135,7 +134,6 @@ public final class HeatMap {
         return this;
     }
 
-    /** Adds a bar of a length along x, in the lower left corner. */
     public HeatMap scaleBar(String label, double length) {
         double left = values.xRange()[0] + 0.03 * (values.xRange()[1] - values.xRange()[0]);
         double unit = 0.01 * (values.yRange()[1] - values.yRange()[0]);

@@ -32,10 +32,7 @@ public final class MapAnnotation {
     private final int margin;
     private final Font font;
 
-    /**
-     * @param map square picture of the map, opaque inside the disc
-     * @param light direction towards the light, in the tangent frame
-     */
+    /** @param map square picture of the map, opaque inside the disc; the light is in the tangent frame */
     public MapAnnotation(BufferedImage map, Direction light, List<String> caption) {
         this.map = map;
         this.light = light;
@@ -46,7 +43,6 @@ public final class MapAnnotation {
                 + "\ncircle: light; cross: mirror direction; rings: every 15\u00b0 from the normal";
     }
 
-    /** Draws the map, a margin three lines wide around it, and the caption below. The picture is opaque. */
     public BufferedImage draw() {
         TextBlock text = Sheet.block(caption, font, size + margin);
         int below = Sheet.height(text) + font.getSize();

@@ -78,7 +78,6 @@ public final class Plot {
         return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
     }
 
-    /** Adds a line without marks. */
     public Plot line(String name, double[] x, double[] y) {
         return line(name, x, y, allSeries.size());
     }
@@ -88,7 +87,6 @@ public final class Plot {
         return add(name, x, y, joined(PlotStyle.color(color), PlotStyle.LINE));
     }
 
-    /** Adds a thin gray line, such as the border of the possible values. */
     public Plot outline(String name, double[] x, double[] y) {
         return add(name, x, y, joined(PlotStyle.OUTLINE, PlotStyle.THIN));
     }
@@ -108,7 +106,6 @@ public final class Plot {
         return this;
     }
 
-    /** Starts the linear y axis at 0. */
     public Plot fromZero() {
         fromZero = true;
         return this;
@@ -143,7 +140,6 @@ public final class Plot {
         // The order of adding, so that rings lie in front.
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
         JFreeChart chart = PlotStyle.chart(frame.title(), plot);
-        // A single series needs no legend: the title names it.
         if (allSeries.size() > 1) {
             chart.addSubtitle(PlotStyle.legend(plot, legendEdge));
         }

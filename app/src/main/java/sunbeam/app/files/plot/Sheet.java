@@ -87,7 +87,6 @@ public final class Sheet {
         return part(height(block) + GAP, graphics -> draw(block, graphics, MARGIN, GAP));
     }
 
-    /** Adds pictures side by side, their tops aligned. */
     public Sheet row(BufferedImage... pictures) {
         int height = List.of(pictures).stream()
                 .mapToInt(BufferedImage::getHeight)
@@ -127,7 +126,6 @@ public final class Sheet {
         return page;
     }
 
-    /** Returns the graphics of a picture, with smooth letters and edges. */
     static Graphics2D smooth(BufferedImage picture) {
         Graphics2D graphics = picture.createGraphics();
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -195,9 +193,7 @@ public final class Sheet {
         });
     }
 
-    /**
-     * Abbreviates names to a width in pixels. Different names stay different: if only their middles differ, the later ones get a number.
-     */
+    /** Abbreviates names to a width in pixels; different names stay different, if need be by numbers. */
     public static List<String> fittedNames(List<String> names, Font font, double widest) {
         List<String> fitted = new ArrayList<>();
         Set<String> taken = new HashSet<>(names);

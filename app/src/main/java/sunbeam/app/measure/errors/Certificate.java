@@ -65,11 +65,7 @@ public record Certificate(
         return new Certificate(places, false, "XYZ", Comparison.relative(compared), differences, limits);
     }
 
-    /**
-     * Evaluates {@code count} random rows of a table, at most all, for whose numbers from 0 {@code row} returns the comparison.
-     *
-     * @param tolerance relative error for which the table was made
-     */
+    /** Evaluates {@code count} random rows of a table, at most all, made for this tolerance; {@code row} compares one by its number. */
     public static Certificate ofRows(
             ProgressDisplay display,
             int rows,
@@ -90,7 +86,6 @@ public record Certificate(
                 Limits.of(tolerance));
     }
 
-    /** True if a limit is exceeded; false if nothing could be compared. */
     public boolean missed() {
         boolean dark = relative.count() == 0;
         boolean even = colorDifference.count() == 0 || colorDifference.mean() <= limits.meanDifference();

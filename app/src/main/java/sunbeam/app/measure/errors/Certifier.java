@@ -12,13 +12,10 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ExactLight.Quadrature;
 
 /**
- * Compares random pixels of a BRDF map with the exact reference.
- *
- * @param pairs directions at a pixel's center, by the pixel's number, row by row from the top left
- * @param material reflectance of the material divided by that of the standard material
+ * Compares random pixels of a BRDF map with the exact reference. Pairs of directions are by a pixel's number, row by row from the top left;
+ * the material's reflectance is relative to that of the standard material.
  */
 public record Certifier(
         ExactLight reference,
@@ -33,10 +30,10 @@ public record Certifier(
     }
 
     /**
-     * Evaluates random pixels in parallel.
+     * Evaluates {@code count} random pixels, at most all, in parallel; at most a quarter of them are dark, unless there are too few bright
+     * ones, and all show the surface.
      *
-     * @param picture linear XYZ of rho; pixels that show no surface are skipped
-     * @param count number of pixels, at most all; at most a quarter of them are dark, unless there are too few bright ones
+     * @param picture linear XYZ of rho
      * @param exposure factor for X, Y, Z before colors are compared
      * @param tolerance relative error for which the picture was made
      */
@@ -72,7 +69,7 @@ public record Certifier(
     private Comparison compare(LinearPicture picture, int pixel) {
         DirectionPair pair = pairs.apply(pixel);
         double gain = gain(pair);
-        double[] exact = reference.xyz(pair, Quadrature.INTEGRATED);
+        double[] exact = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
         for (int c = 0; c < 3; c++) {
             exact[c] *= gain;
         }

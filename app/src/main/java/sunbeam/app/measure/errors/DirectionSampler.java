@@ -22,7 +22,6 @@ public final class DirectionSampler {
     private final SplittableRandom random;
     private final Supplier<Direction> lights;
 
-    /** Creates a sampler for a patch under a window; lights are uniform on the hemisphere. */
     public DirectionSampler(HeightMap map, CoherenceWindow window, long seed) {
         this(map, window, seed, Optional.empty());
     }
@@ -42,8 +41,8 @@ public final class DirectionSampler {
     }
 
     /**
-     * Returns a pair whose view is near an order, at a normally distributed distance of the order's width under the window. One in three
-     * orders lies along x, one along y (as gratings have them), one anywhere. If no order is visible, the view is uniform.
+     * Returns a pair whose view is near an order, at a normally distributed distance of its width under the window: one in three along x,
+     * one along y (as gratings have them), one anywhere. If no order is visible, the view is uniform.
      */
     public Query aimed() {
         int kind = random.nextInt(3);

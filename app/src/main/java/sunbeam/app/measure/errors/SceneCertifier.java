@@ -28,12 +28,11 @@ public record SceneCertifier(int width, int height, PixelSamples samples) {
     private record Exact(Tile pixel, double[] xyz) {}
 
     /**
-     * Draws random pixels by the method to be judged and by points.
+     * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by the method to be judged and by points.
      *
      * @param drawn renderer to be judged, of {@code scene}
-     * @param exact renderer of the same scene as {@code points}, with its method
+     * @param exact renderer of the same scene as {@code points}
      * @param exposure factor for X, Y, Z before colors are compared
-     * @param count number of pixels; fewer are compared if the mesh fills fewer
      */
     public Certificate certify(PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
         List<Exact> means = means(exact, points, count, new SplittableRandom(Certificate.SEED));
