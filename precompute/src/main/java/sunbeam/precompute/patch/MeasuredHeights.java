@@ -29,7 +29,7 @@ import sunbeam.precompute.units.Lengths;
 
 /** Heights of a file, in meters with NaN for missing samples, before any preparation. */
 record MeasuredHeights(HeightMap map, String source, List<String> channels, List<String> notes) {
-    /** Relative; users copy lengths of six digits from messages. */
+    // Relative; users copy lengths of six digits from messages.
     private static final double SAME = 1e-5;
 
     /**

@@ -24,7 +24,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
      */
     public static final double STEEPEST = 30;
 
-    /** Share of steeper surface without a warning: the walls of a grating take less. */
+    // Share of steeper surface without a warning: the walls of a grating take less.
     private static final double LARGEST_SHARE = 0.02;
 
     /**

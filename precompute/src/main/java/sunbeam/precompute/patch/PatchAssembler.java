@@ -34,7 +34,6 @@ import sunbeam.precompute.units.Lengths;
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     // Relative to the steps between neighbors; causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;
-
     // Meters: half of sunlight's coherence length. Larger patches are scans.
     private static final double LARGEST_SYNTHETIC = 32.5e-6;
     // Relative to the relief; measured lines differ by more.

@@ -12,21 +12,17 @@ import sunbeam.precompute.text.Quoted;
 /** Readers of files with binary fields at fixed positions, and samples after them. */
 final class BinaryHeaderReaders {
     private static final int SURF_HEADER = 512;
-    /** Others are profiles, binary images and series. */
+    // Others are profiles, binary images and series.
     private static final int SURFACE = 2;
-
-    /** Distance of the value of missing samples below the header's minimum. */
+    // Distance of the value of missing samples below the header's minimum.
     private static final int BELOW_LOWEST = 2;
-
     private static final int SURF_TEXT = 16;
-
     private static final Pattern NUMPY_TYPE = Pattern.compile("'descr'\\s*:\\s*'([<>=|]?)([a-zA-Z])(\\d+)'");
     private static final Pattern NUMPY_ORDER = Pattern.compile("'fortran_order'\\s*:\\s*(True|False)");
     private static final Pattern NUMPY_SHAPE =
             Pattern.compile("'shape'\\s*:\\s*\\(\\s*(\\d{1,18})\\s*,\\s*(?:(\\d{1,18})\\s*,?\\s*)?\\)");
 
     private static final Map<String, String> NUMPY_KINDS = Map.of("f", "FLOAT", "i", "SIGNED", "u", "UNSIGNED");
-
     // Lengths of the headers and positions of fields, bytes.
     private static final int WAVE_FIRST_HEADER = 64;
     private static final int WAVE_HEADERS = WAVE_FIRST_HEADER + 320;

@@ -72,9 +72,8 @@ final class GwyddionReader {
      * {@link Numbers} or GwyddionObject; others are skipped.
      */
     private record GwyddionObject(Map<String, Object> items) {
-        /** Known files nest three levels deep; hostile ones could overflow the stack. */
+        // Known files nest three levels deep; hostile ones could overflow the stack.
         private static final int DEEPEST = 8;
-
         private static final int MOST_ITEMS = 100_000;
         private static final int LONGEST_NAME = 4096;
         private static final int LONGEST_TEXT = 1 << 20;

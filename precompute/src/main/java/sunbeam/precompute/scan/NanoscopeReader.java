@@ -24,7 +24,6 @@ final class NanoscopeReader {
 
     private static final Pattern SENSITIVITY = Pattern.compile("V\\s+([-+0-9.eE]+)\\s*(?:([^/\\s]*)/V)?.*");
     private static final int LONGEST_SCALE = 200;
-
     private static final Pattern NAME = Pattern.compile("S\\s*(?:\\[([^\\]]*)\\])?\\s*\"?([^\"]*)\"?\\s*");
 
     private NanoscopeReader() {}

@@ -26,12 +26,10 @@ import javax.imageio.stream.FileImageInputStream;
  */
 final class PictureReader {
     private static final List<String> COLORS = List.of("red", "green", "blue");
-    /** Four bands of 16 bits. */
+    // Four bands of 16 bits.
     private static final int MOST_BYTES_PER_PIXEL = 8;
-
-    /** Position of the compression code in a BMP file, bytes. */
+    // Position of the compression code in a BMP file, bytes.
     private static final int BMP_COMPRESSION = 30;
-
     private static final int EMBEDDED_JPEG = 4;
     private static final int EMBEDDED_PNG = 5;
 
@@ -52,7 +50,6 @@ final class PictureReader {
     private static final int PREMULTIPLIED = 1;
     private static final int ALPHA = 2;
     private static final int NO_IMAGE = 1 | 4;
-
     private static final Pattern UNIT = Pattern.compile("(?s)ImageJ=.*?\nunit=(\\V*).*");
 
     private PictureReader() {}

@@ -11,7 +11,7 @@ public final class ScanLimits {
     /** Five times as many as any instrument records at once. */
     public static final int MOST_CHANNELS = 256;
 
-    /** Leveling holds two arrays of heights; gaps in the heap take up to a third more. */
+    // Leveling holds two arrays of heights; gaps in the heap take up to a third more.
     private static final int BYTES_PER_HEIGHT = 3 * Double.BYTES;
 
     private ScanLimits() {}

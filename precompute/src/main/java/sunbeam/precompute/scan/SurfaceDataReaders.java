@@ -34,7 +34,7 @@ final class SurfaceDataReaders {
             7, SampleType.FLOAT_64);
 
     private static final String MAIN = "main.xml";
-    /** Bytes; known files have a few thousand. */
+    // Bytes; known files have a few thousand.
     private static final int LARGEST_MAIN = 1 << 20;
 
     private static final Map<String, SampleType> X3P_TYPES = Map.of(

@@ -20,7 +20,6 @@ final class TextHeaderReaders {
     private static final String NANOSURF_MARK = "#!";
     private static final int MOST_GROUPS = 64;
     private static final int MOST_PER_GROUP = 64;
-
     private static final Pattern WSXM_SIZE = Pattern.compile("Image header size:\\s*(\\d{1,7})");
 
     private static final Map<String, SampleType> WSXM_TYPES =

@@ -9,11 +9,9 @@ import sunbeam.precompute.text.Quoted;
 /** Numbers of a text; an empty field is a missing sample. */
 public final class TextNumbers {
     private static final Pattern MISSING = Pattern.compile("(?i)[-+]?(nan|nan\\(ind\\)|inf|infinity)|bad|---?|#?n/a");
-
     private static final int FIRST_CAPACITY = 1 << 12;
-    /** Three for each point of the largest grid. */
+    // Three for each point of the largest grid.
     private static final long MOST = 3 * ScanLimits.MOST_SAMPLES;
-
     private static final int LONGEST_WORD = 100;
 
     private final boolean decimalComma;

@@ -22,10 +22,9 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     }
 
     private static final int POINT = 3;
-    /** Lines from which on three numbers each must be points, no matrix. */
+    // Lines from which on three numbers each must be points, no matrix.
     private static final int SURELY_POINTS = 16;
-
-    /** Evenly spaced numbers from which on they count as coordinates. */
+    // Evenly spaced numbers from which on they count as coordinates.
     private static final int FEWEST_EVENLY_SPACED = 8;
     // Share of the step; files round numbers.
     private static final double ROUNDING = 0.2;
@@ -142,9 +141,8 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
      * @param heights heights row by row, NaN for cells without a point
      */
     record PointGrid(Axis axisX, Axis axisY, double[] heights) {
-        /** In pitches. Coordinates closer than twice this share of the largest gap belong to one line; files round them. */
+        // In pitches. Coordinates closer than twice this share of the largest gap belong to one line; files round them.
         private static final double MOST_OFF = 0.05;
-
         private static final double MOST_MISSING = 0.5;
 
         /** Equidistant coordinates in ascending order, in the file's unit. */

@@ -30,9 +30,8 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
     private static final int SIGNED = 2;
     private static final int FLOAT = 3;
     private static final int UNCOMPRESSED = 1;
-    /** None, LZW, ZIP (two codes) and PackBits. */
+    // None, LZW, ZIP (two codes) and PackBits.
     private static final Set<Integer> LOSSLESS = Set.of(UNCOMPRESSED, 5, 8, 32_946, 32_773);
-
     private static final int MAX_BANDS = 4;
 
     /** True if a tag is on the first {@code pages} pages; false for unreadable files. */

@@ -20,24 +20,19 @@ final class TiffTagReaders {
     private static final int DEFAULT_SLOT = 0x8081;
     private static final int FIRST_SLOT = 0x8090;
     private static final int SLOT_STEP = 0x30;
-
     private static final int MOST_SLOTS = 64;
-    /** Tags of a slot, relative to its first one, its name. */
+    // Tags of a slot, relative to its first one, its name.
     private static final int UNIT = 0x12;
-
     private static final int SCALING = 0x13;
     private static final int MULTIPLIER = 0x14;
     private static final int OFFSET = 0x15;
-
     private static final int PARK_TAG = 50432;
     private static final int PARK_VERSION = 50433;
     private static final int PARK_DATA = 50434;
     private static final int PARK_HEADER = 50435;
     private static final int PARK_MAGIC = 0x0e031301;
-
-    /** Bytes; the last field that is read ends there. */
+    // Bytes; the last field that is read ends there.
     private static final int LEAST_HEADER = 352;
-
     private static final int FIRST_VERSION_WITH_TYPES = 0x01000002;
     private static final Map<Integer, SampleType> PARK_TYPES =
             Map.of(0, SampleType.SIGNED_16, 1, SampleType.SIGNED_32, 2, SampleType.FLOAT_32);

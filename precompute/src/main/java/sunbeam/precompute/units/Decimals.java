@@ -8,13 +8,11 @@ import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
 public final class Decimals {
-    /** Without what Double.parseDouble also accepts: 1d, 0x1p3 and NaN. */
+    // Without what Double.parseDouble also accepts: 1d, 0x1p3 and NaN.
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
-
     private static final int LONGEST = 100;
     private static final int MOST_PLACES = 9;
     private static final int EXACT_PLACES = 2;
-
     private static final Pattern DECIMAL_COMMA = Pattern.compile("(?<=\\d),(?=\\d)");
 
     private Decimals() {}

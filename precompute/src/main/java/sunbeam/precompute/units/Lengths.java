@@ -17,10 +17,9 @@ public final class Lengths {
             Map.of("pm", -12, "nm", -9, "um", -6, "mm", -3, "cm", -2, "m", 0);
     private static final String[] ENGINEERING_UNITS = {"pm", "nm", "um", "mm", "m"};
     private static final int SHOWN_DIGITS = 6;
-
-    /** Meters; shorter ones are rounding errors. */
+    // Meters; shorter ones are rounding errors.
     private static final double SMALLEST = 1e-15;
-    /** They distinguish every double from its neighbors. */
+    // They distinguish every double from its neighbors.
     private static final int MOST_DIGITS = 17;
 
     /** More digits of exponent would make the decimal arithmetic slow. */

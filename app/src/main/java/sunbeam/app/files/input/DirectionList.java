@@ -32,9 +32,8 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
     private static final String WAVELENGTH = "wavelength";
     // At the horizon the radiance of a finite power is infinite.
     private static final double LARGEST_THETA = 89.999;
-    /** A hundred turns, as for the light's azimuth. */
+    // A hundred turns, as for the light's azimuth.
     private static final int LARGEST_PHI = 36_000;
-
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 

@@ -28,10 +28,9 @@ import sunbeam.precompute.files.InputException;
  * @param workingBytes bytes per pixel besides the decoder's samples
  */
 public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {
-    /** The JDK's readers; plug-ins are untested on damaged files. */
+    // The JDK's readers; plug-ins are untested on damaged files.
     private static final Set<String> FORMATS = Set.of("png", "jpeg", "bmp", "gif", "tif");
-
-    /** Warnings of invented pixels; after others, such as surplus bytes, the picture is complete. */
+    // Warnings of invented pixels; after others, such as surplus bytes, the picture is complete.
     private static final Pattern MISSING = Pattern.compile("Truncated|premature end|profile is invalid");
 
     /** Reads a picture that Sunbeam has written, or throws an {@link InputException} that may end with the remedy. */

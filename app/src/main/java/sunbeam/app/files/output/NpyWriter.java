@@ -15,7 +15,7 @@ public final class NpyWriter {
     private static final int ALIGNMENT = 64;
     private static final int PREFIX_BYTES = 10;
     private static final int BUFFER_VALUES = 1 << 14;
-    /** Earliest time in a zip file. */
+    // Earliest time in a zip file.
     private static final LocalDateTime ZIP_EPOCH = LocalDateTime.of(1980, 1, 1, 0, 0);
 
     private NpyWriter() {}

@@ -22,8 +22,7 @@ import sunbeam.app.terminal.UsageException;
 public final class OutputFolder {
     private static final int HOOK_TRIES = 50;
     private static final int HOOK_WAIT_MILLISECONDS = 10;
-
-    /** Age of abandoned temporary files. Other machines may share the folder, so process numbers do not tell. */
+    // Age of abandoned temporary files. Other machines may share the folder, so process numbers do not tell.
     private static final Duration LONG_AGO = Duration.ofDays(1);
 
     static final int MOST_NAMES = 10_000;

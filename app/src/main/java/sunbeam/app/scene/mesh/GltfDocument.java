@@ -49,9 +49,8 @@ final class GltfDocument {
             "bufferViews",
             "buffers");
 
-    /** An empty list is an error there, not an omission. */
+    // An empty list is an error there, not an omission.
     private static final Set<String> TRANSFORMS = Set.of("matrix", "translation", "rotation", "scale");
-
     private static final Set<String> UNCHECKED = Set.of("extensions", "extras");
     /** Required extensions that are read or do not affect geometry. */
     private static final Pattern HARMLESS =

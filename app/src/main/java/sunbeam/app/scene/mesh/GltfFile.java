@@ -25,7 +25,6 @@ import sunbeam.precompute.files.InputException;
 final class GltfFile {
     static final String MAGIC = "glTF";
     private static final int MAGIC_NUMBER = 0x46546C67;
-
     // The parsed tree of a longer text, with buffers as base64, would fill the heap.
     private static final int MOST_JSON_BYTES = 24 << 20;
     private static final int HEADER_BYTES = 12;
@@ -33,7 +32,6 @@ final class GltfFile {
     // "JSON" and "BIN\0" in little-endian ASCII.
     private static final int JSON = 0x4E4F534A;
     private static final int BINARY = 0x004E4942;
-
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
     private static final int MOST_NODES = 100_000;
 

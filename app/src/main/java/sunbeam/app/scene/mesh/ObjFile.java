@@ -14,7 +14,6 @@ import sunbeam.precompute.text.Quoted;
 final class ObjFile {
     private static final int LONGEST_LINE = 1 << 16;
     private static final String UTF8_MARK = "\u00EF\u00BB\u00BF";
-
     private static final Pattern INDEX = Pattern.compile("-?[1-9]\\d{0,8}");
 
     private final BufferedReader reader;

@@ -46,17 +46,14 @@ public final class SnakeBody {
     // Steps of numerical derivatives, large against rounding (1e-13) and small against the skin's features.
     private static final double PLACE_STEP = 2e-4;
     private static final double ANGLE_STEP = 1e-3;
-
     // Place of the eyes, and angle from the middle of the back.
     private static final double EYE = NECK * SnakeHead.EYE_ALONG;
     private static final double EYE_ANGLE = Math.PI * SnakeHead.EYE_AROUND;
-
     private static final int SAMPLES = 4000;
     private static final int HEAD_SAMPLES = 300;
     private static final Vector3d[] POINTS = new Vector3d[SAMPLES + 1];
     // Meters from the snout to each point.
     private static final double[] LENGTHS = new double[SAMPLES + 1];
-
     // In RADIUS; smaller scales would be invisible.
     private static final double NARROWEST = 0.2;
     // Numbers of scales from the neck, up to a factor: the integral of RADIUS / half width over the body behind the

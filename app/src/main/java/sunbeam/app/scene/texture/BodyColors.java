@@ -58,7 +58,6 @@ interface BodyColors {
         private static final Vector3dc SADDLE = ofSrgb(0x9c3216);
         private static final Vector3dc EDGE = ofSrgb(0x1d1210);
         private static final Vector3dc CREAM = ofSrgb(0xe6d8bd);
-
         // On the body 27 to 40, smaller ones on the tail.
         private static final double SADDLES = 38;
         // On either side: back 0, middle of the belly 1.

@@ -11,13 +11,12 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Generators of the built-in patches: periodic, equal on every run. Parameters and sources: docs/guide.md. */
 public final class BuiltInPatches {
-    /** Meters, as in the thesis. */
+    // Meters, as in the thesis.
     private static final double PERIOD = 2.5e-6;
-    /** The visible orders (up to 13 for 2.5 um and 380 nm) have no aliases. */
+    // The visible orders (up to 13 for 2.5 um and 380 nm) have no aliases.
     private static final int COLUMNS = 128;
-    /** Rows are equal and 78 nm apart, finer than a quarter of 380 nm. */
+    // Rows are equal and 78 nm apart, finer than a quarter of 380 nm.
     private static final int ROWS = 32;
-
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
 
     static {
@@ -65,20 +64,16 @@ public final class BuiltInPatches {
         private static final int TRACKS = 32;
         private static final double TRACK_PITCH = 1.6e-6;
         private static final double SIDE = TRACKS * TRACK_PITCH;
-        /** 50 nm apart. */
+        // 50 nm apart.
         private static final int SAMPLES = 1024;
-
         private static final double PITCH = SIDE / SAMPLES;
-        /** 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz. */
+        // 278 nm per bit, as at a speed of 1.2 m/s and a rate of 4.3218 MHz.
         private static final int CHANNEL_BITS = 184;
-
-        /** At half depth, meters. */
+        // At half depth, meters.
         private static final double PIT_WIDTH = 500e-9;
-
         private static final double PIT_DEPTH = 110e-9;
-        /** Walls with a cosine profile, meters. */
+        // Walls with a cosine profile, meters.
         private static final double WALL_WIDTH = 150e-9;
-
         // Channel bits.
         private static final int SHORTEST_RUN = 3;
         private static final int LONGEST_RUN = 11;
@@ -179,7 +174,6 @@ public final class BuiltInPatches {
 
         private static final int SAMPLES = 1024;
         private static final int BUMPS = 1024;
-
         private static final int SEED = 5;
 
         private RandomBumps() {}

@@ -78,24 +78,19 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
             2);
 
     private static final double SIDE = 65e-6;
-    /** 63.5 nm apart, finer than the 95 nm that 380 nm light needs. */
+    // 63.5 nm apart, finer than the 95 nm that 380 nm light needs.
     private static final int SAMPLES = 1024;
-
-    /** Waviness of the ground, root mean square in meters. */
+    // Waviness of the ground, root mean square in meters.
     private static final double WAVINESS = 34e-9;
-
-    /** Periods along the side. */
+    // Periods along the side.
     private static final int WAVINESS_MODES = 24;
-    /** Standard deviation of the grain's smoothing, meters. */
+    // Standard deviation of the grain's smoothing, meters.
     private static final double GRAIN_LENGTH = 60e-9;
-
-    /** Table entries per sample, 16 nm apart. */
+    // Table entries per sample, 16 nm apart.
     private static final int OVERSAMPLING = 4;
-
-    /** Half width of an edge's transition, in its standard deviations. */
+    // Half width of an edge's transition, in its standard deviations.
     private static final double EDGE_MARGIN = 2.5;
-
-    /** Distance between rows, relative to its mean. */
+    // Distance between rows, relative to its mean.
     private static final double CLOSEST = 0.35;
 
     public HeightMap generate() {

@@ -32,7 +32,7 @@ record RowLayout(
         double tipSpread,
         double heightSpread,
         double lean) {
-    /** Equal slopes on all scales. */
+    // Equal slopes on all scales.
     private static final double WANDER_EXPONENT = 2;
 
     FingerRow[] place(FingerShape shape, double side, int places, SeededNoise noise) {
