@@ -72,12 +72,7 @@ public final class MeshWriters {
 
     /** Writes binary PLY, little-endian: positions in meters, normals and texture coordinates, without tangents. */
     public static void ply(OutputStream stream, Mesh mesh) throws IOException {
-        stream.write(header(mesh).getBytes(StandardCharsets.US_ASCII));
-        stream.write(content(mesh));
-    }
-
-    private static String header(Mesh mesh) {
-        return Text.format("""
+        String header = Text.format("""
                 ply
                 format binary_little_endian 1.0
                 comment Sunbeam mesh: meters, z up
@@ -94,9 +89,6 @@ public final class MeshWriters {
                 property list uchar int vertex_indices
                 end_header
                 """, mesh.vertices(), mesh.triangles());
-    }
-
-    private static byte[] content(Mesh mesh) {
         ByteBuffer bytes = ByteBuffer.allocate(VERTEX_BYTES * mesh.vertices() + FACE_BYTES * mesh.triangles())
                 .order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < mesh.vertices(); i++) {
@@ -110,7 +102,8 @@ public final class MeshWriters {
             }
             bytes.putInt(mesh.indices()[i]);
         }
-        return bytes.array();
+        stream.write(header.getBytes(StandardCharsets.US_ASCII));
+        stream.write(bytes.array());
     }
 
     private static void put(ByteBuffer bytes, float[] values, int from, int count) {

@@ -51,7 +51,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
                 double u = (column + 0.5) / width;
                 double[] relief =
                         isSmooth ? SMOOTH : relief(body.relief(), reliefsPerU, u, v, 1.0 / width, 1.0 / height);
-                albedo[column] = rgb(color(body.colors(), u, v), relief[2], relief[3]);
+                albedo[column] = rgb(body.colors().color(byteIndex(body.colors(), u, v) / 4), relief[2], relief[3]);
                 normals[column] = normal(relief);
             }
             // Rows do not overlap, so threads may write in parallel.
@@ -68,14 +68,6 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         return 4
                 * (Math.max(0, Math.min(texture.height() - 1, row)) * texture.width()
                         + Math.min(texture.width() - 1, column));
-    }
-
-    private static int[] color(BodyTexture texture, double u, double v) {
-        int at = byteIndex(texture, u, v);
-        byte[] rgba = texture.rgba();
-        return new int[] {
-            Byte.toUnsignedInt(rgba[at]), Byte.toUnsignedInt(rgba[at + 1]), Byte.toUnsignedInt(rgba[at + 2])
-        };
     }
 
     /** Returns means over a texel of size (du, dv): slopes along u and v, lightness, share of pale pigment. */
@@ -104,11 +96,14 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         return new double[] {slope * sum[0], slope * sum[1], light, share * each * sum[3]};
     }
 
-    private static int rgb(int[] color, double light, double pale) {
+    private static int rgb(int color, double light, double pale) {
+        if (light == 1 && pale == 0) {
+            return color;
+        }
         int rgb = 0;
         for (int c = 0; c < 3; c++) {
-            double linear = light * ((1 - pale) * Srgb.linear(color[c]) + pale * PALE[c]);
-            rgb = rgb << 8 | (light == 1 && pale == 0 ? color[c] : Srgb.channel(linear));
+            double linear = light * ((1 - pale) * Srgb.linear(color >> 16 - 8 * c & 0xff) + pale * PALE[c]);
+            rgb = rgb << 8 | Srgb.channel(linear);
         }
         return rgb;
     }

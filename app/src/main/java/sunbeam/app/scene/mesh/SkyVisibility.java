@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import jrtr.VertexData.BoundingSphere;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
@@ -31,16 +30,13 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 .hex();
         int bytes = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
         FloatBuffer all = ByteBuffer.wrap(cache.get(
-                        "sky over mesh " + checksum, bytes, () -> compute(mesh).toBytes(bytes)))
+                        "sky over mesh " + checksum,
+                        bytes,
+                        () -> new DepthMaps(mesh).visibility().toBytes(bytes)))
                 .asFloatBuffer();
         SkyVisibility visibility = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
         all.get(visibility.ofVertices).get(visibility.ofGround);
         return visibility;
-    }
-
-    private static SkyVisibility compute(Mesh mesh) {
-        BoundingSphere bounds = mesh.toVertexData().bounds();
-        return new DepthMaps(mesh, new Vector3d(bounds.center()), bounds.radius()).visibility();
     }
 
     private byte[] toBytes(int length) {
@@ -75,18 +71,18 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         private final float[] vertexShares;
         private final float[] groundShares = new float[GROUND_SIDE * GROUND_SIDE];
 
-        DepthMaps(Mesh mesh, Vector3dc middle, double radius) {
+        DepthMaps(Mesh mesh) {
+            BoundingSphere bounds = mesh.toVertexData().bounds();
             this.mesh = mesh;
-            this.middle = new Vector3d(middle);
-            this.radius = radius;
+            this.middle = new Vector3d(bounds.center());
+            this.radius = bounds.radius();
             this.groundHeight = ground(mesh);
             this.vertexShares = new float[mesh.vertices()];
             int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
             float[] cosineSums = new float[mesh.vertices()];
             double sum = 0;
             for (int i = 0; i < directions; i++) {
-                Vector3d direction = direction(i, directions);
-                sum += direction.z;
+                sum += direction(i, directions).z;
             }
             double zSum = sum;
             IntStream.range(0, directions)

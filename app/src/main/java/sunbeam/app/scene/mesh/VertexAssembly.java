@@ -46,10 +46,9 @@ final class VertexAssembly {
             Vector3d edge2 = mesh.positionOf(first + 2).sub(origin);
             Vector3d along = edge1.mul(v2).sub(edge2.mul(v1)).mul(Math.signum(area));
             double length = along.length();
-            if (length == 0) {
-                return new TriangleTangent(new Vector3d(), false);
-            }
-            return new TriangleTangent(along.mul(mesh.areaNormal(first).length() / length), area < 0);
+            return length == 0
+                    ? new TriangleTangent(along, false)
+                    : new TriangleTangent(along.mul(mesh.areaNormal(first).length() / length), area < 0);
         }
     }
 
@@ -180,9 +179,7 @@ final class VertexAssembly {
                 Vector3d mean = means.get(position(i));
                 Vector3d own = Mesh.vector(sums, i);
                 if (mean.dot(own) > LEAST_COSINE * mean.length() * own.length()) {
-                    sums[3 * i] = (float) mean.x;
-                    sums[3 * i + 1] = (float) mean.y;
-                    sums[3 * i + 2] = (float) mean.z;
+                    put(sums, 3 * i, mean);
                 }
             }
         }

@@ -88,7 +88,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return rgba;
     }
 
-    int color(int texel) {
+    public int color(int texel) {
         return (rgba[4 * texel] & 0xff) << 16 | (rgba[4 * texel + 1] & 0xff) << 8 | (rgba[4 * texel + 2] & 0xff);
     }
 
