@@ -27,7 +27,7 @@ public enum Energy {
     private static final double DEEPEST = 20e-6;
 
     /**
-     * Returns the divisor for a surface and a method's choices; empty for SCALAR.
+     * Returns the divisor; empty for SCALAR.
      *
      * @throws SettingException for a method, window or relief without a right divisor
      */

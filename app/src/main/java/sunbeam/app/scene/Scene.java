@@ -44,9 +44,7 @@ import sunbeam.precompute.setting.Setting;
  * All that determines a picture except its size. File names are absolute.
  *
  * @param settings values or defaults of all {@link SceneSettings} except those of patch, view and light
- *
  * @param orientation rotation of the mesh about the center of its bounding sphere; unit length
- *
  * @param fillLights further lights, which cast no shadows; at most {@link #MOST_FILL_LIGHTS}
  */
 public record Scene(

@@ -116,8 +116,7 @@ public record SceneMethod(Choices chosen) {
             inheritable.removeAll(List.of(TOLERANCE));
         }
         Choices own = chosen.only(inheritable);
-        // Both branches give the same values, but complaints about defaults name the source of the others, or of this
-        // method.
+        // Complaints about defaults name the source of the others, or of this method.
         return new SceneMethod(
                 others.has(Methods.METHOD) || !chosen.has(Methods.METHOD)
                         ? others.over(own)

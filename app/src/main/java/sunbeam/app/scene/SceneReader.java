@@ -54,13 +54,7 @@ public final class SceneReader {
         this.folder = folder;
     }
 
-    /**
-     * Reads a scene.
-     *
-     * @throws InputException when it is missing or not a scene
-     *
-     * @throws sunbeam.precompute.setting.SettingException when a value cannot be used
-     */
+    /** Reads a scene; throws InputException if it is missing or none, SettingException if a value cannot be used. */
     public static Scene read(Path file) {
         return new SceneReader(JsonObject.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene")))
                 .scene();

@@ -3,8 +3,6 @@ package sunbeam.app.scene;
 import jrtr.scene.View.Camera;
 
 /**
- * Camera (meters, world space) and field of view.
- *
  * @param camera meters, world space
  * @param verticalFieldOfView of a picture of 4:3 or wider, radians; narrower ones have the horizontal field of 4:3
  */

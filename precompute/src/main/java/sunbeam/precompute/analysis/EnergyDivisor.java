@@ -91,12 +91,7 @@ public final class EnergyDivisor {
         return tables.with(all -> all.define("ENERGY_CONSERVED", 1).array(TableArray.of(layout, shares)));
     }
 
-    /**
-     * Diffracted light of a surface over that of a mirror of the material; 1 conserves energy. Wavelength in meters.
-     *
-     * @param ratio light of all orders over that of a mirror; 1 if the model conserves energy
-     * @param wavelength meters
-     */
+    /** Diffracted light over that of a mirror of the material (1 conserves energy) at a wavelength in meters. */
     public record EnergyBalance(double ratio, double wavelength) {
         public static final double LARGEST = 1.05;
         private static final int MOST_SAMPLES = 256;
@@ -104,10 +99,7 @@ public final class EnergyDivisor {
         private static final double DEEPEST = 6e-6;
         private static final double WAVELENGTH_STEP = 20e-9;
 
-        /**
-         * Returns the balance at the visible wavelength, in steps of 20 nm, of the largest ratio; empty for a relief beyond 6 um, which
-         * takes too long.
-         */
+        /** Returns the balance of the largest ratio at visible wavelengths; empty for a relief beyond 6 um, which takes too long. */
         public static Optional<EnergyBalance> largest(HeightMap map, RefractiveIndex index, Direction wi) {
             HeightMap middle = middle(map);
             if (middle.relief() > DEEPEST) {

@@ -18,7 +18,6 @@ import sunbeam.precompute.units.Lengths;
  *
  * @param wave frequency of the wave, directed across its lines; of length 0 if there is no wave
  * @param low lower end of the 95 % interval of the period, meters; the period itself if exact
- *
  * @param azimuthHalfWidth half width of the direction's 95 % interval, radians; 0 if exact
  * @param periods number in the scan along the wave; infinite for a surface that repeats
  * @param share share of the heights' variance (without waviness) in the wave and its overtones, 0..1
@@ -50,8 +49,7 @@ public record GratingPeriod(
     private static final double NANOMETERS_PER_METER = 1e9;
     // Share of unmeasured rows; a crop may lose half of the scan.
     private static final double FEW_UNMEASURED = 0.02;
-    // Meters: half of sunlight's coherence length. The repetition of a larger patch, which holds enough lines, is no
-    // period.
+    // Meters: half of sunlight's coherence length. A larger patch may hold enough lines.
     private static final double LARGEST_REPEATED = 32.5e-6;
     // Sine of 2 degrees.
     private static final double CONE = 0.035;
@@ -67,11 +65,7 @@ public record GratingPeriod(
         return of(patch, wave -> true, "");
     }
 
-    /**
-     * Returns the period of the strongest wave within limits, meters.
-     *
-     * @param azimuth across the lines, radians counter-clockwise from +x; empty for any
-     */
+    /** Returns the strongest wave's within meters; azimuth across the lines, radians counter-clockwise from +x. */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
         Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
         if (azimuth.isEmpty()) {

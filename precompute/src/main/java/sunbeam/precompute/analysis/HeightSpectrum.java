@@ -12,7 +12,6 @@ import sunbeam.precompute.spectrum.BandTransform2d;
  * Power spectrum of a patch's heights, up to the Nyquist frequency or the highest that diffracts light (2 / 380 nm).
  *
  * @param bandX bins along x, and bandY along y (upwards), symmetric about 0
- *
  * @param width meters, padding included: a bin's frequency along x is bin / width
  * @param power square meters, {@code [(jy - bandY.first) * bandX.count + jx - bandX.first]}
  * @param total sum of the power, square meters, also beyond the bands

@@ -6,14 +6,12 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /**
- * Reciprocal lattice of a surface's diffraction orders: (m, n) leaves along wr = -wi + lambda (m first + n second), projected to the
- * surface.
+ * Reciprocal lattice of orders: (m, n) leaves along wr = -wi + lambda (m first + n second) in the surface's plane.
  *
  * @param second frequency of order (0, 1); empty for a grating
  */
 public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> second) {
-    // Share of the variance in a frequency that the lattice of a repeated patch contains: float files round to 1e-7 of
-    // the relief.
+    // Share of the variance in a frequency of the lattice: float files round to 1e-7 of the relief.
     private static final double WEAKEST = 1e-9;
     // Least sine of the angle between waves.
     private static final double CROSSING = 0.3;

@@ -19,7 +19,6 @@ import sunbeam.precompute.spectrum.ComplexVector;
  * Efficiencies, shares of the incident light, of a surface's orders: of a piece the integral over half the distance to the next order.
  *
  * @param wi direction to the light, in the patch's frame
- *
  * @param efficiencies of the orders above the horizon
  * @param between share that leaves between the orders of a grating
  * @param sum share that leaves the surface
@@ -36,9 +35,7 @@ public record OrderLight(
     // Parts of a scan along each axis, whose differences give the interval.
     private static final int PARTS = 4;
 
-    /**
-     * Efficiency of an order with its 95 % interval for a scan, NaN of less than two parts; for a surface that repeats the value itself.
-     */
+    /** Efficiency of an order with its 95 % interval: NaN of less than two parts, the value if the surface repeats. */
     public record Efficiency(double value, double low, double high) {
         static final Efficiency NONE = new Efficiency(0, 0, 0);
     }

@@ -97,7 +97,6 @@ public final class OrderSpectrum {
 
     /**
      * @param wi towards the light, in the patch's frame
-     *
      * @param sampled true for a scan, whose light fills each bin
      */
     void forEach(Direction wi, double wavelength, boolean sampled, Consumer<Wave> visitor) {
@@ -152,8 +151,7 @@ public final class OrderSpectrum {
     }
 
     /**
-     * Returns the light of all orders over that of a mirror of the material. Close to the horizon it is the integral over the order's
-     * Gaussian, partly beyond.
+     * Returns the light of all orders over that of a mirror; close to the horizon, of the Gaussian above it.
      *
      * @param sigmaFrequency of the window's amplitude spectrum, cycles per meter; 0 for an infinite window
      */

@@ -181,10 +181,9 @@ final class PeriodModel {
     }
 
     /**
-     * Takes the interval from the line's centroids in tiles. Tiles along straight lines are not independent, so the error falls only with
-     * their number along the wave.
+     * Takes the interval from the centroids in tiles. Tiles along straight lines are not independent: the error falls only along the wave.
      *
-     * @param line is included in the interval: the centroid of two equally strong periods is neither
+     * @param line in the interval: the centroid of two equally strong periods is neither
      */
     private GratingPeriod byTiles(GratingPeriod vague, SpatialFrequency line) {
         SpatialFrequency wave = vague.wave();

@@ -3,10 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Arrays;
 import sunbeam.precompute.optics.HeightMap;
 
-/**
- * Correction of a wave's frequency along one direction by the slope of its phase, and its 95 % interval's half width from deviations off a
- * straight line; cycles per meter.
- */
+/** Correction of a wave's frequency by the slope of its phase along one direction, and its 95 % interval's half width; cycles per meter. */
 record PhaseSlope(double value, double halfWidth) {
     // With two periods, constants, slopes, overtones and the negative frequency vanish.
     private static final int WINDOW_PERIODS = 2;
@@ -111,10 +108,7 @@ record PhaseSlope(double value, double halfWidth) {
         }
     }
 
-    /**
-     * Weighted least squares with Student's factor times the larger standard error: of independent phases (stray lines, noise) or of a
-     * random walk (varying gaps).
-     */
+    /** Weighted least squares with the larger error: of independent phases (stray lines, noise) or a random walk (varying gaps). */
     private static PhaseSlope fitted(Windows windows, int first, int last, double step) {
         int degrees = (last - first) / PER_LENGTH - 1;
         double[] phases = windows.phases();
@@ -143,10 +137,7 @@ record PhaseSlope(double value, double halfWidth) {
         return new PhaseSlope(slope / (2 * Math.PI), halfWidth / (2 * Math.PI));
     }
 
-    /**
-     * Returns the median of the phase's steps between bands of rows along y, cycles per meter: a scanner that slips changes few. 0 for
-     * fewer than three bands or periods along a row.
-     */
+    /** Returns the phase's median step between bands of rows along y, cycles per meter (a scanner slips in few), or 0. */
     static double byRows(HeightMap level, SpatialFrequency wave) {
         int lag = Math.max(1, level.rows() / BANDS);
         int bands = level.rows() / lag;

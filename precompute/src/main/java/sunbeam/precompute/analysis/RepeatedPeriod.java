@@ -14,9 +14,8 @@ final class RepeatedPeriod {
     // Share of the variance; noise has less in one frequency.
     private static final double OVERTONE = 0.01;
     private static final int MOST_DIRECTIONS = 3;
-    // Shares of the variance in the waves and their overtones, for a period and for any piece. There the strongest
-    // frequencies need the third share: noise along one axis, too, consists of overtones of the patch's length, but of
-    // weak ones.
+    // Shares of the variance in the waves and their overtones, for a period and for any piece, whose strongest
+    // frequencies need the third share: noise along one axis, too, has overtones of the patch's length, but weak ones.
     private static final double SHARE_OF_PERIOD = 0.4;
     private static final double SHARE_OF_PIECE = 0.98;
     private static final double PEAKS_OF_PIECE = 0.5;
@@ -40,8 +39,7 @@ final class RepeatedPeriod {
     }
 
     /**
-     * Returns the strongest accepted frequency's period, with up to two others at least half as strong; empty if they hold too little of
-     * the variance.
+     * Returns the strongest accepted period, with up to two others at least half as strong; empty below these shares.
      *
      * @param known whether the map is a period, not any piece
      */

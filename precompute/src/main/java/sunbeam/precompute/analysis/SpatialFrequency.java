@@ -2,12 +2,7 @@ package sunbeam.precompute.analysis;
 
 import sunbeam.precompute.optics.HeightMap;
 
-/**
- * Spatial frequency of a wave in the heights; (-x, -y) is the same wave.
- *
- * @param x cycles per meter along +x
- * @param y cycles per meter along +y, upwards
- */
+/** @param x cycles per meter along +x */
 public record SpatialFrequency(double x, double y) {
 
     public double length() {

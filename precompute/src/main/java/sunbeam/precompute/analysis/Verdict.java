@@ -9,17 +9,9 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Effect of a surface's period on its color under one light.
- *
- * @param sentence for people, without a full stop
- * @param firstOrders one band for each first order above the horizon
- */
+/** Effect of a surface's period on its color: a code, a sentence without full stop, a band per first order. */
 public record Verdict(Code code, String sentence, List<Band> firstOrders) {
-    /**
-     * Angles of an order's 400 (blue) to 700 nm (red), for all periods in the interval; degrees to the normal, positive on the light's
-     * side, 90 or -90 beyond the horizon.
-     */
+    /** Angles of 400 and 700 nm for all periods in the interval; degrees, positive on the light's side, 90 or -90 beyond the horizon. */
     public record Band(double blue, double red) {}
 
     /** Kinds of surfaces (docs/evaluation.md); those up to ALL_DIRECTIONS have colors. */
@@ -58,11 +50,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         return of(patch, period, 0);
     }
 
-    /**
-     * Returns such as "A grating ...: first-order colors at -9 to 11 degrees and from -58 degrees on under light at 30 degrees".
-     *
-     * @param theta angle of the light to the normal, degrees, in the plane across the lines
-     */
+    /** Light at theta degrees in the plane across the lines: "A grating ...: first-order colors at -9 to 11 degrees ...". */
     public static Verdict of(Patch patch, GratingPeriod period, double theta) {
         if (patch.isMirror()) {
             return new Verdict(

@@ -122,8 +122,8 @@ final class WaveSearch {
     }
 
     /**
-     * Share, 0..1, of the variance in a wave and its overtones, without waviness and unaccepted waves, but with what is too fine to
-     * diffract light: else a faint wave would be nearly all of a finer surface.
+     * Share, 0..1, of the variance in a wave and its overtones, without waviness; what is too fine to diffract counts: a faint wave must
+     * not be nearly all of a finer surface.
      */
     double share(SpatialFrequency wave) {
         double all = 0.5 * spectrum.total();

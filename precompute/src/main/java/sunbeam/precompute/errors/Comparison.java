@@ -4,11 +4,7 @@ import java.util.List;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.plan.ErrorBudget;
 
-/**
- * Computed and exact X, Y, Z, or power, of one pair of directions.
- *
- * @param gain factor from power to radiance that both include
- */
+/** Computed and exact X, Y, Z, or power, with the same factor from power to radiance. */
 public record Comparison(double[] computed, double[] exact, double gain) {
     /** Power, or largest X, Y, Z of power, below which relative errors are meaningless. */
     public static final double FLOOR = ErrorBudget.DARKEST_POWER;

@@ -33,8 +33,6 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     private static final double SAME = 1e-5;
 
     /**
-     * Reads the heights of a file with its scale, completed by the user's choices, never guessed.
-     *
      * @throws InputException if the file cannot be used
      * @throws SettingException if a choice contradicts the file, is absurd or is missing
      */

@@ -6,9 +6,9 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Slopes of a surface and the expected error of scalar theory, which ignores shadows and second reflections: the sum over all directions of
- * the absolute difference from Maxwell's equations, relative to the reflected light. A power law of the mean slope, fitted to 1500 gratings
- * by rigorous coupled-wave analysis (docs/theory.md, docs/examples/coupled_waves.py).
+ * Slopes of a surface and the expected error of scalar theory: the sum over all directions of the absolute difference from Maxwell's
+ * equations, relative to the reflected light. It is a power law of the mean slope, fitted to 1500 gratings by rigorous coupled-wave
+ * analysis (docs/theory.md, docs/examples/coupled_waves.py).
  *
  * @param meanSlope mean of |grad h|; for a grating twice its depth over its period
  * @param rmsSlope root mean square of |grad h| (Sdq of ISO 25178)
@@ -18,10 +18,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
     /** Largest mean slope of the power law; beyond it, half of the light or more is drawn in wrong directions. */
     public static final double LARGEST_SLOPE = 1.2;
 
-    /**
-     * Degrees. A facet of 30 reflects light from the normal to 60, where the next rise of the same slope just lets it pass; steeper ones
-     * shadow each other and reflect twice.
-     */
+    /** Degrees: the next rise of the same slope just lets light from the normal pass; steeper facets shadow each other. */
     public static final double STEEPEST = 30;
 
     // Share of steeper surface without a warning: the walls of a grating take less.

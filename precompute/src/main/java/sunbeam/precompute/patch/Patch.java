@@ -7,12 +7,10 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
 /**
- * Surface that is ready for analysis and rendering.
+ * Surface that is ready for analysis and rendering: complete heights in meters.
  *
- * @param heights prepared heights in meters, without missing samples
- * @param scan the prepared heights before their edges were blended
+ * @param scan the heights before their edges were blended
  * @param channels one line per channel of the file: number, name, samples and unit; empty for built-in patches
- *
  * @param faults faults of the measurement, also among the warnings (the gravest first)
  */
 public record Patch(

@@ -25,12 +25,7 @@ import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Makes a patch from heights: defaults, preparation, warnings.
- *
- * @param file file of the heights, or a built-in name, for messages
- * @param choices values of {@link PatchSettings#PREPARING}
- */
+/** Makes a patch from heights: defaults, preparation, warnings. */
 record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     // Relative to the steps between neighbors; causes no visible streaks.
     private static final double LARGEST_BORDER_STEP = 4;

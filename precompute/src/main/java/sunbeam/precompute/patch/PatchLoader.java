@@ -28,20 +28,11 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Loads a built-in patch, else a descriptor (*.json), else a scan or an image, which needs a scale. A file called like a built-in patch is
- * named with its folder: {@code ./blaze}.
- */
+/** Loads a built-in patch, else a descriptor (*.json), else a scan or an image. A file called like a built-in patch needs its folder. */
 public final class PatchLoader {
     private PatchLoader() {}
 
-    /**
-     * Loads a patch.
-     *
-     * @param cache cache of the heights of built-in patches
-     * @throws InputException if there is no such patch, or its file or descriptor cannot be used
-     * @throws SettingException if a choice contradicts the patch or is absurd
-     */
+    /** Loads a patch; throws InputException if it or its file cannot be used, SettingException if a choice is absurd. */
     public static Patch load(PatchRequest request, HeightCache cache) {
         return request.located(() -> loadHere(request, cache));
     }

@@ -7,12 +7,7 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 
-/**
- * Choices of a patch.
- *
- * @param choices values of {@link PatchSettings}
- * @param raw whether files without a descriptor are prepared as in the thesis: mean subtracted, repeated
- */
+/** Choices of a patch; raw: files without a descriptor are prepared as in the thesis (mean subtracted, repeated). */
 public record PatchRequest(Choices choices, boolean raw) {
     public PatchRequest {
         choices = choices.only(PatchSettings.ALL);

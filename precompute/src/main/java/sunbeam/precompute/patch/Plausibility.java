@@ -49,11 +49,7 @@ public final class Plausibility {
 
     private Plausibility() {}
 
-    /**
-     * Refuses a patch whose longer side, in meters, is absurd.
-     *
-     * @param own whether the file states its sides
-     */
+    /** Refuses a patch whose longer side, in meters, is absurd, whether the file itself states it or not. */
     static void requireSides(double width, double height, Path file, boolean own) {
         double longSide = Math.max(width, height);
         if (longSide >= SHORTEST_LONG_SIDE && longSide <= LONGEST_SIDE) {

@@ -76,10 +76,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
                         .findFirst());
     }
 
-    /**
-     * Returns the index of the channel of the heights (length unit first, sensor before voltage, trace before retrace); empty if all are
-     * excluded.
-     */
+    /** Returns the index of the heights (length unit first, sensor before voltage, trace before retrace), if any. */
     public Optional<Integer> heights() {
         return possible()
                 .boxed()

@@ -4,11 +4,9 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Size of the area that a channel covers.
+ * Size of a channel in meters; empty sides are not stated by the file.
  *
- * @param width along x, meters; empty if the file does not state it
- * @param height along y, meters; empty if the file does not state it
- * @param aspect distance between rows divided by that between columns if the file states no lengths, else 1
+ * @param aspect pitch of rows over that of columns if the file states no lengths, else 1
  */
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
     public static final Extent UNKNOWN = new Extent(Optional.empty(), Optional.empty(), 1);
@@ -43,10 +41,7 @@ public record Extent(Optional<Double> width, Optional<Double> height, double asp
         }
     }
 
-    /**
-     * Returns meters per unit of length, in instruments' spellings: "µm" in any encoding, "~m" (Bruker's micrometer); empty for other
-     * units.
-     */
+    /** Returns meters per unit, in instruments' spellings: "µm" in any encoding, "~m" (Bruker's micrometer). */
     public static Optional<Double> metersPer(String unit) {
         String plain = unit.strip()
                 .replaceAll("\u00c2?[\u00b5\u03bc~\u00e6]", "u")

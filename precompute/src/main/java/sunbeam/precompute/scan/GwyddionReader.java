@@ -67,10 +67,7 @@ final class GwyddionReader {
         return new ScanChannel(title, samples, extent, field.unit("si_unit_z"));
     }
 
-    /**
-     * Serialized object: type name, size, then components, each with a name, a letter for its type and a value: Integer, Double, String,
-     * {@link Numbers} or GwyddionObject; others are skipped.
-     */
+    /** Type name, size, then components: name, letter of the type, value (Integer, Double, String, {@link Numbers} or GwyddionObject). */
     private record GwyddionObject(Map<String, Object> items) {
         // Known files nest three levels deep; hostile ones could overflow the stack.
         private static final int DEEPEST = 8;

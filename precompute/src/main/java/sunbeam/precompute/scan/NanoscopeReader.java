@@ -13,8 +13,7 @@ import sunbeam.precompute.text.Text;
 /**
  * Reader of Bruker (Digital Instruments, Veeco) Nanoscope files since version 4.2: lists of {@code \key: value}, one per image, then
  * little-endian integers from the bottom row. A height is sample * "Z scale" (volts of the full range) / steps of the range * a sensitivity
- * (nm/V) of another list. "Scan Size" is that of the complete scan; a stopped scan has fewer lines. Source: manual of the Nanoscope
- * software, "File format", and sample files.
+ * (nm/V) of another list. Source: manual of the Nanoscope software, "File format", and sample files.
  */
 final class NanoscopeReader {
     private static final Pattern LINE = Pattern.compile("\\\\@?(?:\\d+:)?\\s*([^:]+):\\s*(.*)");
@@ -156,10 +155,7 @@ final class NanoscopeReader {
                 .value();
     }
 
-    /**
-     * Parses "500 500 nm", "500 nm" or "10 5 ~m". If both sides are equal or one is given, the height follows from the aspect ratio (width
-     * over height), or else from square pixels.
-     */
+    /** Parses "500 nm" or "10 5 ~m" of the complete scan. The height may follow from the aspect ratio (width over height). */
     private static Extent extent(Header common, Header image, Samples samples) {
         String[] words = image.text("scan size", common.text("scan size", "")).split("\\s+", -1);
         Optional<Double> meters = Extent.metersPer(words[words.length - 1]);

@@ -140,12 +140,7 @@ final class PictureReader {
                 .scale(1 / fullScale, 0);
     }
 
-    /**
-     * Returns gray, of one band or three equal ones; red, green and blue; alpha. Samples are missing where alpha is 0.
-     *
-     * @param prefix empty or ending in a blank
-     * @param colors one or three bands
-     */
+    /** Returns gray, of one band or three equal ones; red, green and blue; alpha. Samples are missing where alpha is 0. */
     static List<ScanChannel> channels(
             String prefix, List<Samples> colors, Optional<Samples> alpha, Extent extent, String unit)
             throws IOException {

@@ -7,11 +7,7 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 
-/**
- * Grid of samples, which are read from the file when {@link #read} is called.
- *
- * @param source source of {@code rows * columns} samples row by row, row 0 the top of the scan, NaN for missing ones
- */
+/** Grid of samples, read when {@link #read} is called, row by row from the top of the scan, NaN for missing ones. */
 public record Samples(int columns, int rows, Source source) {
     @FunctionalInterface
     public interface Source {
@@ -25,11 +21,7 @@ public record Samples(int columns, int rows, Source source) {
         }
     }
 
-    /**
-     * Returns consecutive samples from a position in bytes.
-     *
-     * @throws ScanException if the file ends before the last sample
-     */
+    /** @throws ScanException if the file ends before the last sample */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
         Samples samples = new Samples(
                 columns, rows, () -> type.read(file.stream(offset), Math.multiplyExact(columns, rows), order));

@@ -3,10 +3,8 @@ package sunbeam.precompute.scan;
 import java.util.Optional;
 
 /**
- * One channel of a scan.
- *
  * @param retrace whether the tip moved backward
- * @param unit unit of the samples as written in the file; empty if the file does not state it
+ * @param unit as written in the file; empty if not stated
  */
 public record ScanChannel(String name, boolean retrace, Samples samples, Extent extent, String unit) {
     /** Unit of an image's samples: 1 is full scale. */

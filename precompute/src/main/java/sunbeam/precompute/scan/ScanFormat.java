@@ -4,11 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
-/**
- * File format of scans, found by content. A new reader needs one line in {@link #ALL}.
- *
- * @param name for messages, such as "Gwyddion (.gwy)"
- */
+/** File format of scans, found by content, with a name for messages. */
 public record ScanFormat(String name, Check check, Opener opener) {
     private static final ScanFormat PICTURE =
             new ScanFormat("image", PictureReader::recognizes, PictureReader::channels);
@@ -42,11 +38,7 @@ public record ScanFormat(String name, Check check, Opener opener) {
 
     @FunctionalInterface
     public interface Opener {
-        /**
-         * Reads the channels from the header; their samples can be read while the file is open.
-         *
-         * @throws ScanException if the file cannot be used
-         */
+        /** @throws ScanException if the file cannot be used */
         List<ScanChannel> channels(ScanBytes file) throws IOException;
     }
 
@@ -58,11 +50,7 @@ public record ScanFormat(String name, Check check, Opener opener) {
         return new ChannelList(opener.channels(file));
     }
 
-    /**
-     * Finds the reader of a file by its content.
-     *
-     * @param mark the user's choice for texts
-     */
+    /** @param mark the user's choice for texts */
     public static Optional<ScanFormat> find(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
         for (ScanFormat reader : ALL) {
             if (reader.check().recognizes(file)) {

@@ -20,25 +20,18 @@ import java.util.stream.Collectors;
  * Text file with numbers: its header, encoding and decimal mark.
  *
  * @param charset UTF-16 by its byte order mark, else UTF-8 if the first bytes are valid in it, else Latin-1
- * @param header lines before the first line of numbers
- * @param decimalComma whether 1,5 is one and a half
  */
 record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
     private static final int LONGEST_HEADER = 1 << 18;
 
     private static final Pattern NUMBER =
             Pattern.compile("[+\u2212-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eEdD][+\u2212-]?\\d{1,3})?|[+-]?[nN][aA][nN]");
-    // Commas are decimal marks between digits (FRACTION), never before a sign (SIGNED), if others separate the numbers
-    // (SEPARATED).
+    // Commas are decimal marks between digits, never before a sign, if others separate the numbers.
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
     private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
 
-    /**
-     * Recognizes a text; empty without a line of numbers in its first 256 KB.
-     *
-     * @param mark the user's choice; without one, decimal commas are detected
-     */
+    /** Recognizes a text by a line of numbers in its first 256 KB; an empty mark is detected. */
     static Optional<TextFile> of(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
         byte[] bytes = file.head(LONGEST_HEADER);
         Charset charset = charset(bytes);

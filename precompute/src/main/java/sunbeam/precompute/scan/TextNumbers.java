@@ -25,13 +25,7 @@ public final class TextNumbers {
         this.decimalComma = decimalComma;
     }
 
-    /**
-     * Reads the numbers of a text.
-     *
-     * @param line number of the first line, for messages
-     *
-     * @throws ScanException if there are too many numbers, or a word that is no number
-     */
+    /** Reads numbers; throws ScanException if there are too many, or a word that is no number. */
     public static TextNumbers read(BufferedReader in, boolean decimalComma, long line, long most) throws IOException {
         TextNumbers numbers = new TextNumbers(decimalComma);
         long number = line;

@@ -9,11 +9,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Text;
 
-/**
- * Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid.
- *
- * @param decimalMark the user's choice; empty to detect it
- */
+/** Reader of text: after any header, a matrix of numbers from the top row, or points x y z on a grid. */
 public record TextReader(Optional<DecimalMark> decimalMark) {
     /** If it is a point, commas separate numbers. */
     public enum DecimalMark {
@@ -134,12 +130,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
                 "z", samples, extent, axes.map(matcher -> matcher.group(3)).orElse("")));
     }
 
-    /**
-     * Grid of points x y z, listed in any order.
-     *
-     * @param axisY axis of the rows; row 0 has the largest y
-     * @param heights heights row by row, NaN for cells without a point
-     */
+    /** Grid of points x y z, listed in any order: heights row by row from the largest y, NaN without a point. */
     record PointGrid(Axis axisX, Axis axisY, double[] heights) {
         // In pitches. Coordinates closer than twice this share of the largest gap belong to one line; files round them.
         private static final double MOST_OFF = 0.05;

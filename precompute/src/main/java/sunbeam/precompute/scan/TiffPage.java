@@ -22,8 +22,8 @@ import javax.imageio.stream.ImageInputStream;
 import sunbeam.precompute.text.Text;
 
 /**
- * Page of a TIFF or BigTIFF file with its tags and samples as stored, which TwelveMonkeys decodes after this class has checked sizes and
- * tags. Source: Adobe, "TIFF Revision 6.0" and its technical notes.
+ * Page of a TIFF or BigTIFF file, which TwelveMonkeys decodes after a check of sizes and tags. Source: Adobe, "TIFF Revision 6.0" and its
+ * technical notes.
  */
 record TiffPage(ScanBytes file, int index, Directory tags) {
     private static final int UNSIGNED = 1;

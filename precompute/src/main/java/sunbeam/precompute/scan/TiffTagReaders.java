@@ -45,9 +45,8 @@ final class TiffTagReaders {
     }
 
     /**
-     * Reads JPK (Bruker NanoWizard) images: TIFF files whose first page is a thumbnail with the scan's size in its tags. The others are
-     * channels, from the bottom row, each with several scalings ("slots"). Source: JPK, "Image file format specification", tags 0x8000 to
-     * 0x80ff.
+     * Reads JPK (Bruker NanoWizard) images: a thumbnail with the scan's size in its tags, and channels, from the bottom row, with several
+     * scalings ("slots"). Source: JPK, "Image file format specification", tags 0x8000 to 0x80ff.
      */
     static List<ScanChannel> jpk(ScanBytes file) throws IOException {
         List<TiffPage> pages = TiffPage.read(file);

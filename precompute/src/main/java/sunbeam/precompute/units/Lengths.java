@@ -8,10 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
-/**
- * Conversion of lengths as text to and from meters. A length always carries its unit: pm, nm, um, mm, cm or m, with either Unicode mu
- * (U+00B5, U+03BC) for the u.
- */
+/** Conversion of lengths to and from meters, with a unit of pm, nm, um, mm, cm or m, and either Unicode mu for the u. */
 public final class Lengths {
     private static final Map<String, Integer> POWER_OF_TEN =
             Map.of("pm", -12, "nm", -9, "um", -6, "mm", -3, "cm", -2, "m", 0);

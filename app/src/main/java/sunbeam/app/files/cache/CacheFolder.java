@@ -69,11 +69,7 @@ public record CacheFolder(Path path, String allowed) {
             return name.substring(name.lastIndexOf('.') + 1);
         }
 
-        /**
-         * Reads the label without checking the rest of the file.
-         *
-         * @throws InputException if the file is damaged, of another version, or gone
-         */
+        /** @throws InputException if the file is damaged, of another version, or gone */
         public TableLabel label() {
             return switch (ending(file)) {
                 case TILES -> TileFile.label(file, TileFile.FORMAT);
@@ -237,8 +233,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /**
-     * Deletes files until the rest, those used last, is within the limit; those that cannot be deleted stay. Processes that have one open
-     * go on reading it.
+     * Deletes files until those used last are within the limit; processes that have one open go on reading it.
      *
      * @param inUse file that counts as the one used last
      * @return the deleted files, the one used longest ago first

@@ -38,8 +38,7 @@ import sunbeam.precompute.shader.TableLabel;
 import sunbeam.precompute.spectrum.FourierTable;
 
 /**
- * Loaded patch and the cache of its tables, each under a hash of all that determines it. Missing tables are made; damaged ones again with a
- * warning.
+ * Loaded patch and the cache of its tables, each under a hash of all that determines it; damaged ones are made again.
  *
  * @param note receives a line for each step that takes longer than planned
  * @param warning receives a line for each failure of the cache and each table that misses its tolerance

@@ -23,8 +23,7 @@ import sunbeam.precompute.files.InputException;
  * Reader of PNG, JPEG, BMP, GIF and TIFF files, by their first bytes. It checks sizes before it allocates memory.
  *
  * @param what role in messages, such as "texture"
- *
- * @param mostPixels limit, so that a small compressed file does not take minutes to read
+ * @param mostPixels limit of compressed files' time
  * @param workingBytes bytes per pixel besides the decoder's samples
  */
 public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {

@@ -13,10 +13,7 @@ import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import sunbeam.precompute.text.Text;
 
-/**
- * Writer of comma-separated text with a header row and line feeds. Numbers have 13 significant digits in scientific notation, or are {@code
- * NaN} or {@code Infinity}.
- */
+/** Writer of comma-separated text; numbers have 13 significant digits in scientific notation, NaN or Infinity. */
 public final class CsvWriter {
     private CsvWriter() {}
 

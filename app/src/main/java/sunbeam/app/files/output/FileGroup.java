@@ -7,10 +7,7 @@ import java.util.List;
 import java.util.Map;
 import sunbeam.app.terminal.UsageException;
 
-/**
- * Files of one name and several endings, with their dots: all appear or none, with the same lowest number that is free for every ending if
- * Sunbeam chooses the name.
- */
+/** Files of one name and several endings: all appear or none, with the lowest number that is free for every ending. */
 public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
     public FileGroup {
         if (StandardOutput.isMeant(stem)) {

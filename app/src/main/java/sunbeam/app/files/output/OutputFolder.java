@@ -159,10 +159,7 @@ public final class OutputFolder {
         }
     }
 
-    /**
-     * True for a device, which is written in place. A failure to find out is reported, since a file would be overwritten. A link in a
-     * folder that all may write to is replaced: another user may have made it.
-     */
+    /** True for a device, written in place. A link in a folder that all may write to is replaced: another user may have made it. */
     static boolean isDevice(Path target) {
         try {
             LinkOption[] links =

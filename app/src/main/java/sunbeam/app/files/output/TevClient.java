@@ -64,11 +64,7 @@ public final class TevClient implements AutoCloseable {
         send(packet);
     }
 
-    /**
-     * Fills a rectangle, given by its left column and top row.
-     *
-     * @param xyz {@code height x width x 3}, NaN where there is no surface; tev gets linear Rec. 709 and alpha
-     */
+    /** Fills a rectangle: {@code height x width x 3}, NaN without surface; tev gets linear Rec. 709 and alpha. */
     public void update(String name, int x, int y, int width, int height, float[] xyz) {
         float[] rgba = LinearFile.rgba(xyz);
         ByteBuffer packet = packet(UPDATE, 0, name, rgba.length);

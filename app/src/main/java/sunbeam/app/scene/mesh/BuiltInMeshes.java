@@ -16,15 +16,7 @@ public final class BuiltInMeshes {
     }
 
     /**
-     * Generates a mesh.
-     *
-     * <ul>
-     * <li>{@code snake}: see {@link Snake}
-     * <li>{@code plane}: a square with sides of 0.2 m in z = 0 about the origin
-     * <li>{@code sphere}: a sphere of radius 0.1 m about the origin
-     * <li>{@code cylinder}: a cylinder without caps of radius 0.1 m about the z axis, from z = 0 to 0.2 m
-     * <li>{@code disc}: the coated ring of a compact disc, which lies on z = 0; tangents along the tracks
-     * </ul>
+     * Generates a mesh, or throws an {@link InputException} for any other name.
      *
      * @throws InputException for any other name
      */
@@ -71,10 +63,7 @@ public final class BuiltInMeshes {
         return revolution(columns, rows, false, v -> new Profile(radius, v * height, 1, 0));
     }
 
-    /**
-     * Generates the coated ring of a compact disc (radii of 20 and 59 mm) on z = 0, with round edges and without bottom; u along the
-     * tracks, v inwards.
-     */
+    /** Generates the ring of a compact disc (radii of 20 and 59 mm) with round edges; u along the tracks, v inwards. */
     private static Mesh disc(int columns, int rows) {
         double edge = 1.2e-3;
         return revolution(columns, rows, false, v -> {

@@ -116,10 +116,7 @@ final class GltfDocument {
         }
     }
 
-    /**
-     * Refuses null and numbers beyond float32, except in extensions and extras. Removes empty lists, which some programs write against the
-     * rules; converts 2.0 to an integer.
-     */
+    /** Refuses null and numbers beyond float32, drops empty lists, converts 2.0 to an integer; extensions and extras stay. */
     private static JsonNode checkAndNormalize(JsonPointer path, JsonNode value) {
         if (value.isNull() || (value.isNumber() && !Float.isFinite(value.floatValue()))) {
             throw wrong(path, value);

@@ -156,10 +156,7 @@ final class GltfPrimitives {
         return new Vector3d(values[at], values[at + 1], values[at + 2]);
     }
 
-    /**
-     * Texture coordinates TEXCOORD_n of the material's first texture with its KHR_texture_transform, whose v grows downwards; without a
-     * texture the first set.
-     */
+    /** TEXCOORD_n of the material's first texture, with the transform of its extension, whose v grows downwards. */
     private record TextureCoordinates(int set, Matrix3x2d transform) {
         private static final String TRANSFORM = "KHR_texture_transform";
 

@@ -36,10 +36,7 @@ public final class MeshWriters {
 
     private MeshWriters() {}
 
-    /**
-     * Writes Wavefront OBJ; each number is the shortest decimal that reads back as the same float. The format has no tangents; {@link
-     * VertexAssembly} computes them.
-     */
+    /** Writes Wavefront OBJ, without tangents; each number is the shortest decimal that reads back as the same float. */
     public static void obj(OutputStream stream, Mesh mesh) throws IOException {
         // Unbuffered, writing takes twice as long.
         Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));

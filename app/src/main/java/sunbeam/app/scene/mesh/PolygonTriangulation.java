@@ -4,10 +4,7 @@ import java.nio.IntBuffer;
 import java.util.function.IntFunction;
 import org.joml.Vector3d;
 
-/**
- * Divides polygons, also concave ones, into triangles by cutting off ears (Meisters 1975) in the mean plane (Newell's normal); O(n^2) steps
- * at worst.
- */
+/** Divides polygons, also concave ones, by cutting off ears (Meisters 1975) in the mean plane (Newell's normal); O(n^2) at worst. */
 final class PolygonTriangulation {
     private final int[] previous;
     private final int[] next;
@@ -75,10 +72,7 @@ final class PolygonTriangulation {
         return triangles.put(first).put(next[first]).put(next[next[first]]).array();
     }
 
-    /**
-     * Returns the first ear from the second corner on, so that a convex polygon becomes a fan; the second corner if a self-crossing polygon
-     * has none.
-     */
+    /** First ear, so that a convex polygon becomes a fan; the second corner if a self-crossing polygon has none. */
     private int ear(int second, int remaining) {
         int corner = second;
         for (int step = 0; step < remaining; step++) {

@@ -11,12 +11,7 @@ import sunbeam.app.scene.texture.ScaleRelief;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Srgb;
 
-/**
- * Skin of a mesh as two pictures for other programs (shaders/include/relief.glsl).
- *
- * @param albedo sRGB: the body's texture times the scales' lightness
- * @param normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin
- */
+/** @param normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin */
 public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // A scale of the snake is about 27 texels long and 36 wide.
     private static final int WIDTH = 8192;

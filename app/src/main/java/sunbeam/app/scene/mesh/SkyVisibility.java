@@ -10,11 +10,9 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.precompute.files.Checksum;
 
 /**
- * Share of the sky visible from a mesh and the ground below it, weighted by the cosine to the normal (ambient occlusion). Arrays are
- * shared.
+ * Share of the sky, 0 to 1, visible from a mesh and the ground below it, weighted by the cosine to the normal (ambient occlusion).
  *
- * @param ofVertices 0 to 1, relative to the sky on the normal's side
- * @param ofGround 0 to 1 for squares of the ground, from the least x and y
+ * @param ofGround for squares of the ground, from the least x and y
  */
 public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     /** Half the side of the computed ground about the mesh's middle, in radii of the mesh. */

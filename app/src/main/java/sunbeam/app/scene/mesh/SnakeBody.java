@@ -20,8 +20,7 @@ public final class SnakeBody {
     // Approximate, meters.
     private static final double LENGTH = 1.1;
 
-    // Squared half width over the place, in RADIUS^2: linear from the snout, which makes a round end. The neck has 80 %
-    // of the head's width.
+    // Squared half width over the place, in RADIUS^2; the snout is round.
     private static final Curve SQUARED_HEAD = new Curve(
             -0.0035, -0.22, 0, 0, 0.0035, 0.22, 0.0105, 0.44, 0.021, 0.64, 0.0275, 0.61, 0.0345, 0.49, NECK, 0.41);
     // Half width over the place, in RADIUS; beyond the tip, so that the tail is a cone.
@@ -30,8 +29,7 @@ public final class SnakeBody {
     // Height over width: a flat head, a round neck, a body that sags a little.
     private static final Curve FLATNESS = new Curve(0, 0.72, 0.0225, 0.62, NECK, 0.86, 0.2, 0.9, 0.8, 0.92, 1, 1);
 
-    // Distance from the z axis and lift, in RADIUS, over turns from the tip of the tail. Coils overlap by a few percent
-    // of their width; tail and neck lie apart.
+    // Distance from the z axis and lift, in RADIUS, over turns from the tail; coils overlap by a few percent.
     private static final Curve DISTANCE = new Curve(
             0, 7.26, 0.06, 6.5, 0.15, 6.1, 0.3, 5.97, 0.45, 5.73, 0.6, 5.46, 0.75, 5.35, 0.9, 5.34, 1.05, 5.03, 1.2,
             4.73, 1.35, 4.37, 1.5, 3.94, 1.65, 3.6, 1.8, 3.5, 1.9, 3.47, 2, 3.25, 2.15, 2.99, 2.3, 2.72, 2.6, 2.05,
@@ -56,8 +54,7 @@ public final class SnakeBody {
     private static final double[] LENGTHS = new double[SAMPLES + 1];
     // In RADIUS; smaller scales would be invisible.
     private static final double NARROWEST = 0.2;
-    // Numbers of scales from the neck, up to a factor: the integral of RADIUS / half width over the body behind the
-    // head, because a scale's length follows the body's width.
+    // Numbers of scales from the neck, up to a factor: a scale's length follows the body's width.
     private static final double[] SCALES = new double[SAMPLES + 1];
 
     static {

@@ -139,9 +139,8 @@ final class VertexAssembly {
     }
 
     /**
-     * Unit normals of corners: the file's if its length is above 0, else the mean over the triangles around the position, weighted by area.
-     * Each copy of a position, at seams and hard edges, has its own mean; the mean over all copies replaces it if the angle between the two
-     * is small.
+     * Unit normals of corners: the file's, else the mean over the triangles around the position, weighted by area. Copies of a position, at
+     * seams and hard edges, have the mean over all copies if the angle to their own is small.
      */
     private static final class CornerNormals {
         // Cosine of 41 degrees. A hard edge of 90 stays hard: the mean over it is 45 from either side.
@@ -190,10 +189,7 @@ final class VertexAssembly {
             return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
         }
 
-        /**
-         * Returns a key that corners of one position and normal share: index of the file's normal, -1 for the mean around the position, or
-         * -2 - t for the normal of triangle t.
-         */
+        /** Key that corners of one position share: index of the file's normal, -1 for the mean, or -2 - t for triangle t's. */
         int key(int corner) {
             int given = mesh.normal(corner);
             if (given >= 0 && Mesh.vector(mesh.normals(), given).length() > 0) {

@@ -11,9 +11,8 @@ import sunbeam.precompute.text.Text;
 /**
  * Textures of a mesh. Arrays are shared.
  *
- * @param directions flow map of the nanostructure's x axis: red along the tangent (right in the picture), green along the bitangent (up);
- *     the bytes 1, 128 and 255 mean -1, 0 and 1. Vectors are interpolated, not doubled angles, because a height map turned by 180 degrees
- *     is another surface
+ * @param directions flow map of the nanostructure's x axis: red along the tangent (right), green along the bitangent (up); the bytes 1, 128
+ *     and 255 mean -1, 0 and 1. A height map turned by 180 degrees is another surface
  * @param patches map with one exact color for each patch
  * @param patchColor this body's color in that map, 0xRRGGBB
  */
@@ -34,11 +33,7 @@ public record Body(
     // Sixteenth of the longest vector, in steps of a byte, which resolve the direction of a shorter one too coarsely.
     private static final int SHORTEST = 8;
 
-    /**
-     * Loads the textures, with one patch everywhere.
-     *
-     * @throws InputException if texture or orientation map cannot be used
-     */
+    /** @throws InputException if texture or orientation map cannot be used */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
         return new Body(
                 BodyTexture.load(texture, cache),

@@ -48,10 +48,7 @@ interface BodyColors {
         }
     }
 
-    /**
-     * Corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): orange-brown, black-edged red saddles on the back, smaller blotches
-     * on the flanks between them, a checkered belly.
-     */
+    /** Corn snake (Pantherophis guttatus, the thesis's Elaphe guttata): red saddles, smaller blotches on the flanks, a checkered belly. */
     final class Elaphe implements BodyColors {
         private static final Vector3dc GROUND = ofSrgb(0xc98243);
         private static final Vector3dc FLANK = ofSrgb(0xbf9a6c);

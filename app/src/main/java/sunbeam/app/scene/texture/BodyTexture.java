@@ -16,11 +16,7 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 
-/**
- * Picture for a mesh, sRGB, which repeats. Its left edge is u = 0, its bottom v = 0.
- *
- * @param rgba row 0 on top; shared
- */
+/** Picture for a mesh, sRGB, which repeats: left edge u = 0, bottom v = 0, row 0 on top. */
 public record BodyTexture(int width, int height, byte[] rgba) {
     /** Neutral dark body, on which diffraction shows. */
     public static final String DARK = "dark";
@@ -36,12 +32,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return List.of("elaphe", "xenopeltis", DARK, Body.NONE);
     }
 
-    /**
-     * Loads a built-in texture or a picture.
-     *
-     * @param nameOrFile a name, or an image file ({@link sunbeam.app.files.input.ImageFile})
-     * @throws sunbeam.precompute.files.InputException if there is no such texture, or the file cannot be used
-     */
+    /** @throws sunbeam.precompute.files.InputException if there is no such texture, or the file cannot be used */
     public static BodyTexture load(String nameOrFile, BlobCache cache) {
         return switch (nameOrFile) {
             case "elaphe" -> load(nameOrFile, BodyColors.Elaphe::new, cache);
@@ -95,7 +86,6 @@ public record BodyTexture(int width, int height, byte[] rgba) {
     /**
      * Reads an image file. Transparent texels keep their color and become opaque.
      *
-     * @param what role in messages, such as "texture"
      * @param alternative end of the message about a missing file
      * @throws InputException if the file is missing or cannot be used
      */

@@ -48,8 +48,7 @@ public final class ScaleRelief {
     // Random variation of slopes, and of lightness relative to 1.
     private static final double SLOPE_VARIATION = 0.02;
     private static final double LIGHTNESS_VARIATION = 0.09;
-    // From a scale's middle to its rear and covered front end in lengths of a scale, and to its sides in widths of a
-    // row.
+    // From the middle to rear and covered front in lengths of a scale, and to the sides in widths of a row.
     private static final double REAR_LENGTH = 0.6;
     private static final double FRONT_LENGTH = 0.9;
     private static final double HALF_WIDTH = 1.04;
@@ -214,10 +213,7 @@ public final class ScaleRelief {
         return new Plate(Math.floorMod(number, SCALES_ALONG), along, beside, shieldEdge(along), true);
     }
 
-    /**
-     * Returns the height of a plate, continued beyond its outline, in widths of a row at (x, y), which lies (dx, dy) from the plate's
-     * point.
-     */
+    /** Height of a plate, continued beyond its outline, in widths of a row, (dx, dy) from the plate's point. */
     private double height(double x, double y, Plate plate, double dx, double dy) {
         Plate there = plate.isShield
                 ? shieldBeside(x, y, plate)

@@ -15,8 +15,7 @@ public final class SnakeHead {
     private static final double EYE_LENGTH = 0.058;
     private static final double EYE_HEIGHT = 0.086;
     private static final Vector3dc PUPIL = BodyColors.ofSrgb(0x060505);
-    // Across the top of the head, snout 0 to neck 1. The frontal shield lies between the third and the fourth; the seam
-    // along the middle goes around it.
+    // Across the top, snout 0 to neck 1; the frontal shield lies between the third and the fourth.
     private static final double[] SEAMS = {0.09, 0.17, 0.29, 0.5, 0.76};
     private static final double SEAM_WIDTH = 0.009;
     private static final double DARKEST_SEAM = 0.72;

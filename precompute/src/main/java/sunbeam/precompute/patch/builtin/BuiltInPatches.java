@@ -20,13 +20,11 @@ public final class BuiltInPatches {
     private static final Map<String, Supplier<HeightMap>> GENERATORS = new LinkedHashMap<>();
 
     static {
-        // Rises towards +x, so that light goes towards -x: order m has the power sinc^2(k w H / (2 pi) - m), w = -2
-        // near the normal.
+        // Rises towards +x, so that light goes towards -x: order m has the power sinc^2(k w H / (2 pi) - m).
         GENERATORS.put("blaze", () -> grating(x -> 250e-9 * x));
         // Order m has the power J_m(k w amplitude)^2.
         GENERATORS.put("sinusoid", () -> grating(x -> 100e-9 * StrictMath.sin(2 * StrictMath.PI * x)));
-        // Ridges of half the period have no even orders but 0; their height of lambda / 4 at 550 nm darkens the mirror
-        // direction.
+        // Ridges of half the period have no even orders but 0; lambda / 4 at 550 nm darkens the mirror.
         GENERATORS.put("lamellar", () -> grating(x -> x < 0.5 ? 137.5e-9 : 0));
         GENERATORS.put("disc", CompactDisc::generate);
         GENERATORS.put("bumps", RandomBumps::generate);
@@ -56,9 +54,8 @@ public final class BuiltInPatches {
     }
 
     /**
-     * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y with pits and lands in turn, each 3 to 11 channel bits
-     * long. Their lengths n are random, with probabilities proportional to 0.7^n, in place of coded data. The surface is regular across the
-     * tracks and random along them.
+     * Data side of a compact disc without lacquer (IEC 60908): straight tracks along y with pits and lands of 3 to 11 channel bits in turn,
+     * whose random lengths n have probabilities proportional to 0.7^n.
      */
     private static final class CompactDisc {
         private static final int TRACKS = 32;

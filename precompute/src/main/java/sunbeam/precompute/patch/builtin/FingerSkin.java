@@ -125,11 +125,7 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         }
     }
 
-    /**
-     * Strip between the lines of two rows, where one plate partly covers another. Lengths in meters.
-     *
-     * @param lengthBelow length of the strip above, where the covered row begins
-     */
+    /** Strip between the lines of two rows, and length of the one above, where the covered row begins; meters. */
     private record Strip(FingerRow upper, FingerRow lower, double length, double lengthBelow) {}
 
     private static Strip strip(int strip, double[] lines, FingerRow[] rows) {

@@ -144,7 +144,6 @@ record RowLayout(
     /**
      * @param line distance from the patch's top to the line through the tips, meters, tabulated over a period along x
      * @param phi 0 on the ridge of a finger, 1 midway to its neighbor
-     *
      * @param edgeSlope absolute slope of the edge along x, per meter
      */
     record FingerRow(double[] line, double[] phi, double[] lift, double[] edge, double[] edgeSlope) {

@@ -28,8 +28,7 @@ final class SeededNoise {
      * Generates a smooth, periodic field, row by row, of mean 0: a sum of plane waves with integer numbers of periods along the sides and
      * random phases, whose power spectral density falls as frequency to minus {@code exponent} within an ellipse.
      *
-     * @param rms root mean square of the field, in any unit
-     * @param modesX most periods along the first axis, at least 1 and below {@code columns / 2}
+     * @param modesX most periods along the first axis, below {@code columns / 2}
      */
     double[] powerLaw(int columns, int rows, double rms, double exponent, int modesX, int modesY) {
         double[][] real = new double[modesY + 1][columns];
