@@ -18,10 +18,10 @@ public record PatchAtlas(String map, List<Region> regions) {
     /** Patches of one mesh: each has its own tables in graphics memory. */
     public static final int MOST = 8;
 
-    /** @param patch with a built-in name, or the absolute name of a descriptor or image */
+    /** Area of a patch with a built-in name, or the absolute name of a descriptor or image. */
     public record Region(SceneColor color, PatchRequest patch) {}
 
-    /** @throws IllegalArgumentException for no or too many regions, or two of one color; the message is for the user */
+    /** Throws IllegalArgumentException, with a message for the user, for no or too many regions, or two of one color. */
     public PatchAtlas {
         regions = List.copyOf(regions);
         if (regions.isEmpty() || regions.size() > MOST) {

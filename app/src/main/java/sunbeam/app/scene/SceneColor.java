@@ -5,7 +5,7 @@ import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.text.Text;
 
-/** @param rgb 0xRRGGBB */
+/** Opaque sRGB color, 0xRRGGBB. */
 public record SceneColor(int rgb) {
     private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
 

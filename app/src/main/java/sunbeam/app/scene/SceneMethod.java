@@ -33,7 +33,7 @@ public record SceneMethod(Choices chosen) {
     /** Finer color tables take longer and look the same on a screen. */
     public static final double TABLE_TOLERANCE = 1e-2;
 
-    /** @throws sunbeam.precompute.setting.SettingException for a method that cannot draw meshes, or other unusable choices */
+    /** Throws SettingException for a method that cannot draw meshes, or other unusable choices. */
     public SceneMethod {
         chosen = chosen.only(Methods.SETTINGS);
         if (!draws(chosen.get(Methods.METHOD, STANDARD))) {

@@ -5,7 +5,7 @@ import sunbeam.app.files.input.IndexFile;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.text.Quoted;
 
-/** @param file absolute name of a file with values by wavelength; empty for a constant */
+/** Refractive index of a skin: a constant, or the absolute name of a file with values by wavelength. */
 public record SkinIndex(Optional<RefractiveIndex> constant, String file) {
     static final SkinIndex KERATIN = of(RefractiveIndex.KERATIN);
 

@@ -2,10 +2,7 @@ package sunbeam.app.scene;
 
 import jrtr.scene.View.Camera;
 
-/**
- * @param camera meters, world space
- * @param verticalFieldOfView of a picture of 4:3 or wider, radians; narrower ones have the horizontal field of 4:3
- */
+/** Camera (meters, world space) and field of view, radians, of pictures of 4:3 or wider; narrower ones have the width of 4:3. */
 public record Viewpoint(Camera camera, double verticalFieldOfView) {
     /** Width over height below which a picture shows more above and below. */
     public static final double LEAST_ASPECT = 4.0 / 3;

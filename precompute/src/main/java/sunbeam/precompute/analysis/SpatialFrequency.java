@@ -2,7 +2,7 @@ package sunbeam.precompute.analysis;
 
 import sunbeam.precompute.optics.HeightMap;
 
-/** @param x cycles per meter along +x */
+/** Spatial frequency of a wave in cycles per meter along +x and +y (upwards); (-x, -y) is the same wave. */
 public record SpatialFrequency(double x, double y) {
 
     public double length() {

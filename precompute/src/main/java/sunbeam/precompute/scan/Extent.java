@@ -11,7 +11,7 @@ import java.util.Optional;
 public record Extent(Optional<Double> width, Optional<Double> height, double aspect) {
     public static final Extent UNKNOWN = new Extent(Optional.empty(), Optional.empty(), 1);
 
-    /** @throws ScanException if a length is not positive and finite */
+    /** Refuses a length that is not positive and finite. */
     public Extent {
         width.ifPresent(Extent::require);
         height.ifPresent(Extent::require);

@@ -14,14 +14,14 @@ public record Samples(int columns, int rows, Source source) {
         double[] read() throws IOException;
     }
 
-    /** @throws ScanException if the grid is empty, or has more samples than an array holds */
+    /** Refuses an empty grid, or one with more samples than an array holds. */
     public Samples {
         if (columns < 1 || rows < 1 || (long) columns * rows > Integer.MAX_VALUE) {
             ScanLimits.requireSize(columns, rows);
         }
     }
 
-    /** @throws ScanException if the file ends before the last sample */
+    /** Returns consecutive samples; refuses a file that ends before the last one. */
     public static Samples of(ScanBytes file, long offset, int columns, int rows, SampleType type, ByteOrder order) {
         Samples samples = new Samples(
                 columns, rows, () -> type.read(file.stream(offset), Math.multiplyExact(columns, rows), order));

@@ -2,10 +2,7 @@ package sunbeam.precompute.scan;
 
 import java.util.Optional;
 
-/**
- * @param retrace whether the tip moved backward
- * @param unit as written in the file; empty if not stated
- */
+/** Channel of a scan: the tip may move backward; the unit is as written in the file, empty if not stated. */
 public record ScanChannel(String name, boolean retrace, Samples samples, Extent extent, String unit) {
     /** Unit of an image's samples: 1 is full scale. */
     public static final String FULL_SCALE = "full scale";

@@ -38,7 +38,7 @@ public record ScanFormat(String name, Check check, Opener opener) {
 
     @FunctionalInterface
     public interface Opener {
-        /** @throws ScanException if the file cannot be used */
+        /** Reads the header; samples can be read while the file is open. Throws ScanException if the file cannot be used. */
         List<ScanChannel> channels(ScanBytes file) throws IOException;
     }
 
@@ -50,7 +50,7 @@ public record ScanFormat(String name, Check check, Opener opener) {
         return new ChannelList(opener.channels(file));
     }
 
-    /** @param mark the user's choice for texts */
+    /** Finds a reader by content; the mark is the user's choice for texts. */
     public static Optional<ScanFormat> find(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
         for (ScanFormat reader : ALL) {
             if (reader.check().recognizes(file)) {

@@ -69,7 +69,7 @@ public record CacheFolder(Path path, String allowed) {
             return name.substring(name.lastIndexOf('.') + 1);
         }
 
-        /** @throws InputException if the file is damaged, of another version, or gone */
+        /** Reads the label; throws InputException if the file is damaged, of another version, or gone. */
         public TableLabel label() {
             return switch (ending(file)) {
                 case TILES -> TileFile.label(file, TileFile.FORMAT);

@@ -107,7 +107,7 @@ public record DiffractionSetup(
         return plan.tables(use, sources(bakers, warning));
     }
 
-    /** @param shortfall receives a line for each table that misses its tolerance */
+    /** Returns a plan's sources; {@code shortfall} receives a line for each table that misses its tolerance. */
     public TableSources sources(Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
         DiffractionSetup setup = this;
         return new TableSources() {

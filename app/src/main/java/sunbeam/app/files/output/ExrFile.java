@@ -39,12 +39,12 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         void put(int index, ByteBuffer bytes);
     }
 
-    /** @param rgb red, green and blue as bits of half floats, row by row from the top */
+    /** Returns a file of red, green and blue as bits of half floats, row by row from the top. */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
         return new ExrFile(width, height, "RGB", Type.HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
     }
 
-    /** @param rgba red, green, blue and alpha, row by row from the top */
+    /** Returns a file of red, green, blue and alpha, row by row from the top. */
     public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
         return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
     }

@@ -10,6 +10,8 @@ import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 
 /**
+ * Triangles of a file.
+ *
  * @param positions 3 per position, in double precision
  * @param textureCoordinates 2 per texture coordinate
  * @param normals 3 per normal, of any length

@@ -11,7 +11,10 @@ import sunbeam.app.scene.texture.ScaleRelief;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.precompute.color.Srgb;
 
-/** @param normals in the tangent frame, -1 to 1 as 0 to 255; empty for smooth skin */
+/**
+ * Skin of a mesh for other programs (shaders/include/relief.glsl): sRGB times lightness, and normals in the tangent frame, -1 to 1 as 0 to
+ * 255.
+ */
 public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
     // A scale of the snake is about 27 texels long and 36 wide.
     private static final int WIDTH = 8192;

@@ -33,7 +33,7 @@ public record Body(
     // Sixteenth of the longest vector, in steps of a byte, which resolve the direction of a shorter one too coarsely.
     private static final int SHORTEST = 8;
 
-    /** @throws InputException if texture or orientation map cannot be used */
+    /** Loads the textures, with one patch everywhere; throws InputException if a file cannot be used. */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
         return new Body(
                 BodyTexture.load(texture, cache),

@@ -32,7 +32,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return List.of("elaphe", "xenopeltis", DARK, Body.NONE);
     }
 
-    /** @throws sunbeam.precompute.files.InputException if there is no such texture, or the file cannot be used */
+    /** Loads a built-in texture or a picture; throws InputException if there is none, or the file cannot be used. */
     public static BodyTexture load(String nameOrFile, BlobCache cache) {
         return switch (nameOrFile) {
             case "elaphe" -> load(nameOrFile, BodyColors.Elaphe::new, cache);
