@@ -70,12 +70,8 @@ public record VertexData(
         return new BoundingSphere(center, (float) Math.sqrt(radiusSquared));
     }
 
-    /**
-     * @param center in the shape's coordinates; copied
-     * @param radius in the shape's units, at least 0
-     */
+    /** Sphere in the shape's coordinates and units; the center is copied, the radius at least 0. */
     public record BoundingSphere(Vector3fc center, float radius) {
-
         public BoundingSphere {
             center = new Vector3f(center);
             if (!(radius >= 0) || Float.isInfinite(radius)) {
