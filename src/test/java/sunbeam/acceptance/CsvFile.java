@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 
-/** Comma-separated numbers under a header. */
 public record CsvFile(List<String> header, List<double[]> rows) {
     public static CsvFile read(Path file) throws IOException {
         List<String> lines = Files.readAllLines(file);
@@ -32,7 +31,6 @@ public record CsvFile(List<String> header, List<double[]> rows) {
                 List.of("theta_i", "phi_i", "theta_r", "phi_r", "wavelength").subList(0, rows.get(0).length), rows);
     }
 
-    /** Returns the first rows. */
     public CsvFile head(int count) {
         return new CsvFile(header, rows.subList(0, count));
     }
@@ -78,7 +76,6 @@ public record CsvFile(List<String> header, List<double[]> rows) {
         return rows.get(row)[index];
     }
 
-    /** Returns X, Y, Z of a row as relative radiance. */
     public double[] radiance(int row) {
         return Stream.of("X", "Y", "Z")
                 .mapToDouble(column -> at(row, "gain") * at(row, column))

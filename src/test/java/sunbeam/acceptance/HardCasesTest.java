@@ -19,7 +19,6 @@ import sunbeam.precompute.errors.ErrorStatistics;
  * ones: tails of orders, weak orders, steps, dust, reliefs of a few nanometers and of micrometers, windows of 1 um and 1 mm, grazing light.
  */
 class HardCasesTest extends InOneWorkplace {
-    /** Surface with the options of its light. */
     record HardCase(String name, String patch, String options) {
         @Override
         public String toString() {

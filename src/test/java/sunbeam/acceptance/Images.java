@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
 
-/** Writes height maps as image files. */
 public final class Images {
     private Images() {}
 

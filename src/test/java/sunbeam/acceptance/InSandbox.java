@@ -88,7 +88,6 @@ abstract class InSandbox {
                 "mkdir -p app/target/lib && touch app/target/app-0.1.0.jar");
     }
 
-    /** Installs a program that is found before the machine's. */
     void installProgram(String name, String... shellLines) throws IOException {
         script(programs().resolve(name), shellLines);
     }
@@ -113,7 +112,6 @@ abstract class InSandbox {
                 .orElseThrow(() -> new IllegalStateException("the tests need the program " + name + " on PATH"));
     }
 
-    /** Returns the number of runs of the sandbox's Maven. */
     int builds() throws IOException {
         return Files.exists(mavenCalls()) ? Files.readAllLines(mavenCalls()).size() : 0;
     }

@@ -140,7 +140,6 @@ class LauncherScreenTest extends InSandbox {
                 .hasLineCount(1);
     }
 
-    /** A private X display and its server's process. */
     private record Screen(int display, ProcessHandle server) {
         /** Returns the screen that the sandbox's Java reports, and the X server among its descendants. */
         static Screen of(RunningSunbeam running) throws IOException, InterruptedException {

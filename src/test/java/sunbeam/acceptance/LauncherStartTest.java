@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The launcher passes the command line to the program. */
 class LauncherStartTest extends InSandbox {
     @Test
     void theRealProgramAnswersHelpWithoutBuilding() throws Exception {

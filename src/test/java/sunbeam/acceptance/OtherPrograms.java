@@ -40,7 +40,6 @@ final class OtherPrograms {
         assumeTrue(run(ANYWHERE, List.of("chromium", "--version")) != null, "skipped: no chromium");
     }
 
-    /** Runs Python and returns its output. */
     static String python(Path folder, String... arguments) throws InterruptedException {
         return said(folder, List.of("python3"), arguments);
     }

@@ -13,7 +13,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.files.input.PngText;
 
-/** Output files and standard output of the real program. */
 class OutputTest extends InWorkplace {
     @Test
     void withoutAnyChoiceItDrawsTheDefaultPatchAndSaysWhere() throws Exception {

@@ -23,7 +23,6 @@ public final class RunningSunbeam implements AutoCloseable {
         this.stderr = stderr;
     }
 
-    /** Starts the process with empty standard input. */
     static RunningSunbeam start(ProcessBuilder builder) throws IOException {
         Path stdout = Files.createTempFile("sunbeam", ".stdout");
         Path stderr = Files.createTempFile("sunbeam", ".stderr");

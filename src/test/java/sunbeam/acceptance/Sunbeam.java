@@ -38,7 +38,6 @@ public final class Sunbeam {
         return launcher(repository().resolve("sunbeam"), arguments);
     }
 
-    /** Returns a start of another copy of the launcher. */
     public static Sunbeam launcher(Path launcher, String... arguments) {
         return new Sunbeam(launcher, arguments);
     }
@@ -58,7 +57,6 @@ public final class Sunbeam {
         throw new IllegalStateException("no launcher in " + start + " nor above: run the tests inside the repository");
     }
 
-    /** Returns a file of the documentation's examples. */
     static String example(String name) {
         return repository().resolve("docs/examples/" + name).toString();
     }
@@ -69,14 +67,12 @@ public final class Sunbeam {
         return this;
     }
 
-    /** Sets an environment variable. */
     public Sunbeam with(String variable, String value) {
         environment.put(variable, value);
         removed.remove(variable);
         return this;
     }
 
-    /** Removes an environment variable. */
     public Sunbeam without(String variable) {
         environment.remove(variable);
         removed.add(variable);

@@ -11,7 +11,6 @@ import static org.assertj.core.api.Assertions.assertThat;
  * @param stderr everything written to standard error, UTF-8
  */
 public record SunbeamResult(String commandLine, int exitCode, String stdout, String stderr) {
-    /** Fails unless it ended with this exit code. */
     public SunbeamResult ended(int code) {
         assertThat(exitCode).as(this::toString).isEqualTo(code);
         return this;
@@ -22,7 +21,6 @@ public record SunbeamResult(String commandLine, int exitCode, String stdout, Str
         return stderr.replaceFirst("(?m)^plan: .*\n", "").replaceAll("(?m)^sunbeam: .* \\d+% \\[.*\n", "");
     }
 
-    /** Returns all parts, for the message of a failed assertion. */
     @Override
     public String toString() {
         return commandLine + "\nexit code " + exitCode + "\nstdout:\n" + stdout + "\nstderr:\n" + stderr;

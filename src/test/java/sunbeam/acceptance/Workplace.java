@@ -33,7 +33,6 @@ public record Workplace(Path folder, Path caches) {
                 Files.createDirectories(root.resolve("a folder")), Files.createDirectories(root.resolve("the caches")));
     }
 
-    /** Returns a start of the program in the folder. */
     public Sunbeam command(String commandLine) {
         return equip(Sunbeam.command(commandLine.split(" ", -1)));
     }
@@ -55,7 +54,6 @@ public record Workplace(Path folder, Path caches) {
                 .without("SUNBEAM_DEBUG");
     }
 
-    /** Starts the program, which must succeed. */
     public SunbeamResult succeed(String commandLine) throws IOException, InterruptedException {
         return command(commandLine).run().ended(0);
     }
@@ -107,17 +105,14 @@ public record Workplace(Path folder, Path caches) {
         return text.toString().replace(folder + "/", "");
     }
 
-    /** Runs a command line in this process, which must succeed. */
     public SunbeamResult succeedHere(String commandLine, Object... values) throws IOException {
         return here(commandLine, values).ended(0);
     }
 
-    /** Returns the JSON that a command line prints, which must succeed. */
     public JsonNode json(String commandLine, Object... values) throws IOException {
         return new ObjectMapper().readTree(succeedHere(commandLine, values).stdout());
     }
 
-    /** Returns what {@code reflectance} computes for a list of directions. */
     public CsvFile reflectance(Object patch, CsvFile directions, String options) throws IOException {
         directions.write(resolve("directions.csv"));
         SunbeamResult result = succeedHere(
@@ -141,7 +136,6 @@ public record Workplace(Path folder, Path caches) {
         return names(folder);
     }
 
-    /** Returns the files in the cache, sorted. */
     public List<Path> tables() throws IOException {
         Path cache = caches.resolve("sunbeam");
         return names(cache).stream().map(cache::resolve).toList();

@@ -3,7 +3,6 @@ package jrtr.gl;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 
-/** Tests that share one {@link Rendering}. */
 @NeedsDisplay
 public abstract class InARendering {
     protected static Rendering rendering;

@@ -25,7 +25,6 @@ class OwnJvmTest {
     @TempDir
     private Path folder;
 
-    /** Prints the renderer, or the exception's message. */
     static final class Program {
         private Program() {}
 

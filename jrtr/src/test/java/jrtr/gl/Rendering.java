@@ -6,7 +6,6 @@ import jrtr.Tile;
 import jrtr.glsl.ShaderLibrary;
 import jrtr.glsl.ShaderTexts;
 
-/** A context with helpers for small drawings. */
 public final class Rendering implements AutoCloseable {
     public final RenderContext context = RenderContext.offscreen();
 

@@ -5,7 +5,6 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import sunbeam.precompute.optics.HeightMap;
 
-/** Small surfaces for tests. */
 public final class Surfaces {
     private Surfaces() {}
 

@@ -16,7 +16,6 @@ import sunbeam.acceptance.InWorkplace;
 import sunbeam.acceptance.SunbeamResult;
 import sunbeam.app.files.output.OutputException;
 
-/** Unwritable outputs are reported in one line, and no file is left. */
 class BadOutputTest extends InWorkplace {
     @ParameterizedTest
     @CsvSource({

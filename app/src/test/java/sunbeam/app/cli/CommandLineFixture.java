@@ -24,10 +24,8 @@ public abstract class CommandLineFixture {
     @TempDir
     protected Path folder;
 
-    /** Standard output of all runs. */
     protected final StringWriter out = new StringWriter();
 
-    /** Standard error of all runs. */
     protected final StringWriter err = new StringWriter();
 
     /**
@@ -85,7 +83,6 @@ public abstract class CommandLineFixture {
         return new ObjectMapper().readTree(folder.resolve(name).toFile());
     }
 
-    /** Asserts that an exit code is 0; a failure shows standard error. */
     protected final void assertSuccess(int exitCode) {
         assertThat(exitCode).as("%s", err).isZero();
     }

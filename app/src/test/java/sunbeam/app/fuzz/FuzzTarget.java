@@ -12,12 +12,11 @@ import java.util.Locale;
 import sunbeam.app.failure.Failure;
 
 /**
- * Fuzz target that gives inputs to one reader. An input passes if it is read, or refused by an exception with a message for the user. An
+ * Fuzz target that gives inputs to one reader. An input passes if it is read, or refused by an exception with a line for the user. An
  * exception that the program would report as its own bug, or more than 5 s of processor time, is a finding. The virtual machine has 512 MB
  * of heap.
  */
 public final class FuzzTarget {
-    /** System property with the reader's label. */
     static final String READER = "sunbeam.fuzz.reader";
 
     static final Duration MOST_TIME = Duration.ofSeconds(5);
@@ -52,7 +51,6 @@ public final class FuzzTarget {
         Chosen.TARGET.assertReadOrRefusedInTime(input);
     }
 
-    /** Called by Jazzer at the end. */
     public static void fuzzerTearDown() {
         Chosen.TARGET.report();
     }
@@ -84,7 +82,7 @@ public final class FuzzTarget {
             read++;
         } catch (RuntimeException | IOException refused) {
             Failure failure = Failure.of(refused);
-            if (failure.isBug()) {
+            if (failure.isBug() || failure.message().contains("\n")) {
                 throw new AssertionError(reader.label() + ": " + refused, refused);
             }
         }

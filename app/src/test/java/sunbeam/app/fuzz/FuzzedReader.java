@@ -75,7 +75,6 @@ enum FuzzedReader {
         this.reader = reader;
     }
 
-    /** Reads a file, or refuses it as the program would. */
     void read(Path file) throws IOException {
         reader.read(file);
     }
@@ -88,7 +87,6 @@ enum FuzzedReader {
         return Choices.at(OptionOrigin.INSTANCE).with(PatchSettings.PATCH, file.toString());
     }
 
-    /** As the command line names it. */
     String label() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
@@ -115,7 +113,13 @@ enum FuzzedReader {
                 List.of(
                         Seeds.gsf(),
                         Seeds.numberText("# Channel: z\n# Width: 3 um\n# Height: 3 um\n# Value units: nm\n"));
-            case TEXTURE -> List.of(Seeds.image("png"), Seeds.image("jpeg"), Seeds.image("gif"), Seeds.image("bmp"));
+            case TEXTURE ->
+                List.of(
+                        Seeds.image("png"),
+                        Seeds.image("jpeg"),
+                        Seeds.image("gif"),
+                        Seeds.image("bmp"),
+                        Seeds.image("tiff"));
             case PICTURE -> List.of(Seeds.pictureWithText());
             case DESCRIPTOR -> List.of(text("""
                     {"heights": "scan.png", "width": "10 um", "maxHeight": "300 nm", "levelling": "plane"}
@@ -133,7 +137,9 @@ enum FuzzedReader {
                 List.of(
                         MeshFiles.ply(BuiltInMeshes.create("plane"), "ascii"),
                         MeshFiles.ply(BuiltInMeshes.create("plane"), "binary_little_endian"),
+                        MeshFiles.ply(BuiltInMeshes.create("plane"), "binary_big_endian"),
                         MeshFiles.glb(BuiltInMeshes.create("plane")),
+                        text(MeshFiles.gltf(BuiltInMeshes.create("plane"))),
                         text("""
                     v 0 0 0
                     v 1 0 0

@@ -21,7 +21,6 @@ import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.shader.TableLabel;
 
-/** Small good files of every kind. */
 final class Seeds {
     /** Of the shader tables. */
     static final String KEY = "full|a surface|a plan";

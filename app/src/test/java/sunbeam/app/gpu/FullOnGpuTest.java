@@ -2,89 +2,48 @@ package sunbeam.app.gpu;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static sunbeam.app.gpu.Comparison.TOLERANCE;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleBiFunction;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.Planner;
+import sunbeam.precompute.plan.Roughness;
+import sunbeam.precompute.plan.SpectrumPlan;
+import sunbeam.precompute.plan.TableChoices;
+import sunbeam.precompute.plan.VisibleRange;
+import sunbeam.precompute.reference.ExactLight;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.WindowLight;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.spectrum.FourierTable;
 
-/** Method {@code full} on the GPU: closed forms of gratings, laws of all surfaces, and directions at the ends of their ranges. */
+/** Method {@code full} on the GPU in directions at the ends of their ranges; closed forms and laws are those of the reference. */
 class FullOnGpuTest extends InAContext {
-    private static final double PERIOD = 2.5e-6;
-    // Ten periods: an order's neighbor is exp(-0.5 (1 / 0.064)^2) of it, nothing.
-    private static final double WINDOW = 10 * PERIOD;
+    private static final double TOLERANCE = 1e-3;
+    private static final HeightMap ROUGH = rough();
 
-    /** Middles of the orders -3 to 3 at five wavelengths. */
-    private static List<Query> orders() {
-        List<Query> queries = new ArrayList<>();
-        for (double wavelength = 380e-9; wavelength < 781e-9; wavelength += 100e-9) {
-            for (int m = -3; m <= 3; m++) {
-                queries.add(Comparison.seeing(4, m / PERIOD, 0, wavelength));
-            }
-        }
-        return queries;
-    }
-
-    /** @param power of an order, from its number and w / lambda */
-    private static void assertOrders(HeightMap map, ToDoubleBiFunction<Integer, Double> power) {
-        List<Query> queries = orders();
-        List<float[]> computed = new Comparison(context, map, WINDOW).spectral(queries);
-        Comparison.assertWithin(TOLERANCE, queries.size(), i -> {
-            Query query = queries.get(i);
-            double exact = power.applyAsDouble(i % 7 - 3, query.pair().w() / query.wavelength());
-            return Math.abs(computed.get(i)[0] - exact) / exact;
-        });
-    }
-
-    @ParameterizedTest
-    // Not half of the period: even orders would vanish.
-    @ValueSource(ints = {20, 31})
-    void lamellarGratingHasItsClosedForm(int raised) {
-        int samples = 64;
-        double depth = 120e-9;
-        HeightMap map = Comparison.heights(
-                samples, 1, PERIOD / samples, (x, y) -> x < (raised - 0.5) * PERIOD / samples ? depth : 0);
-
-        assertOrders(map, (order, wPerWavelength) -> {
-            // 1 + (e^(i phase) - 1) share for order 0; elsewhere the step's height times a Dirichlet kernel.
-            double phase = 2 * Math.PI * wPerWavelength * depth;
-            double share = (double) raised / samples;
-            double step = 4 * Math.pow(Math.sin(phase / 2), 2);
-            double angle = Math.PI * order / samples;
-            return order == 0
-                    ? 1 - share * (1 - share) * step
-                    : step * Math.pow(Math.sin(raised * angle) / (samples * Math.sin(angle)), 2);
-        });
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {100e-9, 250e-9})
-    void rampHasSincSquaredOrders(double height) {
-        // Samples instead of a slope: a Dirichlet kernel, larger by offset^2 / (3 samples^2), 4e-5 at most here.
-        int samples = 1024;
-        HeightMap map = Comparison.heights(samples, 1, PERIOD / samples, (x, y) -> height * x / PERIOD);
-
-        assertOrders(map, (order, wPerWavelength) -> {
-            // w is negative, so the bright order lies at positive u: the light leaves towards -x (docs/conventions.md).
-            double offset = Math.PI * (height * wPerWavelength + order);
-            return Math.pow(Math.sin(offset) / offset, 2);
-        });
-    }
-
-    private static final HeightMap ROUGH = Comparison.noise(64, 64, 400e-9, 51);
-
-    private static Comparison comparison(double coherenceLength) {
-        return new Comparison(context, ROUGH, coherenceLength);
+    private static HeightMap rough() {
+        double[] heights = new SplittableRandom(51).doubles(64 * 64, 0, 400e-9).toArray();
+        return new HeightMap(64, 64, 50e-9, 50e-9, heights);
     }
 
     /** Coherence lengths that lead to a grid, to rays and to single orders. */
@@ -96,7 +55,7 @@ class FullOnGpuTest extends InAContext {
             DirectionPair pair = new DirectionPair(Direction.ofDegrees(theta, 30), Direction.ofDegrees(theta, 210));
             queries.add(new Query(pair, 500e-9));
         }
-        Comparison comparison = comparison(coherenceLength);
+        Comparison comparison = new Comparison(coherenceLength);
 
         comparison.assertPowers(queries, TOLERANCE);
         comparison.assertColors(queries, TOLERANCE);
@@ -111,7 +70,7 @@ class FullOnGpuTest extends InAContext {
             queries.add(new Query(
                     new DirectionPair(Direction.ofDegrees(theta, 20), Direction.ofDegrees(theta, 200.01)), 500e-9));
         }
-        List<float[]> computed = comparison(3e-6).spectral(queries);
+        List<float[]> computed = new Comparison(3e-6).spectral(queries);
         for (int i = 0; i < queries.size(); i++) {
             DirectionPair pair = queries.get(i).pair();
             float power = computed.get(i)[0];
@@ -139,7 +98,7 @@ class FullOnGpuTest extends InAContext {
             queries.add(
                     new Query(new DirectionPair(Direction.ofDegrees(30, phi), Direction.ofDegrees(89.9, 100)), 450e-9));
         }
-        Comparison comparison = comparison(coherenceLength);
+        Comparison comparison = new Comparison(coherenceLength);
 
         List<float[]> computed = comparison.spectral(queries);
 
@@ -164,73 +123,83 @@ class FullOnGpuTest extends InAContext {
                 .toList();
     }
 
-    private static final double SUNLIGHT = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH;
-    private static final HeightMap FLAT = Comparison.heights(8, 6, 50e-9, (x, y) -> 1e-3);
-    private static final double ROUGH_WINDOW = 3e-6;
+    /** The surface by method {@code full}, coherent average, on the GPU and by the reference. */
+    private static final class Comparison {
+        /** Power below this counts as none: a tenth of the stray light in any instrument. */
+        private static final double FAINTEST = 1e-9;
 
-    @ParameterizedTest
-    @CsvSource({"0", "60"})
-    void aFlatMirrorReflectsExactlyItsReflectance(double thetaDegrees) {
-        CoherenceWindow window = CoherenceWindow.ofCoherenceLength(SUNLIGHT);
-        double wavelength = 550e-9;
-        Direction light = Direction.ofDegrees(thetaDegrees, 0);
-        // Trapezoid over a Gaussian of deviation sigma_f / sqrt(2): at a step of half of sigma_f its error is 1e-17.
-        double step = 0.5 * window.sigmaFrequency();
-        List<Query> queries = new ArrayList<>();
-        for (int i = -10; i <= 10; i++) {
-            for (int j = -10; j <= 10; j++) {
-                queries.add(Comparison.seeing(thetaDegrees, i * step, j * step, wavelength));
+        private final FullMethod full;
+        private final CieTable cie = CieTable.load();
+        private final ReferenceEvaluator reference;
+
+        Comparison(double coherenceLength) {
+            CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
+            this.full = new FullMethod(
+                    new TableChoices(
+                            Optional.of(TOLERANCE),
+                            Optional.empty(),
+                            Optional.empty(),
+                            Optional.empty(),
+                            Optional.empty()),
+                    new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT));
+            this.reference = new ReferenceEvaluator(ROUGH, window, WindowOrigin.CENTRE);
+        }
+
+        /** Coherent power, ensemble power, rho and brdf of each query, from the shaders. */
+        List<float[]> spectral(List<Query> queries) {
+            return evaluate(queries, true);
+        }
+
+        private List<float[]> evaluate(List<Query> queries, boolean spectral) {
+            List<DirectionPair> pairs = queries.stream().map(Query::pair).toList();
+            HeightLevels heights = HeightLevels.of(ROUGH);
+            SpectrumPlan plan = new Planner(heights, cie, Roughness.Cache.NONE)
+                    .plan(full.table(), full.area(), VisibleRange.of(pairs));
+            FourierTable table = plan.fourierTable(heights, done -> {});
+            MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;
+            try (UploadedTables method =
+                            UploadedTables.upload(context, plan.sampling().tables(plan, table, use, cie));
+                    DirectionsRenderer renderer = new DirectionsRenderer(context, method, spectral)) {
+                return renderer.evaluate(queries, done -> {});
             }
         }
 
-        double sum = new Comparison(context, FLAT, SUNLIGHT)
-                .spectral(queries).stream().mapToDouble(result -> result[3]).sum();
-
-        // cos(theta_r) d omega = dx dy of the disc. Variation over the peak is of second order in its width, 5e-3.
-        double reflected = sum * Math.pow(step * wavelength, 2);
-        assertThat(reflected / Gain.reflectance(light.z())).isCloseTo(1, within(TOLERANCE));
-    }
-
-    @Test
-    void swappedLightAndViewHaveTheSameBrdf() {
-        List<Query> there = Comparison.anywhere(41, 60);
-        List<Query> back = there.stream()
-                .map(query -> new Query(
-                        new DirectionPair(query.pair().wr(), query.pair().wi()), query.wavelength()))
-                .toList();
-        Comparison rough = new Comparison(context, ROUGH, ROUGH_WINDOW);
-        List<float[]> forth = rough.spectral(there);
-        List<float[]> reversed = rough.spectral(back);
-
-        for (int i = 0; i < forth.size(); i++) {
-            // Sums of the same two directions in another order: float32 rounding of u and v, seen through steep flanks.
-            assertThat(reversed.get(i)[3]).as("brdf").isCloseTo(forth.get(i)[3], within(1e-3f * forth.get(i)[3]));
+        /** Asserts the promise of {@code --tolerance} for the power, where there is any. */
+        void assertPowers(List<Query> queries, double tolerance) {
+            List<float[]> computed = spectral(queries);
+            assertWithin(tolerance, queries.size(), i -> {
+                double exact = reference
+                        .powers(queries.get(i).pair(), queries.get(i).wavelength())
+                        .coherent();
+                return exact < FAINTEST ? -1 : Math.abs(computed.get(i)[0] - exact) / exact;
+            });
         }
-    }
 
-    @Test
-    void theSurfaceUpsideDownAndTurnedLooksTheSame() {
-        // power(u, v, w) = power(-u, -v, -w), and -w at heights h is w at heights -h.
-        List<Query> queries = Comparison.anywhere(42, 60);
-        List<Query> turned = queries.stream()
-                .map(query -> new Query(
-                        new DirectionPair(
-                                turned(query.pair().wi()), turned(query.pair().wr())),
-                        query.wavelength()))
-                .toList();
-        HeightMap upsideDown = ROUGH.map(height -> -height);
+        /** Asserts the promise of {@code --tolerance} for the colors as vectors, where there is any power. */
+        void assertColors(List<Query> queries, double tolerance) {
+            List<float[]> computed = evaluate(queries, false);
+            ExactLight light = new WindowLight(reference, cie, false);
+            assertWithin(tolerance, queries.size(), i -> {
+                double[] exact = light.xyz(queries.get(i).pair(), ExactLight.Quadrature.INTEGRATED);
+                double difference = 0;
+                double length = 0;
+                for (int c = 0; c < 3; c++) {
+                    difference += Math.pow(computed.get(i)[c] - exact[c], 2);
+                    length += Math.pow(exact[c], 2);
+                }
+                return Math.sqrt(length) < FAINTEST ? -1 : Math.sqrt(difference / length);
+            });
+        }
 
-        List<float[]> upright = new Comparison(context, ROUGH, ROUGH_WINDOW).spectral(queries);
-        List<float[]> mirrored = new Comparison(context, upsideDown, ROUGH_WINDOW).spectral(turned);
-
-        // Both are off by the tolerance at most.
-        Comparison.assertWithin(
-                2 * TOLERANCE,
-                upright.size(),
-                i -> Math.abs(mirrored.get(i)[0] - upright.get(i)[0]) / upright.get(i)[0]);
-    }
-
-    private static Direction turned(Direction direction) {
-        return new Direction(-direction.x(), -direction.y(), direction.z());
+        /** @param relative error by number; negative where there is nothing to compare */
+        static void assertWithin(double tolerance, int count, IntToDoubleFunction relative) {
+            ErrorStatistics errors = ErrorStatistics.of(IntStream.range(0, count)
+                    .parallel()
+                    .mapToDouble(relative)
+                    .filter(error -> !(error < 0))
+                    .toArray());
+            assertThat(errors.count()).isGreaterThan(4);
+            assertThat(errors.keep(tolerance)).as(errors.toString()).isTrue();
+        }
     }
 }

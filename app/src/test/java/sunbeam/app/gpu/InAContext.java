@@ -4,10 +4,8 @@ import jrtr.gl.RenderContext;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 
-/** Tests that share one render context. */
 @NeedsDisplay
 public abstract class InAContext {
-    /** Open while the tests run. */
     protected static RenderContext context;
 
     @BeforeAll

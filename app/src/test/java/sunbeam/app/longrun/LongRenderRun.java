@@ -2,11 +2,17 @@ package sunbeam.app.longrun;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,24 +37,9 @@ final class LongRenderRun {
                 new PrintWriter(err));
         Path output = folder.resolve("frames");
         try (Footprint footprint = new Footprint(1000)) {
+            String options = "--size 48x36 --method full --tolerance 0.01 --mesh cylinder --texture none";
             int code = sunbeam.run(
-                    "render",
-                    "elaphe",
-                    "--turntable",
-                    "" + frames,
-                    "--size",
-                    "48x36",
-                    "--output",
-                    output.toString(),
-                    "--method",
-                    "full",
-                    "--tolerance",
-                    "0.01",
-                    "--mesh",
-                    "cylinder",
-                    "--texture",
-                    "none");
-
+                    ("render elaphe --turntable " + frames + " --output " + output + " " + options).split(" "));
             assertThat(code).as(err.toString()).isZero();
             try (Stream<Path> files = Files.list(output)) {
                 assertThat(files.filter(file -> file.toString().endsWith(".png")))
@@ -62,6 +53,75 @@ final class LongRenderRun {
             assertThat(footprint.growth(Footprint.Look::files))
                     .as("growth of open files")
                     .isLessThan(3);
+        }
+    }
+
+    /** What this process holds, looked at again and again while it works. */
+    private static final class Footprint implements AutoCloseable {
+        private static final int LOOKS_TO_AVERAGE = 5;
+
+        private final List<Look> looks = new ArrayList<>();
+        private final Thread thread;
+        private volatile boolean ended;
+
+        /**
+         * One look.
+         *
+         * @param residentMebibytes memory of the process, Java's and the driver's
+         * @param files open files, sockets and pipes
+         */
+        record Look(double residentMebibytes, int files) {}
+
+        /** @param milliseconds between two looks */
+        Footprint(long milliseconds) {
+            thread = new Thread(() -> watch(milliseconds), "footprint");
+            thread.setDaemon(true);
+            thread.start();
+        }
+
+        private void watch(long milliseconds) {
+            try {
+                while (!ended) {
+                    look();
+                    Thread.sleep(milliseconds);
+                }
+            } catch (InterruptedException end) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        private synchronized void look() {
+            looks.add(new Look(residentKibibytes() / 1024.0, new File("/proc/self/fd").list().length));
+        }
+
+        private static double residentKibibytes() {
+            try {
+                return Files.readAllLines(Path.of("/proc/self/status")).stream()
+                        .filter(line -> line.startsWith("VmRSS:"))
+                        .mapToDouble(line -> Double.parseDouble(line.replaceAll("\\D", "")))
+                        .findFirst()
+                        .orElseThrow();
+            } catch (IOException failure) {
+                throw new UncheckedIOException(failure);
+            }
+        }
+
+        /** By how much the mean of the last looks exceeds that of those after the first quarter, when all is warm. */
+        synchronized double growth(ToDoubleFunction<Look> quantity) {
+            int quarter = looks.size() / 4;
+            int count = Math.min(LOOKS_TO_AVERAGE, Math.max(1, quarter));
+            return mean(looks.subList(looks.size() - count, looks.size()), quantity)
+                    - mean(looks.subList(quarter, quarter + count), quantity);
+        }
+
+        private static double mean(List<Look> some, ToDoubleFunction<Look> quantity) {
+            return some.stream().mapToDouble(quantity).average().orElseThrow();
+        }
+
+        @Override
+        public void close() {
+            ended = true;
+            thread.interrupt();
         }
     }
 }

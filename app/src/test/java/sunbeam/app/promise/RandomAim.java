@@ -6,19 +6,12 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 
-/** What pairs of directions are aimed at. */
 enum RandomAim {
-    /** Within four deviations of the specular direction. */
     SPECULAR,
-    /** Within one deviation of an order. */
     ORDER,
-    /** One to four and a half deviations from an order. */
     SKIRT,
-    /** Half way between orders. */
     VALLEY,
-    /** Light or view within three degrees of the horizon. */
     GRAZING,
-    /** Both uniform on the hemisphere. */
     ANYWHERE;
 
     private static final int MOST_TRIES = 1000;

@@ -50,7 +50,6 @@ record RandomCase(
         String aim,
         boolean colors,
         List<Query> queries) {
-
     private static final double[] TOLERANCES = {1e-2, 1e-3, 1e-4};
     private static final int POWERS = 60;
     private static final int COLORS = 12;
@@ -67,7 +66,6 @@ record RandomCase(
     // Samples in a coherence length: with fewer than 4 the plan refuses (PlanChecks).
     private static final double FEWEST_SAMPLES = 5;
 
-    /** Draws a case. */
     static RandomCase of(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         RandomSurface kind = oneOf(random, RandomSurface.values());
@@ -108,7 +106,6 @@ record RandomCase(
         return values[random.nextInt(values.length)];
     }
 
-    /** What was measured. */
     record Outcome(ErrorStatistics errors, SpectrumPlan plan) {}
 
     /** Compares method {@code full} with the reference on all directions that are bright enough. */
@@ -116,7 +113,6 @@ record RandomCase(
         return measure(context, exact());
     }
 
-    /** The same with exact values that are known already. */
     Outcome measure(RenderContext context, double[][] exact) {
         Surface surface = surface();
         Planner planner = surface.planner();
@@ -149,7 +145,6 @@ record RandomCase(
         }
     }
 
-    /** The same at another tolerance. */
     RandomCase with(double otherTolerance) {
         return new RandomCase(seed, kind, map, area, otherTolerance, aim, colors, queries);
     }
@@ -168,7 +163,6 @@ record RandomCase(
                 .toArray(double[][]::new);
     }
 
-    /** The case in a line. */
     @Override
     public String toString() {
         return Text.format(

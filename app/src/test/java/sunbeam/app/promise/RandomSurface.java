@@ -6,29 +6,17 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** ValueKind of made-up surfaces, drawn with random shapes and sizes. */
 enum RandomSurface {
-    /** A mirror. */
     FLAT,
-    /** One step. */
     STEP,
-    /** A few grains on a mirror. */
     DUST,
-    /** A sine of some periods along x. */
     SINUSOID,
-    /** Lines with flat tops along x. */
     LAMELLAR,
-    /** A saw tooth along x. */
     BLAZE,
-    /** A few waves in all directions. */
     WAVES,
-    /** Independent heights. */
     NOISE,
-    /** Noise that was smoothed, nearly Gaussian. */
     ROUGH,
-    /** One tilted plane, a mirror that looks elsewhere and jumps where it repeats. */
     FACET,
-    /** Lines whose distance grows. */
     CHIRP,
-    /** Relief of a nanometer to a few. */
     FAINT;
 
     private static final double SMALLEST_RELIEF = 5e-9;

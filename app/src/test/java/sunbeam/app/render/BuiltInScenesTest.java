@@ -20,7 +20,6 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.setting.Choices;
 
-/** The built-in scenes, unchanged. */
 class BuiltInScenesTest extends InAScene {
     @Test
     @Tag("thorough")
@@ -93,7 +92,6 @@ class BuiltInScenesTest extends InAScene {
                 .with(around(Optional.empty(), 0, false));
     }
 
-    /** True if a pixel is far from the white of daylight. */
     private static boolean isColored(float[] pixels) {
         for (int i = 0; i < pixels.length; i += 4) {
             float sum = pixels[i] + pixels[i + 1] + pixels[i + 2];

@@ -33,7 +33,6 @@ public abstract class InAScene extends InAContext {
     @TempDir
     protected Path folder;
 
-    /** What loaders tell. */
     protected final List<String> warnings = new ArrayList<>();
 
     private static final Choices DIFFRACTION_ONLY = Weights.of(1, 0, 0, 0);
@@ -85,7 +84,6 @@ public abstract class InAScene extends InAContext {
         }
     }
 
-    /** Draws a whole picture. */
     protected static ScenePicture picture(SceneSession session, int width, int height) {
         ScenePicture picture = ScenePicture.empty(width, height);
         for (DrawRequest part : SceneSession.parts(session.scene(), width, height, PixelSamples.uniform(1))) {
@@ -94,7 +92,6 @@ public abstract class InAScene extends InAContext {
         return picture;
     }
 
-    /** Draws the sum of a scene's parts. */
     protected static ScenePicture sum(List<SceneData> parts, int width, int height) {
         List<SceneSession> sessions = new ArrayList<>();
         try {

@@ -103,7 +103,6 @@ class MeshTablePromiseTest extends InAScene {
         return 150e-9 * Math.sqrt(Math.max(0, 1 - Math.pow(nearest / 0.3, 2)));
     }
 
-    /** Scatters evenly in all directions. */
     private static DoubleBinaryOperator rough() {
         SplittableRandom random = new SplittableRandom(5);
         return (x, y) -> 40e-9 * random.nextDouble();

@@ -38,7 +38,6 @@ class OrientationMapTest extends InAScene {
     private static final int SLANTED = 0x80ee_c000;
     private static final double SLANT = Math.atan2(64, 110);
 
-    /** A picture of one row. */
     private String map(int... argb) throws IOException {
         BufferedImage image = new BufferedImage(argb.length, 1, BufferedImage.TYPE_INT_ARGB);
         for (int x = 0; x < argb.length; x++) {

@@ -93,7 +93,6 @@ class PartSumTest extends InAScene {
         });
     }
 
-    /** The brightest pixel and two less bright ones. */
     private static int[] brightest(float[] rgba) {
         int[] byLuminance = byLuminance(rgba);
         return new int[] {byLuminance[0], byLuminance[5], byLuminance[20]};

@@ -30,7 +30,6 @@ import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 
-/** The other methods on a mesh. */
 class SceneMethodsTest extends InAScene {
     private static final int WIDTH = 72;
     private static final int HEIGHT = 56;

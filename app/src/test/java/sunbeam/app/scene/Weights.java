@@ -2,7 +2,6 @@ package sunbeam.app.scene;
 
 import sunbeam.precompute.setting.Choices;
 
-/** Weights of scenes' blends. */
 public final class Weights {
     private Weights() {}
 

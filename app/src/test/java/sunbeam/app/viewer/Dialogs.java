@@ -13,7 +13,6 @@ import javax.swing.JFileChooser;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 
-/** Answers the viewer's dialogs. */
 final class Dialogs {
     private Dialogs() {}
 
@@ -23,7 +22,6 @@ final class Dialogs {
         return ViewerInAWindow.onEvents(() -> showing(title).orElseThrow());
     }
 
-    /** Chooses a file in a dialog. */
     static void choose(String title, Path file) throws Exception {
         JDialog dialog = await(title);
         // Do not wait: approving may open the viewer's next dialog.
@@ -34,7 +32,6 @@ final class Dialogs {
         });
     }
 
-    /** Presses a button of a dialog. */
     static void answer(String title, String button) throws Exception {
         JDialog dialog = await(title);
         SwingUtilities.invokeLater(() -> all(dialog, AbstractButton.class).stream()
@@ -45,7 +42,6 @@ final class Dialogs {
         ViewerInAWindow.awaitOnEvents(() -> !dialog.isShowing());
     }
 
-    /** Fills the text fields of a dialog. */
     static void type(String title, String... texts) throws Exception {
         JDialog dialog = await(title);
         ViewerInAWindow.onEvents(() -> {
@@ -67,7 +63,6 @@ final class Dialogs {
         return Optional.empty();
     }
 
-    /** Returns all components of a type, at any depth. */
     static <T> List<T> all(Container root, Class<T> type) {
         List<T> found = new ArrayList<>();
         for (Component child : root.getComponents()) {

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
-/** Writes small patches as files. */
 final class PatchFiles {
     private static final int SIDE = 32;
 
@@ -21,7 +20,6 @@ final class PatchFiles {
         return file;
     }
 
-    /** Writes an image without a descriptor. */
     static Path image(Path folder, String name) throws IOException {
         BufferedImage heights = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_BYTE_GRAY);
         for (int y = 0; y < SIDE; y++) {

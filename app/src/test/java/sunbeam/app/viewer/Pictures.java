@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import sunbeam.app.scene.SceneSettings;
 
-/** Compares pictures of the test scene. */
 final class Pictures {
     private Pictures() {}
 
@@ -30,7 +29,6 @@ final class Pictures {
         return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
     }
 
-    /** Returns the number of colored pixels. */
     static int spectralPixels(BufferedImage image) {
         return (int) Arrays.stream(pixels(image))
                 .mapToObj(Color::new)

@@ -107,7 +107,6 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
         return viewer.window().picture().divider();
     }
 
-    /** Waits for the comparison method's final picture and returns it. */
     private BufferedImage awaitOther() throws Exception {
         awaitOnEvents(() -> divider().isFinal());
         return shown();

@@ -161,7 +161,6 @@ public abstract class ViewerInAWindow {
         return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
     }
 
-    /** Clicks where the mouse is. */
     void click(int times) throws Exception {
         arrivals.await(MouseEvent.MOUSE_CLICKED, times, () -> {
             for (int click = 0; click < times; click++) {
@@ -287,7 +286,6 @@ public abstract class ViewerInAWindow {
         return onEvents(() -> viewer.model().loaded().orElseThrow().firstPart());
     }
 
-    /** Chooses an item of a combo box of the panel by its text. */
     void choose(String name, String label) throws Exception {
         onEvents(() -> {
             JComboBox<?> box = control(name, JComboBox.class);

@@ -25,7 +25,6 @@ import sunbeam.app.scene.Scenes;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.precompute.setting.Choices;
 
-/** Key actions, by a robot in a real window. */
 @Tag("window")
 final class ViewerKeysWindowTest extends ViewerInAWindow {
     // Rounding of float32 directions after some rotations.
@@ -171,7 +170,6 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         assertThat(marked("Scenes")).containsExactly(Scenes.load("light-left").get(SceneSettings.TITLE));
     }
 
-    /** Opens a menu and returns its checked items. */
     private List<String> marked(String title) throws Exception {
         return onEvents(() -> {
             JMenuBar bar = viewer.window().getJMenuBar();

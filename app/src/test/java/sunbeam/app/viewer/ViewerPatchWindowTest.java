@@ -138,7 +138,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         await(() -> onEvents(() -> label("status").getText()).startsWith("Final"));
     }
 
-    /** Returns the sum over pixels and channels. */
     private static int brightness(BufferedImage image) {
         return Arrays.stream(Pictures.pixels(image))
                 .map(rgb -> (rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255))

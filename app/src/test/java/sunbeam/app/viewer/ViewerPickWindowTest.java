@@ -166,7 +166,6 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         return Dialogs.all(viewer.window().pick(), SpectrumPlot.class).get(0);
     }
 
-    /** Returns the number of pixels of the spectrum's curve. */
     private long curvePixels(int color) throws Exception {
         BufferedImage plot = onEvents(() -> painted(plot()));
         return Arrays.stream(Pictures.pixels(plot))

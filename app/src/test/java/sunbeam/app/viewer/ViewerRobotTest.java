@@ -126,7 +126,6 @@ final class ViewerRobotTest extends ViewerInAWindow {
         });
     }
 
-    /** Asserts that no thread waits long for a lock. */
     private void assertNobodyBlocked() throws InterruptedException {
         for (int look = 0; !blocked().isEmpty(); look++) {
             assertThat(look).as("seed " + seed + dump()).isLessThan(50);

@@ -29,7 +29,6 @@ class EnergyDivisorTest {
 
     private static final Direction ABOVE = Direction.ofDegrees(0, 0);
 
-    /** Tracks of a DVD. */
     private static HeightMap tracks() {
         return Surfaces.sampled(SAMPLES, 2, TRACK / SAMPLES, (column, row) -> column < SAMPLES / 2 ? 0 : DEPTH);
     }

@@ -21,7 +21,6 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     enum Kind {
         /** A shift sideways by a part of a period at one row. */
         SLIPPED,
-        /** Shifts at two rows. */
         SLIPPED_TWICE,
         /** Shifts at five rows, equally far apart and equally large. */
         SLIPPED_OFTEN,
@@ -29,11 +28,9 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         TWO_PARTS,
         /** Another period in the lower half, at a random place and by a random ratio. */
         TWO_HALVES,
-        /** Another period in the right half. */
         SIDE_BY_SIDE,
         /** Lost rows: from one row on the surface continues further on. */
         ROWS_LOST,
-        /** Lost rows at five places. */
         LOST_OFTEN,
         /** Some rows repeat one row, and the surface continues after them. */
         STUCK,
@@ -41,7 +38,6 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         ABORTED,
         /** A line ends in the middle. */
         DISLOCATED,
-        /** Clipped heights. */
         CLIPPED,
         /** Two crossed waves with periods within a third. */
         LATTICE,

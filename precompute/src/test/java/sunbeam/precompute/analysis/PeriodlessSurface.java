@@ -8,21 +8,13 @@ import sunbeam.precompute.prepare.Leveling;
 
 /** Randomly drawn noisy scans of surfaces without a period, leveled by their plane as commands do. */
 enum PeriodlessSurface {
-    /** White noise. */
     WHITE,
-    /** Noise smoothed over some samples. */
     CORRELATED,
-    /** Waves of all directions whose amplitudes fall with a power of the frequency, 1 to 2. */
     FRACTAL,
-    /** A parabola, of two curvatures and a center of its own, under correlated noise. */
     BOW,
-    /** Slow waviness in one direction, like drift. */
     DRIFT,
-    /** One step across the scan in any direction. */
     ONE_STEP,
-    /** Two steps, up and up or up and down. */
     TWO_STEPS,
-    /** Noise along x, the same in all rows. */
     COLUMNS;
 
     private static final double PITCH = 80e-9;

@@ -7,21 +7,13 @@ import sunbeam.precompute.optics.HeightMap;
 
 /** Kinds of randomly drawn scans of gratings with known periods. */
 enum SimulatedGrating {
-    /** Undisturbed. */
     CLEAN,
-    /** Each line is displaced independently. */
     STRAYED,
-    /** Each gap deviates independently. */
     GAPS,
-    /** The phase wanders smoothly. */
     WARPED,
-    /** White noise as large as the relief. */
     NOISY,
-    /** Another period of similar strength. */
     TWO,
-    /** The period grows from one end to the other. */
     CHIRPED,
-    /** Independent rows of lines. */
     ROWS;
 
     FaultyScan draw(long seed) {
@@ -101,17 +93,9 @@ enum SimulatedGrating {
 
     /** Number of lines passed, including the part of the current gap. */
     private static double phase(double[] lines, double place) {
-        int low = 0;
-        int high = lines.length - 1;
-        while (high - low > 1) {
-            int middle = (low + high) / 2;
-            if (lines[middle] <= place) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        return low + (place - lines[low]) / (lines[high] - lines[low]);
+        int found = Arrays.binarySearch(lines, place);
+        int low = Math.max(0, Math.min(lines.length - 2, found < 0 ? -found - 2 : found));
+        return low + (place - lines[low]) / (lines[low + 1] - lines[low]);
     }
 
     private static double wave(double turns, int shape) {

@@ -29,7 +29,6 @@ class VerdictTest {
         return scan(map, Patch.Repetition.NONE, faults);
     }
 
-    /** 15 um in samples of 100 nm. */
     private static Patch piece(DoubleBinaryOperator heights) {
         return piece(Surfaces.of(150, 150, 100e-9, heights));
     }

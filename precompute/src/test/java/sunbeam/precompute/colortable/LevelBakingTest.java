@@ -190,7 +190,6 @@ class LevelBakingTest {
         return half < 0 ? -magnitude : magnitude;
     }
 
-    /** Coefficients as the shader takes them. */
     static float[] decoded(byte[] tile, NumberFormat numbers) {
         ByteBuffer bytes = ByteBuffer.wrap(tile).order(ByteOrder.nativeOrder());
         float[] values = new float[tile.length / numbers.bytes()];

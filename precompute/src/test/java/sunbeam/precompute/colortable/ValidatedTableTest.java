@@ -51,7 +51,6 @@ class ValidatedTableTest {
         return colors(uvw, place -> 1e-12 * (1 + Math.sin(1000 * place[0])));
     }
 
-    /** White noise. */
     private static float[] noisy(float[] uvw, ColorBaker.Token token) {
         Random random = new Random(3);
         return colors(uvw, place -> 1 + random.nextDouble());
@@ -225,7 +224,6 @@ class ValidatedTableTest {
         return ValidatedTable.cached(levels, ONE_LIGHT, tiles, design -> baker, samples -> ColorBaker.Token.NONE);
     }
 
-    /** Tiles of all lights in memory. */
     private static CachedTiles cached(ColorTable levels, BitSet missing) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         return new CachedTiles() {

@@ -20,7 +20,6 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.setting.ValueKind;
 
-/** Settings in JSON files. */
 class JsonObjectTest {
     private static final Setting<Double> LENGTH =
             new Setting<>("coherenceLength", ValueKind.length(100e-9, 10e-3), "").inFiles("window");

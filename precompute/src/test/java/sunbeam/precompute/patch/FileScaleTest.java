@@ -37,7 +37,6 @@ class FileScaleTest {
         return Files.writeString(folder.resolve("scan.txt"), text);
     }
 
-    /** Settings and words in turn. */
     private static Patch load(Path file, Object... choices) {
         Stream<Object> level = Stream.of(LEVEL, "none");
         return PatchRequests.load(

@@ -23,7 +23,6 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
-/** Warnings about scans. */
 class PatchAssemblerTest {
     private static final int SAMPLES = 96;
 

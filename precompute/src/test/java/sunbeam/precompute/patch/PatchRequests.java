@@ -5,7 +5,6 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 
-/** Patches as options of a command line request them. */
 final class PatchRequests {
     private static final Origin OPTION = Origin.of(Origin.Place.OPTION, setting -> "--" + setting.words("-"));
 

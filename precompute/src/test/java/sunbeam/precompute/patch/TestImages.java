@@ -23,7 +23,6 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.FileImageOutputStream;
 
-/** Images of heights, written by the JDK's own writers. */
 final class TestImages {
     private TestImages() {}
 

@@ -35,7 +35,6 @@ class PlannerTest {
             new Request(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD);
     private static final Request THESIS = new Request(TableChoices.THESIS, GaussianArea.THESIS);
 
-    /** Fixed parts of a plan. */
     private record Request(TableChoices table, GaussianArea area) {}
 
     /** The patch has 3.2 um: orders are resolved, neither resolved nor blurred, or blurred, as measured skins under sunlight. */

@@ -25,7 +25,6 @@ final class DirectionPairs {
         return new DirectionPair(light, Direction.ofDisc(x, y));
     }
 
-    /** Both directions anywhere above the surface. */
     static DirectionPair random(SplittableRandom random) {
         return new DirectionPair(direction(random), direction(random));
     }

@@ -23,7 +23,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Texts as written by people and programs. */
 class TextReaderTest {
     private static final int SIDE = 16;
 
@@ -166,7 +165,6 @@ class TextReaderTest {
     private static final int ROWS = 23;
     private static final double PITCH = 80;
 
-    /** Cells of the grid in random order. */
     private static List<Integer> shuffled() {
         List<Integer> cells = IntStream.range(0, COLUMNS * ROWS).boxed().collect(Collectors.toList());
         Collections.shuffle(cells, new Random(4));

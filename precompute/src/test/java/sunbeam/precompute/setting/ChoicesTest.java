@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.setting.Choices.Origin;
 
-/** Choices keep values and their origins. */
 class ChoicesTest {
     private static final Setting<Double> LENGTH =
             new Setting<>("coherenceLength", ValueKind.length(100e-9, 10e-3), "The window's size.");

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.assertj.core.data.Offset;
 import org.jtransforms.fft.DoubleFFT_1D;
-import org.jtransforms.fft.DoubleFFT_2D;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -37,31 +36,6 @@ class BandTransform2dTest {
             int bin = Math.floorMod(band.first() + m, length);
             assertThat(result.real()[m]).as("bin %d", bin).isCloseTo(interleaved[2 * bin], ROUNDING);
             assertThat(result.imaginary()[m]).as("bin %d", bin).isCloseTo(interleaved[2 * bin + 1], ROUNDING);
-        }
-    }
-
-    /** Rows run downwards, y upwards. */
-    @ParameterizedTest
-    @CsvSource({"12, 7, -3, 5, -4, 2", "16, 8, -7, 7, -3, 3"})
-    void twoDimensionsFollowTheConventionOfAMapSeenFromAbove(
-            int columns, int rows, int firstX, int lastX, int firstY, int lastY) {
-        double[] field = random(2 * columns * rows);
-        ComplexVector bins = new BandTransform2d(columns, rows, Band.of(firstX, lastX), Band.of(firstY, lastY))
-                .transform((row, real, imaginary) -> {
-                    for (int column = 0; column < columns; column++) {
-                        real[column] = field[2 * (row * columns + column)];
-                        imaginary[column] = field[2 * (row * columns + column) + 1];
-                    }
-                });
-        double[] all = field.clone();
-        new DoubleFFT_2D(rows, columns).complexInverse(all, true);
-        int at = 0;
-        for (int jy = firstY; jy <= lastY; jy++) {
-            for (int jx = firstX; jx <= lastX; jx++, at++) {
-                int bin = Math.floorMod(-jy, rows) * columns + Math.floorMod(jx, columns);
-                assertThat(bins.real()[at]).as("bin %d %d", jx, jy).isCloseTo(all[2 * bin], ROUNDING);
-                assertThat(bins.imaginary()[at]).as("bin %d %d", jx, jy).isCloseTo(all[2 * bin + 1], ROUNDING);
-            }
         }
     }
 

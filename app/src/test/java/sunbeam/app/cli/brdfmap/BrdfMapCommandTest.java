@@ -25,7 +25,6 @@ import sunbeam.precompute.optics.RefractiveIndex;
 /** Exposure and annotation of maps. */
 @NeedsDisplay
 class BrdfMapCommandTest extends CommandLineFixture {
-    /** Draws a map of 24 pixels. */
     private int draw(String file, String options) {
         return sunbeam(map(file, options));
     }

@@ -67,7 +67,6 @@ class MaterialMapTest extends InAContext {
                 .isGreaterThan(0.2);
     }
 
-    /** Returns the median relative error of bright values. */
     private static double error(float[] map, double[] mean) {
         double brightest = Arrays.stream(mean).filter(Double::isFinite).max().orElseThrow();
         double[] errors = IntStream.range(0, mean.length)

@@ -29,7 +29,6 @@ final class CacheCommandTest extends CommandLineFixture {
         return sunbeam(line);
     }
 
-    /** Writes a table of 4000 bytes and a header. */
     private Path table(String name, int used) throws IOException {
         Path file = cache.resolve(name + ".tables");
         ShaderTables tables = new ShaderTables.Builder("full_grid")

@@ -15,7 +15,6 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 
-/** Parses surfaces from command lines. */
 class PatchOptionsTest extends CommandLineFixture {
     /** Writes a grating in text: 40 x 20 samples, 4 um wide, tilted by 39 nm. */
     private Path scan() throws IOException {

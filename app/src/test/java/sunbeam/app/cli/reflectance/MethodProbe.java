@@ -65,12 +65,10 @@ final class MethodProbe {
                 Methods.of(choices).plan(setup.withLight(LightTable.of(choices)).surface(), range));
     }
 
-    /** Returns the words of a line of options. */
     static String[] words(String options) {
         return options.isEmpty() ? new String[0] : options.split(" ");
     }
 
-    /** Returns X, Y, Z of the power. */
     List<float[]> colors(List<DirectionPair> pairs, String options) {
         return evaluate(pairs, 0, MethodUse.COLOR, options);
     }

@@ -108,7 +108,6 @@ class NmmMethodTest {
         assertThat(thesis / full).isGreaterThan(1.1);
     }
 
-    /** Returns Z / Y of all light. */
     private static double blueness(List<float[]> colors) {
         double y = 0;
         double z = 0;

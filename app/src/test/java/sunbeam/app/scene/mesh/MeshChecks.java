@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
-/** Assertions that hold for every mesh. */
 public final class MeshChecks {
     // Components rounded to float32.
     public static final double ROUNDING = 1e-6;
@@ -79,7 +78,6 @@ public final class MeshChecks {
         }
     }
 
-    /** Asserts that each edge occurs once in either direction. */
     static void assertClosed(Mesh mesh) {
         Map<Vector3d, Integer> places = new HashMap<>();
         Map<Long, Integer> edges = new HashMap<>();

@@ -101,6 +101,11 @@ public final class MeshFiles {
         bytes.putFloat(values[at]).putFloat(values[at + 2]).putFloat(-values[at + 1]);
     }
 
+    /** A glTF text with its buffer in it. */
+    public static String gltf(Mesh mesh) {
+        return gltf(mesh, dataUri(buffer(mesh)));
+    }
+
     /**
      * The text of {@link #buffer}.
      *

@@ -124,7 +124,6 @@ class MeshReaderTest extends MeshReading {
         MeshChecks.assertNormalsFaceOutwards(star, 1 - 1e-5);
     }
 
-    /** A star with ten points in a tilted plane. */
     private static String star() {
         String points = IntStream.range(0, 20)
                 .mapToObj(i -> new Vector3d(i % 2 == 0 ? 1 : 0.3, 0, 0)

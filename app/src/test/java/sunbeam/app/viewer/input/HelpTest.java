@@ -12,7 +12,6 @@ import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.viewer.input.Help.Group;
 
-/** The table of mouse and key actions. */
 final class HelpTest {
     @Test
     void theManualHasTheSameRowsInTheSameGroups() throws Exception {

@@ -70,7 +70,6 @@ class GraphicsStageTest {
         }
     }
 
-    /** Returns the mean linear green of a picture. */
     private static double light(BufferedImage image) {
         return IntStream.range(0, WIDTH * HEIGHT)
                 .mapToDouble(i -> Srgb.linear(image.getRGB(i % WIDTH, i / WIDTH) >> 8 & 0xff))

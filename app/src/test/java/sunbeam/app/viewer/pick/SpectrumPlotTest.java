@@ -9,7 +9,6 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
-/** The plot of spectra and its numbers. */
 final class SpectrumPlotTest {
     private static final double[] POWERS = {0, 1, 0.5};
 

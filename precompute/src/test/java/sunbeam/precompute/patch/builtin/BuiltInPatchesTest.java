@@ -249,7 +249,6 @@ class BuiltInPatchesTest {
             }
         }
 
-        /** Mean square of the heights in these bins. */
         double meanSquare(Bins bins) {
             double[] sum = new double[1];
             forEach(bins, (p, q, meanSquare) -> sum[0] += meanSquare);
