@@ -7,11 +7,17 @@ import java.time.Duration;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBarStyle;
+import me.tongfei.progressbar.ProgressState;
+import sunbeam.precompute.colortable.ColorBaker;
 
 /**
  * Shows the progress of long tasks and the time left on standard error; the program has one display. A task is shown after 2 s; if several
@@ -19,6 +25,9 @@ import me.tongfei.progressbar.ProgressBarConsumer;
  * s at most, however many tasks follow each other. Thread-safe.
  */
 public final class ProgressDisplay {
+    /** Time after which a task is shown. */
+    static final Duration DELAY = Duration.ofSeconds(2);
+
     /** Least time between printed lines if standard error is no terminal. */
     static final Duration INTERVAL = Duration.ofSeconds(10);
 
@@ -72,7 +81,7 @@ public final class ProgressDisplay {
      * @param total number of steps, at least 0
      */
     public Progress start(String label, long total) {
-        return silent ? Progress.hidden() : Progress.of(label, total, new Line());
+        return silent ? new Progress() : new Progress(label, total, new Line());
     }
 
     /** In parallel, as a task with one step per item. */
@@ -110,7 +119,7 @@ public final class ProgressDisplay {
 
         @Override
         public synchronized void accept(String text) {
-            if (closed || open.peekLast() != this || nanoseconds.getAsLong() - start < Progress.DELAY.toNanos()) {
+            if (closed || open.peekLast() != this || nanoseconds.getAsLong() - start < DELAY.toNanos()) {
                 return;
             }
             if (!interactive) {
@@ -147,6 +156,62 @@ public final class ProgressDisplay {
         private void print(String text) {
             stream.print(text);
             stream.flush();
+        }
+    }
+
+    /** Progress of one task, which closes it at its end. Thread-safe. */
+    public static final class Progress implements ColorBaker.Token {
+        // Share of the steps done from which the time left is estimated.
+        private static final double LEAST_DONE = 0.02;
+        private static final int REDRAW_MILLISECONDS = 200;
+
+        private final Line line;
+        private final ProgressBar bar;
+        private final ShutdownHook hook;
+
+        /** Hidden. */
+        private Progress() {
+            line = null;
+            bar = null;
+            hook = null;
+        }
+
+        private Progress(String label, long total, Line line) {
+            this.line = line;
+            // On Ctrl-C the half-drawn line is erased, and none is drawn after it.
+            hook = new ShutdownHook(line::close);
+            bar = new ProgressBarBuilder()
+                    .setTaskName(label)
+                    .setInitialMax(total)
+                    .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
+                    .setStyle(ProgressBarStyle.ASCII)
+                    .setEtaFunction(Progress::timeLeft)
+                    .setConsumer(line)
+                    .build();
+        }
+
+        private static Optional<Duration> timeLeft(ProgressState state) {
+            double done = state.getNormalizedProgress();
+            Duration elapsed = state.getElapsedAfterStart();
+            return done < LEAST_DONE || elapsed.compareTo(DELAY) < 0
+                    ? Optional.empty()
+                    : Optional.of(Duration.ofSeconds(Math.round(elapsed.toSeconds() * (1 / done - 1))));
+        }
+
+        @Override
+        public void step(long count) {
+            if (bar != null) {
+                bar.stepBy(count);
+            }
+        }
+
+        @Override
+        public void close() {
+            if (bar != null) {
+                bar.close();
+                line.close();
+                hook.close();
+            }
         }
     }
 }

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 
 final class ProgressTest {
     private final ByteArrayOutputStream drawn = new ByteArrayOutputStream();
@@ -40,7 +41,7 @@ final class ProgressTest {
         for (int second = 0; second < 25; second += 3) {
             nanoseconds.set(Duration.ofSeconds(second).toNanos());
             try (ProgressDisplay.Line line = display.new Line()) {
-                nanoseconds.addAndGet(Progress.DELAY.toNanos());
+                nanoseconds.addAndGet(ProgressDisplay.DELAY.toNanos());
                 line.accept("task of second " + second);
             }
         }
@@ -58,7 +59,7 @@ final class ProgressTest {
     @Test
     void aLongTaskIsDrawnAndLeavesAnEmptyLine() {
         try (Progress progress = display(true).start("rendering", 10)) {
-            nanoseconds.set(Progress.DELAY.toNanos());
+            nanoseconds.set(ProgressDisplay.DELAY.toNanos());
             progress.step(5);
         }
         assertThat(text()).startsWith("\rrendering ").contains("50%");
@@ -68,7 +69,7 @@ final class ProgressTest {
     @Test
     void aShorterLineCoversALongerOne() {
         try (ProgressDisplay.Line line = display(true).new Line()) {
-            nanoseconds.set(Progress.DELAY.toNanos());
+            nanoseconds.set(ProgressDisplay.DELAY.toNanos());
             line.accept("long line");
             line.accept("short");
         }
@@ -79,9 +80,9 @@ final class ProgressTest {
     void theInnerOfTwoTasksIsDrawnUntilItEnds() {
         ProgressDisplay display = display(true);
         try (ProgressDisplay.Line outer = display.new Line()) {
-            nanoseconds.set(Progress.DELAY.toNanos());
+            nanoseconds.set(ProgressDisplay.DELAY.toNanos());
             try (ProgressDisplay.Line inner = display.new Line()) {
-                nanoseconds.set(2 * Progress.DELAY.toNanos());
+                nanoseconds.set(2 * ProgressDisplay.DELAY.toNanos());
                 outer.accept("outer");
                 inner.accept("inner");
             }
@@ -97,7 +98,7 @@ final class ProgressTest {
         try (ProgressDisplay.Line one = display(true).new Line();
                 ProgressDisplay.Line other = display(true).new Line();
                 Progress hidden = silent.start("hidden", 1)) {
-            nanoseconds.set(Progress.DELAY.toNanos());
+            nanoseconds.set(ProgressDisplay.DELAY.toNanos());
             hidden.step(1);
             one.accept("one");
             other.accept("other");
@@ -108,7 +109,7 @@ final class ProgressTest {
     @Test
     void nothingIsDrawnAfterTheEnd() {
         ProgressDisplay.Line line = display(true).new Line();
-        nanoseconds.set(Progress.DELAY.toNanos());
+        nanoseconds.set(ProgressDisplay.DELAY.toNanos());
         line.close();
         line.accept("late");
         assertThat(text()).isEmpty();

@@ -23,7 +23,7 @@ import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Method;

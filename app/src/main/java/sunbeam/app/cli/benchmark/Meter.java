@@ -18,7 +18,7 @@ import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.measure.errors.DirectionSampler;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.Method;

@@ -22,7 +22,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;

@@ -30,8 +30,8 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.files.plot.Sheet.Thumbnail;
-import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.units.Decimals;
 

@@ -36,7 +36,7 @@ import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.color.CieTable;

@@ -17,7 +17,7 @@ import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;

@@ -29,7 +29,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.GratingPlane;

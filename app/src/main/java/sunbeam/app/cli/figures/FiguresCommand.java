@@ -19,8 +19,8 @@ import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.Progress;
 import sunbeam.app.terminal.ProgressDisplay;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 

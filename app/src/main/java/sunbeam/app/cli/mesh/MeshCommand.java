@@ -27,7 +27,7 @@ import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;

@@ -26,7 +26,7 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.terminal.Progress;
+import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;

@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import jrtr.ContextInfo;
 import jrtr.gl.RenderContext;
@@ -114,18 +115,16 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public double requestedShare() {
-        return current.colors()
-                .mapToDouble(VirtualTexture::requestedShare)
-                .average()
-                .orElse(1);
+        return average(VirtualTexture::requestedShare);
     }
 
     @Override
     public double coarsestShare() {
-        return current.colors()
-                .mapToDouble(VirtualTexture::coarsestShare)
-                .average()
-                .orElse(1);
+        return average(VirtualTexture::coarsestShare);
+    }
+
+    private double average(ToDoubleFunction<VirtualTexture> share) {
+        return current.colors().mapToDouble(share).average().orElse(1);
     }
 
     @Override

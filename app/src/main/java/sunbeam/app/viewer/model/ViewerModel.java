@@ -66,16 +66,16 @@ public final class ViewerModel {
     public void change(UnaryOperator<Scene> change) {
         Scene next = change.apply(wanted);
         history.changed(wanted, next);
-        set(next);
+        set(next, false);
     }
 
     /** Changes the scene without a new undo step. */
     public void amend(UnaryOperator<Scene> change) {
-        set(change.apply(wanted));
+        set(change.apply(wanted), false);
     }
 
-    private void set(Scene next) {
-        boolean loads = loaded == null || !next.sharesParts(wanted);
+    private void set(Scene next, boolean mustLoad) {
+        boolean loads = mustLoad || loaded == null || !next.sharesParts(wanted);
         wanted = next;
         if (loaded != null) {
             loaded = loaded.with(next.withPartsOf(loaded.firstPart().scene()));
@@ -107,7 +107,7 @@ public final class ViewerModel {
 
     private void goTo(Scene scene) {
         if (scene.sharesParts(wanted)) {
-            set(scene);
+            set(scene, false);
         } else {
             load(scene, () -> {});
         }
@@ -116,12 +116,7 @@ public final class ViewerModel {
     private void load(Scene scene, Runnable opened) {
         Scene before = opening.map(Opening::before).orElse(wanted);
         opening = Optional.of(new Opening(newestLoad.get() + 1, before, opened));
-        wanted = scene;
-        if (loaded != null) {
-            loaded = loaded.with(scene.withPartsOf(loaded.firstPart().scene()));
-        }
-        load();
-        listener.changed();
+        set(scene, true);
     }
 
     /** Starts to load the scene. */

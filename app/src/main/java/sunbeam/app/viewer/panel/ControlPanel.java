@@ -23,6 +23,7 @@ import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.SettingRows.NameBox;
+import sunbeam.app.viewer.panel.SettingRows.Scale;
 import sunbeam.app.viewer.panel.SettingRows.ValueSlider;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
@@ -36,7 +37,6 @@ import sunbeam.precompute.setting.SettingException;
 
 /** Panel of controls beside the picture. Each changes one setting of the scene and shows its current value. */
 public final class ControlPanel extends JTabbedPane {
-    private static final String NONE = "none";
     private static final double WEIGHT_WITHOUT_MIRROR = 0.5;
 
     private final transient ViewerModel scenes;
@@ -53,7 +53,7 @@ public final class ControlPanel extends JTabbedPane {
     private final JCheckBox automatic = new JCheckBox("automatic");
     private final SettingRows colorTab = new SettingRows(this::enter);
     private final SettingRows sceneTab = new SettingRows(this::enter);
-    private final ValueSlider exposure = colorTab.stops(SceneSettings.EXPOSURE, -45, 45);
+    private final ValueSlider exposure = colorTab.new ValueSlider(SceneSettings.EXPOSURE, Scale.STOPS, -45, 45);
     private transient MethodPlan plan;
     private transient List<String> remarks = List.of();
     // Weight of diffracted light of the last method with power relative to a mirror's peak; empty before another one.
@@ -92,7 +92,7 @@ public final class ControlPanel extends JTabbedPane {
         colorTab.box(MethodSettings.TOLERANCE, tolerance, true);
         colorTab.text(MethodSettings.COHERENCE_LENGTH);
         colorTab.box(MethodSettings.AVERAGE, average, false);
-        colorTab.angles(SceneSettings.ROTATE_PATCH, -180, 180, 1);
+        colorTab.slider(SceneSettings.ROTATE_PATCH, Scale.DEGREES, -180, 180);
         colorTab.text(SceneSettings.INDEX);
         colorTab.box(SceneSettings.ENERGY, SettingRows.words(SceneSettings.ENERGY), false);
         colorTab.row(SceneSettings.EXPOSURE, automatic, "Automatic: chosen from the picture.");
@@ -106,7 +106,7 @@ public final class ControlPanel extends JTabbedPane {
                 exposure,
                 ControlOrigin.INSTANCE.tip(SceneSettings.EXPOSURE, "In thirds of a stop. Double click: automatic."));
         colorTab.onFollow(this::followExposure);
-        colorTab.add(SceneSettings.DIFFRACTION, colorTab.stops(SceneSettings.DIFFRACTION, -15, 60));
+        colorTab.slider(SceneSettings.DIFFRACTION, Scale.STOPS, -15, 60);
         addScene();
         addTab("Color", onTop(colorTab));
         addTab("Scene", onTop(sceneTab));
@@ -116,13 +116,13 @@ public final class ControlPanel extends JTabbedPane {
         sceneTab.box(SceneSettings.MESH, new NameBox(BuiltInMeshes.names()), false);
         sceneTab.box(SceneSettings.MESH_UNIT, SettingRows.words(SceneSettings.MESH_UNIT), false);
         sceneTab.box(SceneSettings.TEXTURE, new NameBox(BodyTexture.names()), false);
-        sceneTab.hundredths(SceneSettings.TEXTURE_WEIGHT, 200);
+        sceneTab.slider(SceneSettings.TEXTURE_WEIGHT, Scale.HUNDREDTHS, 0, 200);
         sceneTab.box(SceneSettings.SCALES, SettingRows.words(SceneSettings.SCALES), false);
-        sceneTab.angles(SceneSettings.ROUGHNESS, 0, 100, 10);
-        sceneTab.add(SceneSettings.INTENSITY, sceneTab.stops(SceneSettings.INTENSITY, -15, 15));
-        sceneTab.angles(SceneSettings.ANGULAR_DIAMETER, 0, 150, 10);
-        sceneTab.box(SceneSettings.GROUND, new NameBox(List.of(NONE, "#3a3733", "#808080", "#d8d2c8")), true);
-        sceneTab.hundredths(SceneSettings.SKY, 200);
+        sceneTab.slider(SceneSettings.ROUGHNESS, Scale.TENTHS_OF_DEGREES, 0, 100);
+        sceneTab.slider(SceneSettings.INTENSITY, Scale.STOPS, -15, 15);
+        sceneTab.slider(SceneSettings.ANGULAR_DIAMETER, Scale.TENTHS_OF_DEGREES, 0, 150);
+        sceneTab.box(SceneSettings.GROUND, new NameBox(List.of("none", "#3a3733", "#808080", "#d8d2c8")), true);
+        sceneTab.slider(SceneSettings.SKY, Scale.HUNDREDTHS, 0, 200);
         sceneTab.flag(SceneSettings.SHADOWS);
         sceneTab.box(SceneSettings.TONE, SettingRows.words(SceneSettings.TONE), false);
     }
@@ -135,8 +135,8 @@ public final class ControlPanel extends JTabbedPane {
 
     private void enterMethod() {
         MethodChoice choice = (MethodChoice) method.getSelectedItem();
-        if (!updating && choice != null) {
-            attempt(() -> change(scene -> by(choice, scene)));
+        if (choice != null) {
+            change(scene -> by(choice, scene));
         }
     }
 
@@ -169,7 +169,7 @@ public final class ControlPanel extends JTabbedPane {
         comparison.addActionListener(event -> chosen.run());
     }
 
-    /** Returns the scene with the comparison method; empty if none is chosen or if it is the scene's own method. */
+    /** Returns the scene by the comparison method; empty if none or the scene's own is chosen. */
     public Optional<Scene> compared(Scene scene) {
         return comparison.getSelectedItem() instanceof MethodChoice choice && !choice.equals(MethodChoice.of(scene))
                 ? Optional.of(by(choice, scene))
@@ -177,31 +177,26 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     private void enter(Setting<?> setting, String text) {
-        if (!updating) {
-            attempt(() -> change(scene -> scene.with(parsed(setting, text))));
-        }
+        change(scene -> scene.with(parsed(setting, text)));
     }
 
     private static Choices parsed(Setting<?> setting, String text) {
         return Choices.at(ControlOrigin.INSTANCE).parsed(setting, text, ControlOrigin.INSTANCE);
     }
 
-    private void attempt(Runnable change) {
+    private void change(UnaryOperator<Scene> change) {
+        if (updating) {
+            return;
+        }
         try {
-            change.run();
+            scenes.change(change);
         } catch (SettingException wrong) {
             problem.accept(wrong.getMessage());
             follow();
         }
     }
 
-    private void change(UnaryOperator<Scene> change) {
-        if (!updating) {
-            scenes.change(change);
-        }
-    }
-
-    /** Sets the exposure of the displayed picture; the slider starts from it when automatic exposure is switched off. */
+    /** The slider starts from the exposure of the picture when automatic exposure is switched off. */
     public void exposureInUse(double factor) {
         lastExposure = factor;
         if (automatic.isSelected()) {

@@ -37,7 +37,6 @@ import sunbeam.precompute.text.Text;
 /** Column of controls, one per setting, with caption and tooltip. They report entered values and show the current ones. */
 final class SettingRows extends JPanel {
     static final String ENTER = "Enter takes it over.";
-    private static final String RESET = "Double click resets it.";
 
     private final transient BiConsumer<Setting<?>, String> entered;
     private final transient List<Consumer<Choices>> followers = new ArrayList<>();
@@ -90,48 +89,11 @@ final class SettingRows extends JPanel {
         followers.add(choices -> box.setSelected(choices.get(setting)));
     }
 
-    void add(Setting<Double> setting, ValueSlider slider) {
-        row(setting, slider, RESET);
+    /** @param low lowest step of the scale */
+    void slider(Setting<Double> setting, Scale scale, int low, int high) {
+        ValueSlider slider = new ValueSlider(setting, scale, low, high);
+        row(setting, slider, "Double click resets it.");
         followers.add(choices -> slider.follow(choices.get(setting)));
-    }
-
-    void hundredths(Setting<Double> setting, int high) {
-        add(
-                setting,
-                new ValueSlider(
-                        setting,
-                        0,
-                        high,
-                        step -> step / 100,
-                        weight -> weight * 100,
-                        value -> Text.format("%.2f", value)));
-    }
-
-    /** Adds a slider of angles from a lowest to a highest step. */
-    void angles(Setting<Double> setting, int low, int high, int stepsPerDegree) {
-        add(
-                setting,
-                new ValueSlider(
-                        setting,
-                        low,
-                        high,
-                        step -> Math.toRadians(step / stepsPerDegree),
-                        angle -> stepsPerDegree * Math.toDegrees(angle),
-                        angle -> Text.format("%.1f", Math.toDegrees(angle))));
-    }
-
-    /** @param low lowest value, in thirds of a stop like {@code high}; three thirds double the factor */
-    ValueSlider stops(Setting<?> setting, int low, int high) {
-        return new ValueSlider(
-                setting,
-                low,
-                high,
-                step -> Math.pow(2, step / 3),
-                factor -> 3 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
-                factor -> new BigDecimal(factor)
-                        .round(new MathContext(3))
-                        .stripTrailingZeros()
-                        .toPlainString());
     }
 
     JLabel row(Setting<?> setting, JComponent control, String more) {
@@ -218,29 +180,40 @@ final class SettingRows extends JPanel {
         }
     }
 
+    /** @param text formats a quantity as a value field shows and accepts it */
+    record Scale(DoubleUnaryOperator fromSteps, DoubleUnaryOperator toSteps, DoubleFunction<String> text) {
+        static final Scale HUNDREDTHS =
+                new Scale(step -> step / 100, weight -> weight * 100, weight -> Text.format("%.2f", weight));
+        static final Scale DEGREES = angles(1);
+        static final Scale TENTHS_OF_DEGREES = angles(10);
+        /** Thirds of a stop: three double the factor. */
+        static final Scale STOPS = new Scale(
+                step -> Math.pow(2, step / 3),
+                factor -> 3 * Math.log(Math.max(1e-9, factor)) / Math.log(2),
+                factor -> toPlainString(new BigDecimal(factor).round(new MathContext(3))));
+
+        private static String toPlainString(BigDecimal number) {
+            return number.stripTrailingZeros().toPlainString();
+        }
+
+        private static Scale angles(int stepsPerDegree) {
+            return new Scale(
+                    step -> Math.toRadians(step / stepsPerDegree),
+                    angle -> stepsPerDegree * Math.toDegrees(angle),
+                    angle -> Text.format("%.1f", Math.toDegrees(angle)));
+        }
+    }
+
     /** Slider with an editable value field. Both report changes as text; a double click resets. */
     final class ValueSlider extends JPanel {
         private final JSlider slider;
         private final JTextField value = new JTextField(5);
-        private final transient DoubleUnaryOperator toSlider;
-        private final transient DoubleFunction<String> text;
+        private final transient Scale scale;
         private boolean updating;
 
-        /**
-         * @param fromSlider converts a slider position to the quantity
-         * @param toSlider converts the quantity to a slider position
-         * @param text formats the quantity as the value field shows and accepts it
-         */
-        ValueSlider(
-                Setting<?> setting,
-                int low,
-                int high,
-                DoubleUnaryOperator fromSlider,
-                DoubleUnaryOperator toSlider,
-                DoubleFunction<String> text) {
+        ValueSlider(Setting<?> setting, Scale scale, int low, int high) {
             super(new BorderLayout(6, 0));
-            this.toSlider = toSlider;
-            this.text = text;
+            this.scale = scale;
             slider = new JSlider(low, high);
             slider.setName(setting.key());
             slider.setPreferredSize(new Dimension(110, slider.getPreferredSize().height));
@@ -248,7 +221,7 @@ final class SettingRows extends JPanel {
             add(value, BorderLayout.EAST);
             slider.addChangeListener(event -> {
                 if (!updating) {
-                    entered.accept(setting, text.apply(fromSlider.applyAsDouble(slider.getValue())));
+                    entered.accept(setting, scale.text.apply(scale.fromSteps.applyAsDouble(slider.getValue())));
                 }
             });
             value.addActionListener(event -> entered.accept(setting, value.getText()));
@@ -264,8 +237,8 @@ final class SettingRows extends JPanel {
 
         void follow(double quantity) {
             updating = true;
-            slider.setValue((int) Math.round(toSlider.applyAsDouble(quantity)));
-            SettingRows.show(value, text.apply(quantity));
+            slider.setValue((int) Math.round(scale.toSteps.applyAsDouble(quantity)));
+            SettingRows.show(value, scale.text.apply(quantity));
             updating = false;
         }
 

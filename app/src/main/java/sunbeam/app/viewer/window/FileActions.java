@@ -21,6 +21,7 @@ import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import jrtr.VertexData.BoundingSphere;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.render.FrameText;
@@ -33,6 +34,7 @@ import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.Drags;
+import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.ControlOrigin;
 import sunbeam.precompute.patch.PatchLoader;
@@ -92,25 +94,27 @@ public final class FileActions {
 
     private void load(Kind kind, Path file) {
         if (kind != Kind.TEXTURE) {
-            run(
-                    () -> {
-                        recent.add(file);
-                        return file;
-                    },
-                    added -> {});
+            run(Executors.callable(() -> recent.add(file)), added -> {});
         }
         switch (kind) {
-            case SCENE -> loadScene(file);
-            case MESH -> loadMesh(file);
+            case SCENE ->
+                run(
+                        () -> SceneReader.read(file),
+                        scene -> viewer.open(scene, () -> window.status().message("loaded " + file.getFileName())));
+            case MESH ->
+                model.open(
+                        model.scene()
+                                .withMesh(MeshSource.of(file.toAbsolutePath().toString())),
+                        this::frameMesh);
             case TEXTURE -> model.change(scene -> scene.with(SceneSettings.TEXTURE, file.toString()));
             case PATCH, PICTURE -> loadPatch(file);
         }
     }
 
-    private void loadScene(Path file) {
-        run(
-                () -> SceneReader.read(file),
-                scene -> viewer.open(scene, () -> window.status().message("loaded " + file.getFileName())));
+    private void frameMesh() {
+        LoadedScene loaded = model.loaded().orElseThrow();
+        BoundingSphere bounds = loaded.firstPart().mesh().toVertexData().bounds();
+        model.amend(scene -> Drags.framed(scene, bounds));
     }
 
     /** Loads a scene, mesh or patch, by name (meshes) or content. */
@@ -124,14 +128,6 @@ public final class FileActions {
 
     public List<Path> recent() {
         return recent.files();
-    }
-
-    private void loadMesh(Path file) {
-        model.open(
-                model.scene().withMesh(MeshSource.of(file.toAbsolutePath().toString())),
-                () -> model.loaded()
-                        .map(loaded -> loaded.firstPart().mesh().toVertexData().bounds())
-                        .ifPresent(bounds -> model.amend(scene -> Drags.framed(scene, bounds))));
     }
 
     public void loadPatch(Path file) {
@@ -156,17 +152,17 @@ public final class FileActions {
         JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
         JTextField width = field(form, PatchSettings.WIDTH, "65um");
         JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT, "375nm");
-        int answer = JOptionPane.showConfirmDialog(
-                window,
-                form,
-                "Scale of " + file.getFileName(),
-                JOptionPane.OK_CANCEL_OPTION,
-                JOptionPane.PLAIN_MESSAGE);
-        return answer == JOptionPane.OK_OPTION
-                ? Optional.of(
-                        new PatchRequest(named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
-                                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE)))
-                : Optional.empty();
+        if (!confirms(form, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
+            return Optional.empty();
+        }
+        Choices scales = named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
+                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE);
+        return Optional.of(new PatchRequest(scales));
+    }
+
+    private boolean confirms(Object question, String title, int type) {
+        int answer = JOptionPane.showConfirmDialog(window, question, title, JOptionPane.OK_CANCEL_OPTION, type);
+        return answer == JOptionPane.OK_OPTION;
     }
 
     private static JTextField field(JPanel form, Setting<Double> setting, String first) {
@@ -230,23 +226,12 @@ public final class FileActions {
         }
         Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
         folder = file.getParent();
-        return Optional.of(saves ? withEnding(file, "." + kind.endings.get(0)) : file)
-                .filter(target -> !saves || mayWrite(target));
-    }
-
-    private boolean mayWrite(Path file) {
-        return !Files.exists(file)
-                || JOptionPane.showConfirmDialog(
-                                window,
-                                file.getFileName() + " exists. Replace it?",
-                                "Replace file",
-                                JOptionPane.OK_CANCEL_OPTION)
-                        == JOptionPane.OK_OPTION;
-    }
-
-    private static Path withEnding(Path file, String ending) {
         String name = file.getFileName().toString();
-        return name.contains(".") ? file : file.resolveSibling(name + ending);
+        Path target = saves && !name.contains(".") ? file.resolveSibling(name + "." + kind.endings.get(0)) : file;
+        String question = target.getFileName() + " exists. Replace it?";
+        boolean mayUse =
+                !saves || !Files.exists(target) || confirms(question, "Replace file", JOptionPane.QUESTION_MESSAGE);
+        return mayUse ? Optional.of(target) : Optional.empty();
     }
 
     private final class Drop extends TransferHandler {

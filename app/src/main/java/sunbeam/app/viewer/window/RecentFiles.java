@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 
@@ -26,27 +27,24 @@ public record RecentFiles(Path list) {
 
     /** Returns the files that are still there, the last one first; none if the list cannot be read. */
     public List<Path> files() {
-        List<Path> files = new ArrayList<>();
         try {
-            if (Files.isRegularFile(list) && Files.size(list) <= LONGEST_LIST_BYTES) {
-                for (String line : Files.readAllLines(list)) {
-                    Path file = Path.of(line);
-                    if (file.isAbsolute() && Files.isRegularFile(file) && files.size() < MOST) {
-                        files.add(file);
-                    }
-                }
-            }
+            return !Files.isRegularFile(list) || Files.size(list) > LONGEST_LIST_BYTES
+                    ? List.of()
+                    : Files.readAllLines(list).stream()
+                            .map(Path::of)
+                            .filter(file -> file.isAbsolute() && Files.isRegularFile(file))
+                            .limit(MOST)
+                            .toList();
         } catch (IOException | InvalidPathException damaged) {
-            return files;
+            return List.of();
         }
-        return files;
     }
 
-    void add(Path file) throws IOException {
+    void add(Path file) {
         List<Path> files = new ArrayList<>(files());
         files.remove(file.toAbsolutePath());
         files.add(0, file.toAbsolutePath());
-        Files.createDirectories(list.getParent());
+        OutputFolder.createWithParents(list.getParent());
         String lines =
                 String.join("\n", files.stream().limit(MOST).map(Path::toString).toList());
         AtomicFile.write(list, Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));

@@ -25,23 +25,23 @@ import sunbeam.precompute.units.Decimals;
  */
 public final class ViewMeasurement {
     private static final int EVENT_MILLISECONDS = 16;
+    // Events of a drag forth and back, by a pixel each.
+    private static final int PERIOD = 120;
     // The warm-up lasts as long as the measurement or this. It excludes the first frames, which are the coarsest.
     private static final long LONGEST_WARM_UP_NANOSECONDS = 3_000_000_000L;
 
     private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
 
     private enum Drag {
-        LIGHT("moving the light", MouseEvent.BUTTON3, MouseEvent.BUTTON3_DOWN_MASK),
-        MODEL("turning the model", MouseEvent.BUTTON1, MouseEvent.BUTTON1_DOWN_MASK);
+        LIGHT("moving the light", MouseEvent.BUTTON3),
+        MODEL("turning the model", MouseEvent.BUTTON1);
 
         private final String title;
         private final int button;
-        private final int held;
 
-        Drag(String title, int button, int held) {
+        Drag(String title, int button) {
             this.title = title;
             this.button = button;
-            this.held = held;
         }
     }
 
@@ -118,10 +118,8 @@ public final class ViewMeasurement {
         if (since > -nanoseconds && processorBegun.isEmpty()) {
             processorBegun = Optional.of(processorTime());
         }
-        steps++;
-        int period = 120;
-        int phase = steps % period;
-        send(MouseEvent.MOUSE_DRAGGED, Math.min(phase, period - phase));
+        int phase = ++steps % PERIOD;
+        send(MouseEvent.MOUSE_DRAGGED, Math.min(phase, PERIOD - phase));
     }
 
     private void finish() {
@@ -143,14 +141,14 @@ public final class ViewMeasurement {
 
     private void send(int kind, int offset) {
         PictureView view = viewer.window().picture();
+        int held = MouseEvent.getMaskForButton(drag.button);
         int x = view.getWidth() / 2 + offset;
-        long now = System.nanoTime();
-        MouseEvent event = new MouseEvent(
-                view, kind, System.currentTimeMillis(), drag.held, x, view.getHeight() / 2, 1, false, drag.button);
+        int y = view.getHeight() / 2;
         if (kind == MouseEvent.MOUSE_DRAGGED) {
             // Time of posting, since waiting in the queue is latency too.
-            unansweredTimes.add(now);
+            unansweredTimes.add(System.nanoTime());
         }
+        MouseEvent event = new MouseEvent(view, kind, System.currentTimeMillis(), held, x, y, 1, false, drag.button);
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
 
@@ -186,25 +184,23 @@ public final class ViewMeasurement {
         if (latencies.isEmpty()) {
             return Text.format("no frame was shown in %.0f s", nanoseconds * 1e-9);
         }
-        List<Long> sorted = latencies.stream().sorted().toList();
         PictureView view = viewer.window().picture();
-        List<Double> coarse = divisors.stream().sorted().toList();
         return Text.format(
                 "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
                         + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame (1:%s) to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),
-                Decimals.format(coarse.get(coarse.size() / 2)),
+                Decimals.format(quantile(divisors, 0.5)),
                 divisors.size() / (nanoseconds * 1e-9),
                 processor.toNanos() * 1e-6 / divisors.size(),
-                milliseconds(sorted, 0.5),
-                milliseconds(sorted, 0.95),
-                milliseconds(sorted, 1),
+                quantile(latencies, 0.5) * 1e-6,
+                quantile(latencies, 0.95) * 1e-6,
+                quantile(latencies, 1) * 1e-6,
                 Decimals.format(lastDivisor),
                 finalDifference.map(PictureDifference::text).orElse("more than three minutes"));
     }
 
-    private static double milliseconds(List<Long> sorted, double share) {
-        return sorted.get((int) Math.min(sorted.size() - 1.0, share * sorted.size())) * 1e-6;
+    private static <T extends Comparable<T>> T quantile(List<T> values, double share) {
+        return values.stream().sorted().toList().get((int) Math.min(values.size() - 1.0, share * values.size()));
     }
 }
