@@ -8,9 +8,9 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
-import jrtr.ContextInfo;
 import jrtr.GraphicsException;
 import jrtr.Tile;
+import jrtr.gl.RenderContext.ContextInfo;
 
 /**
  * Render target with color attachments in RGBA32F (or RGBA8 for the screen) and optional depth, without blending and without sRGB

@@ -15,8 +15,8 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
 import java.util.stream.Stream;
-import jrtr.ContextInfo;
 import jrtr.GraphicsException;
+import jrtr.gl.RenderContext.ContextInfo;
 
 /** OpenGL context on a dummy drawable, with its owning thread, limits, error checks and open resources. */
 final class GlDevice {

@@ -2,7 +2,7 @@ package jrtr.gl;
 
 import com.jogamp.opengl.GL3;
 import java.util.Locale;
-import jrtr.ContextInfo;
+import jrtr.gl.RenderContext.ContextInfo;
 
 /** Texture that a draw binds to a sampler by name. */
 public class Texture extends Resource {

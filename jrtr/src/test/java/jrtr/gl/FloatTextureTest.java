@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.FloatBuffer;
 import java.nio.ShortBuffer;
 import java.util.Map;
-import jrtr.ContextInfo;
 import jrtr.GraphicsException;
+import jrtr.gl.RenderContext.ContextInfo;
 import org.junit.jupiter.api.Test;
 
 /** Textures of numbers and of pictures. */

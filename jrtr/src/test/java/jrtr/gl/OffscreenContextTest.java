@@ -12,7 +12,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Stream;
-import jrtr.ContextInfo;
+import jrtr.gl.RenderContext.ContextInfo;
 import org.junit.jupiter.api.Test;
 
 @NeedsDisplay

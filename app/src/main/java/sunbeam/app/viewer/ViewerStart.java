@@ -20,8 +20,8 @@ import sunbeam.app.viewer.input.MouseControls;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.window.RecentFiles;
-import sunbeam.app.viewer.window.StartJournal;
 import sunbeam.app.viewer.window.ViewMeasurement;
+import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.work.BackgroundTask;
 

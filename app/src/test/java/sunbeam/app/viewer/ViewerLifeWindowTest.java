@@ -37,7 +37,7 @@ import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.panel.MethodChoice;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.RecentFiles;
-import sunbeam.app.viewer.window.StartJournal;
+import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 import sunbeam.app.viewer.window.Viewer;
 import sunbeam.app.viewer.window.ViewerWindow;
 import sunbeam.app.work.BackgroundTask;

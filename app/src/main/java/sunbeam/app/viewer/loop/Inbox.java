@@ -45,14 +45,11 @@ final class Inbox {
         return closed ? Optional.empty() : Optional.ofNullable(tasks.poll());
     }
 
-    synchronized Optional<ViewState> state() {
-        Optional<ViewState> state = Optional.ofNullable(newest);
-        newest = null;
+    /** Removes and returns the newest state if it is wanted. */
+    synchronized Optional<ViewState> state(Predicate<ViewState> wanted) {
+        Optional<ViewState> state = Optional.ofNullable(newest).filter(wanted);
+        newest = state.isPresent() ? null : newest;
         return state;
-    }
-
-    synchronized Optional<ViewState> stateIf(Predicate<ViewState> wanted) {
-        return newest != null && wanted.test(newest) ? state() : Optional.empty();
     }
 
     synchronized void await(long nanoseconds) throws InterruptedException {

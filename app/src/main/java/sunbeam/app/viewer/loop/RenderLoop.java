@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import jrtr.ContextInfo;
+import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.failure.Failure;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -157,7 +157,7 @@ public final class RenderLoop implements AutoCloseable {
         // If this state cannot be drawn (out of memory, invalid scene), report it and wait for the next one.
         try {
             boolean hasMoreTiles = stage.takeTiles();
-            inbox.state().ifPresent(newest -> begin(stage, newest));
+            inbox.state(any -> true).ifPresent(newest -> begin(stage, newest));
             if (phase == Phase.MOVING && isStill()) {
                 settle(stage);
             } else if (phase == Phase.WAITING_FOR_TILES && hasMoreTiles) {
@@ -253,7 +253,7 @@ public final class RenderLoop implements AutoCloseable {
     /** Does waiting tasks and takes over a newer state of the same picture. Returns true if a newer state needs another picture. */
     private boolean isOvertaken(Stage stage, ViewState begun) {
         doTasks(stage);
-        inbox.stateIf(begun::showsThePictureOf).ifPresent(same -> {
+        inbox.state(begun::showsThePictureOf).ifPresent(same -> {
             state = same;
             map(stage, false);
         });

@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.SwingUtilities;
-import jrtr.ContextInfo;
 import jrtr.GraphicsException;
+import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.render.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -16,6 +16,7 @@ import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {

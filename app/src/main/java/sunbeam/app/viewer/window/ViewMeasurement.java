@@ -4,11 +4,14 @@ import java.awt.Toolkit;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
@@ -202,5 +205,42 @@ public final class ViewMeasurement {
 
     private static <T extends Comparable<T>> T quantile(List<T> values, double share) {
         return values.stream().sorted().toList().get((int) Math.min(values.size() - 1.0, share * values.size()));
+    }
+
+    /** Times of the stages of the viewer's start, with the processor time of the process until then. Thread-safe. */
+    public static final class StartJournal {
+        /** Stages of a start, with their names in reports. */
+        public enum Stage {
+            COMMAND("scene read"),
+            WINDOW("window"),
+            LOADED("patch, texture and plan"),
+            CONTEXT("OpenGL"),
+            BODY("body"),
+            FIRST("first picture"),
+            FINAL("final picture");
+
+            private final String words;
+
+            Stage(String words) {
+                this.words = words;
+            }
+        }
+
+        private final Map<Stage, String> moments = new LinkedHashMap<>();
+
+        public synchronized void reached(Stage stage) {
+            moments.computeIfAbsent(stage, first -> {
+                ProcessHandle.Info process = ProcessHandle.current().info();
+                Instant now = Instant.now();
+                Duration elapsed = Duration.between(process.startInstant().orElse(now), now);
+                Duration processor = process.totalCpuDuration().orElse(Duration.ZERO);
+                return Text.format(
+                        "%s %.1f s (%.1f)", stage.words, elapsed.toMillis() * 1e-3, processor.toMillis() * 1e-3);
+            });
+        }
+
+        public synchronized String report() {
+            return "since the process began (processor time in brackets): " + String.join(", ", moments.values());
+        }
     }
 }

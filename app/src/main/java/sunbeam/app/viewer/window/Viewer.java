@@ -25,6 +25,7 @@ import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 
 /** Viewer: creates and connects window, model and render thread. Used on the event thread only. */
 public final class Viewer {

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.viewer.loop.StageSessions.FrameScale;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
 

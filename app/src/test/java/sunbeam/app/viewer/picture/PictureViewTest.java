@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import sunbeam.app.viewer.picture.MapView.GratingOrders;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.optics.Direction;
