@@ -26,7 +26,6 @@ public record ShaderSource(String name, String text, List<Line> origins) {
      * @param number counted from 1
      */
     public record Line(String file, int number, String text) {
-        /** Returns {@code file:line: message: `the line`}. */
         public String describe(String message) {
             return file + ":" + number + ": " + message + (text.isBlank() ? "" : ": `" + text.strip() + "`");
         }

@@ -51,7 +51,6 @@ public record VertexData(
         return indices.length / 3;
     }
 
-    /** Returns the smallest sphere around the bounding box's center that encloses all vertices. */
     public BoundingSphere bounds() {
         Vector3f least = new Vector3f(Float.POSITIVE_INFINITY);
         Vector3f most = new Vector3f(Float.NEGATIVE_INFINITY);
@@ -79,7 +78,6 @@ public record VertexData(
             }
         }
 
-        /** Returns a sphere that encloses this one after an affine transformation. */
         public BoundingSphere transformed(Matrix4fc transformation) {
             Vector3f moved = transformation.transformPosition(center, new Vector3f());
             // The Frobenius norm bounds the factor by which the matrix lengthens a vector, in any shear.

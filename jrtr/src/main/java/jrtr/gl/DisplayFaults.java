@@ -139,7 +139,6 @@ public final class DisplayFaults {
         }
     }
 
-    /** Returns null if there is no server. */
     private static SocketChannel connect(SocketAddress address) {
         try {
             return SocketChannel.open(address);

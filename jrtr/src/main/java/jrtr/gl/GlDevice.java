@@ -167,7 +167,6 @@ final class GlDevice {
         };
     }
 
-    /** Returns the exception for a size that the driver does not allow. */
     GraphicsException beyondLimit(String need, Object limit) {
         return new GraphicsException(need + " but this driver allows at most " + limit + " (" + info.renderer() + ")");
     }

@@ -181,7 +181,6 @@ public final class RenderContext implements AutoCloseable {
         device.check(gl, "finishing");
     }
 
-    /** Frees all resources, too; harmless when repeated. */
     @Override
     public void close() {
         device.close();

@@ -15,7 +15,6 @@ import org.joml.Vector3fc;
 public sealed interface Node {
     /** @param toParent matrix M from the children's coordinates v to the parent's, {@code M * v}; affine; copied */
     record Group(Matrix4fc toParent, List<Node> children) implements Node {
-        /** @throws IllegalArgumentException if the transformation is not affine, not finite or flattens space */
         public Group {
             toParent = new Matrix4f(toParent);
             children = List.copyOf(children);

@@ -25,20 +25,17 @@ public record SceneGraph(Node root, View view) {
             modelToWorld = new Matrix4f(modelToWorld);
         }
 
-        /** In world space. */
         BoundingSphere bounds() {
             return shape.vertices().bounds().transformed(modelToWorld);
         }
     }
 
-    /** Returns the shapes with their transformations to world space: depth first, children in their order. */
     List<ShapeInstance> shapes() {
         List<ShapeInstance> shapes = new ArrayList<>();
         collect(root, new Matrix4f(), shapes, new ArrayList<>());
         return shapes;
     }
 
-    /** Returns the lights, with directions in world space: depth first, children in their order. */
     List<Node.Light> lights() {
         List<Node.Light> lights = new ArrayList<>();
         collect(root, new Matrix4f(), new ArrayList<>(), lights);

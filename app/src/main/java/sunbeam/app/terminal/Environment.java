@@ -27,7 +27,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         return new Environment(System.getenv(), Path.of(System.getProperty("user.home")));
     }
 
-    /** Empty if it is not set. */
     public String variable(String name) {
         return variables.getOrDefault(name, "");
     }
@@ -45,7 +44,6 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
         }
     }
 
-    /** Returns the version of the program, for example {@code 0.1.0}. */
     public static String version() {
         try (InputStream stream = Environment.class.getResourceAsStream(VERSION)) {
             if (stream == null) {

@@ -31,7 +31,6 @@ public enum ExitCode {
         return code;
     }
 
-    /** Returns the meaning of each code, in ascending order, as the help prints it. */
     public static Map<String, String> table() {
         Map<String, String> table = new LinkedHashMap<>();
         for (ExitCode exitCode : values()) {

@@ -20,7 +20,6 @@ public class HarmlessWriter extends Writer {
         this.out = out;
     }
 
-    /** Wraps a writer, which is flushed after each line. */
     public static PrintWriter around(Writer out) {
         return new PrintWriter(new HarmlessWriter(out), true);
     }

@@ -35,7 +35,6 @@ public final class Messages {
         return NOTE + oneLine(message);
     }
 
-    /** @param err a run's standard error */
     public static String last(String err) {
         return err.lines()
                 .reduce((first, second) -> second)

@@ -39,7 +39,6 @@ public final class ProgressDisplay {
     private final boolean interactive;
     private final LongSupplier nanoseconds;
     private final AtomicLong lastPrinted;
-    // Lines of all tasks, the newest last.
     private final Deque<Line> open = new ConcurrentLinkedDeque<>();
     private volatile boolean silent;
 
@@ -169,7 +168,6 @@ public final class ProgressDisplay {
         private final ProgressBar bar;
         private final ShutdownHook hook;
 
-        /** Hidden. */
         private Progress() {
             line = null;
             bar = null;

@@ -141,7 +141,6 @@ enum Action {
     /**
      * @param group group of the help; without a menu, the keys work only while the picture has the focus
      * @param keys {@link KeyStroke} texts, separated by commas; {@code arrows} means all four arrow keys
-     * @param state what the action switches, for its check mark
      */
     Action(
             Group group,
@@ -171,7 +170,6 @@ enum Action {
         viewer.model().change(scene -> Drags.panned(scene, right, up, picture.getWidth(), picture.getHeight()));
     }
 
-    /** Returns the horizontal step of an arrow key: 1 for right, -1 for left, 0 for others. */
     private static int right(KeyStroke stroke) {
         int key = stroke.getKeyCode();
         return key == KeyEvent.VK_RIGHT ? 1 : key == KeyEvent.VK_LEFT ? -1 : 0;
@@ -194,7 +192,6 @@ enum Action {
         return state.filter(isOn -> isOn.test(viewer)).isPresent();
     }
 
-    /** Returns all keys; menus show the first. */
     List<KeyStroke> strokes() {
         return Arrays.stream(keys.split(", ", -1))
                 .flatMap(key -> key.endsWith(ARROWS)
@@ -204,7 +201,6 @@ enum Action {
                 .toList();
     }
 
-    /** The keys are written as Ctrl+Shift+Z. */
     Help help() {
         String names = Arrays.stream(keys.split(", ", -1))
                 .filter(key -> !key.startsWith("released"))

@@ -1,6 +1,5 @@
 package sunbeam.app.viewer.input;
 
-import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
@@ -8,7 +7,6 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
-import javax.swing.AbstractAction;
 import javax.swing.Box;
 import javax.swing.ImageIcon;
 import javax.swing.JCheckBoxMenuItem;
@@ -43,17 +41,12 @@ public final class KeyControls {
             if (action == Action.LOAD_TEXTURE) {
                 menus.get(Group.FILE.title()).add(recent(viewer));
             }
+            JComponent owner = hasMenu ? window.getRootPane() : window.picture();
+            int condition = hasMenu ? JComponent.WHEN_IN_FOCUSED_WINDOW : JComponent.WHEN_FOCUSED;
+            // The menu has the first key.
             for (KeyStroke stroke :
                     action.strokes().subList(hasMenu ? 1 : 0, action.strokes().size())) {
-                JComponent owner = hasMenu ? window.getRootPane() : window.picture();
-                int condition = hasMenu ? JComponent.WHEN_IN_FOCUSED_WINDOW : JComponent.WHEN_FOCUSED;
-                owner.getInputMap(condition).put(stroke, stroke);
-                owner.getActionMap().put(stroke, new AbstractAction() {
-                    @Override
-                    public void actionPerformed(ActionEvent event) {
-                        action.run(viewer, stroke);
-                    }
-                });
+                owner.registerKeyboardAction(event -> action.run(viewer, stroke), stroke, condition);
             }
         }
         // A key that is held while the window loses the focus is never released there.

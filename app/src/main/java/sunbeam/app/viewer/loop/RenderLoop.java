@@ -63,7 +63,6 @@ public final class RenderLoop implements AutoCloseable {
     private final Thread thread;
     private Phase phase = Phase.EMPTY;
     private ViewState state;
-    // In nanoseconds of the clock.
     private long previewEnd;
     // Last final picture of the scene's own method (false) and of the comparison method (true).
     private final Map<Boolean, Finished> finished = new HashMap<>();

@@ -55,13 +55,13 @@ public interface Stage extends AutoCloseable {
     /** Draws the next finer preview of a method without tables; empty if only the final picture is finer, or if interrupted. */
     Optional<Preview> finer(BooleanSupplier interrupted);
 
-    /** Returns the resident share of the coarsest mip level; 1 for methods without tables. */
+    /** Resident share of the coarsest mip level; 1 for methods without tables. */
     double coarsestShare();
 
     /** Requests the tiles of the final picture; returns false if interrupted. */
     boolean request(BooleanSupplier interrupted);
 
-    /** Returns the resident share of the requested tiles; 1 if none is missing. */
+    /** Resident share of the requested tiles. */
     double requestedShare();
 
     /** Draws the final picture, whose tiles are all resident; empty if interrupted. */

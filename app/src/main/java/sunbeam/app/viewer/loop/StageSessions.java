@@ -79,7 +79,7 @@ final class StageSessions implements AutoCloseable {
         scaled = data;
     }
 
-    /** Returns a clock, in nanoseconds, that runs while pixels are shaded but not while the mesh is rasterized. */
+    /** Clock, in nanoseconds, that runs while pixels are shaded but not while the mesh is rasterized. */
     long pixelClock() {
         return System.nanoTime()
                 - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
@@ -117,8 +117,8 @@ final class StageSessions implements AutoCloseable {
     }
 
     /**
-     * Chooses the resolution of pictures drawn while something moves: the finest scale whose frames take at most {@link #BUDGET_NANOSECONDS},
-     * else the coarsest. Measured times decay, so that finer scales are tried again. Used by the render thread only.
+     * Chooses the resolution of pictures drawn while something moves: the finest scale whose frames take at most {@link
+     * #BUDGET_NANOSECONDS}, else the coarsest. Measured times decay, so that finer scales are tried again.
      */
     static final class FrameScale {
         /** Time of a frame at 30 frames a second. */
@@ -127,9 +127,8 @@ final class StageSessions implements AutoCloseable {
         // Divisors of width and height, by scale. Coarser pictures would be unrecognizable.
         private static final double[] DIVISORS = {1, 1.25, 1.6, 2, 3, 4};
         private static final double DECAY = 0.99;
-        // A scale over budget is recorded as SLOW times its measured time, at most SLOWEST budgets. It is tried again
-        // when
-        // this has decayed below the budget, in one to three seconds.
+        // A scale over budget is recorded as SLOW times its time, at most SLOWEST budgets. After one to three seconds
+        // this has decayed below the budget, and the scale is tried again.
         private static final double SLOW = 1.5;
         private static final double SLOWEST = 2.5;
         private static final double NEWEST = 0.25;
@@ -149,8 +148,7 @@ final class StageSessions implements AutoCloseable {
             for (int i = 0; i < recorded.length; i++) {
                 recorded[i] *= DECAY;
             }
-            // Take the shorter of two frames: the first waits for the driver, and other programs can delay single
-            // frames.
+            // The first frame waits for the driver, and other programs can delay single ones: take the shorter of two.
             if (previous > 0) {
                 long least = Math.min(previous, nanoseconds);
                 mean = mean == 0 ? least : mean + NEWEST * (least - mean);

@@ -39,7 +39,6 @@ public final class Background implements AutoCloseable {
         });
     }
 
-    /** Does what is queued, and no more. */
     public void finish() {
         executor.shutdown();
     }

@@ -84,7 +84,6 @@ public final class Drags {
         return shifted(scene, across(scene.view(), -right, -up, width, height));
     }
 
-    /** Moves the camera, in the same direction, to a distance at which the whole sphere is visible. */
     public static Scene framed(Scene scene, BoundingSphere sphere) {
         Viewpoint view = scene.view();
         Camera camera = view.camera();

@@ -23,7 +23,6 @@ public final class ViewerModel {
         void problem(String message);
     }
 
-    /** Loader of scenes, called in the background. */
     @FunctionalInterface
     public interface Loading {
         /** @see LoadedScene#load(sunbeam.app.render.SceneLoader, Scene, LoadedScene, DoubleConsumer) */
@@ -92,7 +91,6 @@ public final class ViewerModel {
         load(scene, opened);
     }
 
-    /** Marks the start (true) or end of a drag; all changes of a drag are one undo step. */
     public void setDragging(boolean drags) {
         history.setDragging(drags);
     }
@@ -119,7 +117,6 @@ public final class ViewerModel {
         set(scene, true);
     }
 
-    /** Starts to load the scene. */
     public void load() {
         long number = newestLoad.incrementAndGet();
         Scene scene = wanted;
@@ -131,7 +128,6 @@ public final class ViewerModel {
             }
         });
         background.run(
-                // Skip a load that a newer one has replaced.
                 () -> number == newestLoad.get() ? loading.load(scene, previous, progress) : null,
                 result -> accept(number, result),
                 message -> refuse(number, message));
@@ -219,7 +215,6 @@ public final class ViewerModel {
             isOpen = false;
             while (!from.isEmpty()) {
                 Scene other = from.pop();
-                // A change that failed to load is not a step.
                 if (!other.equals(now)) {
                     to.push(now);
                     return Optional.of(other);

@@ -150,8 +150,8 @@ public final class ControlPanel extends JTabbedPane {
     }
 
     /**
-     * Returns a scene with another method with the weight of diffracted light that suits it. Most methods give power relative to a mirror's
-     * peak, so that a skin needs weights of 1e4 and more; {@code gem} does not and would be white with such a weight.
+     * Sets the weight of diffracted light that suits the method. Most give power relative to a mirror's peak, so that a skin needs weights
+     * of 1e4 and more; {@code gem} does not and would be white with such a weight.
      */
     private Scene reweighted(Scene before, Scene after) {
         boolean was = before.method().method().isNormalizedToMirror();

@@ -61,9 +61,7 @@ public final class MethodChoice {
 
     /**
      * Returns this method with the settings of the method that it replaces. Settings that only the old method has are dropped. So are the
-     * average for {@code pq}, which has only one, and tolerance and average for the thesis's preset.
-     *
-     * @param entered spacing and tolerance from the controls, of those that this method has
+     * average for {@code pq}, which has only one, and tolerance and average for the thesis's preset. Entered settings come first.
      */
     SceneMethod inPlaceOf(SceneMethod other, Choices entered) {
         List<Setting<?>> kept = new ArrayList<>(

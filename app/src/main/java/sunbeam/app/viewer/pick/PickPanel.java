@@ -75,11 +75,7 @@ public final class PickPanel extends JPanel {
         return plot;
     }
 
-    /**
-     * Removes a point's color until the next final picture.
-     *
-     * @param isSpectrumOld true to dim the spectrum, whose inputs have changed
-     */
+    /** Removes a point's color until the next final picture, and dims an old spectrum. */
     public void outdate(int point, boolean isSpectrumOld) {
         readouts.get(point).outdate();
         showDifference();

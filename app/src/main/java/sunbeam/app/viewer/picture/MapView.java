@@ -17,18 +17,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
-import sunbeam.app.viewer.picture.MapView.Labels;
 import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
 
 /** BRDF map for the light's direction, with marks at the picked points' view directions. */
 public final class MapView extends JComponent {
-    private static final Color AXES = new Color(255, 255, 255, 50);
-
-    private static final int BESIDE = 14;
-
     static final int CAPTION = 18;
+    private static final int BESIDE = 14;
+    private static final Color AXES = new Color(255, 255, 255, 50);
 
     private BufferedImage map;
     private transient Optional<Direction> marked = Optional.empty();
@@ -117,7 +114,9 @@ public final class MapView extends JComponent {
             for (int i = 0; i < orders.size(); i++) {
                 orders.get(i).paint(graphics, labels, i == 0, left, side);
             }
-            marked.filter(direction -> direction.z() > 0).ifPresent(direction -> paintMark(graphics, left, side));
+            marked.filter(to -> to.z() > 0)
+                    .ifPresent(
+                            to -> paintRing(graphics, 0, left + 0.5 * side * (1 + to.x()), 0.5 * side * (1 - to.y())));
         }
         graphics.setColor(getForeground());
         graphics.setFont(getFont().deriveFont(11f));
@@ -143,21 +142,13 @@ public final class MapView extends JComponent {
         }
     }
 
-    private void paintMark(Graphics2D graphics, int left, int side) {
-        Direction direction = marked.orElseThrow();
-        paintRing(graphics, 0, left + 0.5 * side * (1 + direction.x()), 0.5 * side * (1 - direction.y()));
-    }
-
     static void paintRing(Graphics2D graphics, int number, double x, double y) {
         Ellipse2D ring = new Ellipse2D.Double(x - 6, y - 6, 12, 12);
         graphics.setStroke(new BasicStroke(3f));
         graphics.setColor(Color.BLACK);
         graphics.draw(ring);
-        graphics.setStroke(
-                number == 0
-                        ? new BasicStroke(1.5f)
-                        : new BasicStroke(
-                                1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
+        float[] dashes = number == 0 ? null : new float[] {4, 3};
+        graphics.setStroke(new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
         graphics.setColor(Color.WHITE);
         graphics.draw(ring);
     }
@@ -204,8 +195,7 @@ public final class MapView extends JComponent {
     /**
      * Directions of a grating's orders by the grating equation: (u, v) is order times wavelength times the grating's spatial frequency.
      *
-     * @param wave spatial frequency of the heights, in cycles per meter of the tangent frame
-     * @param light direction to the light, tangent frame
+     * @param wave spatial frequency of the heights, in cycles per meter of the tangent frame, which the light's direction has, too
      */
     public record GratingOrders(SpatialFrequency wave, Direction light) {
         /** Marked wavelengths in meters: blue, green, red. */

@@ -189,7 +189,6 @@ public final class FileActions {
         writeWaiting();
     }
 
-    /** Writes the picture that the user has saved, if it is final. */
     void writeWaiting() {
         if (pictureWaiting == null || !window.picture().isFinal()) {
             return;

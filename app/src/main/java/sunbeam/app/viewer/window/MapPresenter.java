@@ -31,7 +31,6 @@ final class MapPresenter {
         view = viewer.window().map();
     }
 
-    /** Returns the index of the patch at the picked point; 0 if none is picked. */
     int region() {
         return viewer.inspector().point().map(point -> point.pick().region()).orElse(0);
     }

@@ -29,7 +29,6 @@ public final class Player {
         return motion == value;
     }
 
-    /** Starts a motion instead of another, or stops it if it is played. */
     public void toggle(Motion value) {
         play(plays(value) ? null : value);
     }

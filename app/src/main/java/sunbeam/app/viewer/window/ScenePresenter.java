@@ -20,13 +20,9 @@ import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
-    /** Additions to the picture that the user shows and hides. */
     public enum Overlay {
-        /** The light's direction and size. */
         CONE,
-        /** The nanostructure's orientation, over the final picture. */
         STROKES,
-        /** The BRDF map beside the picture. */
         MAP
     }
 

@@ -44,7 +44,6 @@ final class SplitViewPresenter {
         divider.hide();
     }
 
-    /** Requests the comparison's picture; called when the newest state's own picture is final. */
     void begin(ViewState state, double exposureInUse) {
         own = state;
         exposure = exposureInUse;

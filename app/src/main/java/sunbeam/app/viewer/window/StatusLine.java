@@ -126,7 +126,6 @@ public final class StatusLine extends JPanel {
         report("No picture of this scene");
     }
 
-    /** Names the mesh, patch or method in which the newest scene differs from the one on screen. */
     void loading(Optional<Scene> shown, Scene newest, double share) {
         Scene old = shown.orElse(newest);
         String name = !old.mesh().equals(newest.mesh())

@@ -135,7 +135,6 @@ public final class ViewMeasurement {
         return ProcessHandle.current().info().totalCpuDuration().orElse(Duration.ZERO);
     }
 
-    /** Copies the frame, since parts of the final picture are drawn over it. */
     private void keepFrame() {
         BufferedImage shown = viewer.window().picture().picture().orElseThrow();
         lastFrame = new BufferedImage(shown.getWidth(), shown.getHeight(), BufferedImage.TYPE_INT_RGB);
@@ -209,7 +208,6 @@ public final class ViewMeasurement {
 
     /** Times of the stages of the viewer's start, with the processor time of the process until then. Thread-safe. */
     public static final class StartJournal {
-        /** Stages of a start, with their names in reports. */
         public enum Stage {
             COMMAND("scene read"),
             WINDOW("window"),

@@ -45,7 +45,6 @@ public final class Viewer {
     private final AWTEventListener dragListener = this::trackDrag;
     private Scene sceneAsOpened;
 
-    /** @param opening opens OpenGL, on the render thread */
     public Viewer(
             Scene scene,
             ViewerModel.Loading loader,

@@ -52,7 +52,6 @@ public final class ViewerWindow extends JFrame {
     ViewerWindow(String title, ViewerModel model) {
         super(title);
         controls = new ControlPanel(model, status::message);
-        // Map and spectrum share the remaining height.
         JPanel below = new JPanel();
         below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
         below.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
@@ -109,7 +108,6 @@ public final class ViewerWindow extends JFrame {
         pack();
     }
 
-    /** Shows or hides the panel; before the first call, a narrow window has none. */
     public void showPanel(boolean shown) {
         panelFollowsWidth = false;
         panel.setVisible(shown);
