@@ -101,6 +101,8 @@ public final class FloatTexture extends Texture {
     }
 
     /**
+     * Uploads one layer.
+     *
      * @param layer from 0
      * @param texels width x height x channels floats, from the buffer's position, which does not change, to its limit. Direct buffers are
      *     not copied.

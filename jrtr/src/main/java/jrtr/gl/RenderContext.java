@@ -39,7 +39,7 @@ public final class RenderContext implements AutoCloseable {
         device.gl().glGenVertexArrays(1, noVertices, 0);
     }
 
-    /** @throws GraphicsException if there is no OpenGL 3.3 core, or, on Linux, no X display (Xvfb is enough) */
+    /** Throws {@link GraphicsException} if there is no OpenGL 3.3 core, or, on Linux, no X display (Xvfb is enough). */
     public static RenderContext offscreen() {
         GlDevice device = GlDevice.open();
         return Resource.orClose(() -> new RenderContext(device), device::close);
@@ -50,7 +50,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * @param fragment shader for {@link #drawFullScreen}, without inputs
+     * Compiles a shader for {@link #drawFullScreen}, without inputs.
+     *
      * @throws GraphicsException if compilation fails, with file and line
      */
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
@@ -63,7 +64,8 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * @param fragment shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl
+     * Compiles a shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl.
+     *
      * @throws GraphicsException if compilation fails, with file and line
      */
     public ShaderProgram createMeshProgram(ShaderSource fragment) {

@@ -53,6 +53,8 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     }
 
     /**
+     * Rewrites a pair of shaders.
+     *
      * @param vertex shader without outputs, with a line that begins with {@code void main()}
      * @param mostComponents limit of scalar components between the stages
      */

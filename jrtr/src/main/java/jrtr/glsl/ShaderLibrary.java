@@ -20,7 +20,7 @@ import jrtr.ShaderSource;
 @FunctionalInterface
 public interface ShaderLibrary {
 
-    /** @throws UncheckedIOException if the file exists but cannot be read */
+    /** Throws {@link UncheckedIOException} if the file exists but cannot be read. */
     Optional<String> text(String name);
 
     default ShaderSource load(String name) {
@@ -28,6 +28,8 @@ public interface ShaderLibrary {
     }
 
     /**
+     * Loads a file and expands its includes.
+     *
      * @param defines values by name; they become {@code #define NAME value} lines after {@code #version}, sorted by name
      * @throws GraphicsException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
      */

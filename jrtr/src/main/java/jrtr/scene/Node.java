@@ -13,7 +13,7 @@ import org.joml.Vector3fc;
 
 /** Node of a scene graph. A node in several groups is drawn once for each. */
 public sealed interface Node {
-    /** @param toParent matrix M from the children's coordinates v to the parent's, {@code M * v}; affine; copied */
+    /** Nodes with the affine matrix M (copied) from their coordinates v to the parent's, {@code M * v}. */
     record Group(Matrix4fc toParent, List<Node> children) implements Node {
         public Group {
             toParent = new Matrix4f(toParent);

@@ -88,9 +88,10 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
+     * Throws {@link OutputException} if a file is larger than the free space.
+     *
      * @param takes words of the message before the number of bytes, such as "the file takes"
      * @param remedy words of the message before "or choose another folder"
-     * @throws OutputException if a file is larger than the free space
      */
     public static void requireRoom(Path target, long bytes, String takes, String remedy) {
         long free = OutputFolder.of(target).toFile().getUsableSpace();
@@ -121,7 +122,11 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file */
+    /**
+     * Starts an output file.
+     *
+     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
+     */
     public static AtomicFile create(Path target, Overwrite overwrite) {
         OutputFolder.checkTarget(target, overwrite);
         AtomicFile file = new AtomicFile(target, overwrite);

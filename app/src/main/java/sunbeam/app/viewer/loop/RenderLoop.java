@@ -37,7 +37,7 @@ public final class RenderLoop implements AutoCloseable {
 
         void complete(Finished finished);
 
-        /** @param share resident share of the final picture's tiles, 0 to 1 */
+        /** Reports the resident share of the final picture's tiles, 0 to 1. */
         void waiting(double share);
 
         void tile(ViewState state, BufferedImage image, int x, int y, double shareDone);
@@ -67,7 +67,7 @@ public final class RenderLoop implements AutoCloseable {
     // Last final picture of the scene's own method (false) and of the comparison method (true).
     private final Map<Boolean, Finished> finished = new HashMap<>();
 
-    /** @param nanoseconds time since all tiles were resident */
+    /** Final picture of a state, and the time since all its tiles were resident. */
     public record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
     /** @param news passes notifications to the listener, perhaps on another thread */

@@ -13,6 +13,8 @@ import sunbeam.app.scene.Scene;
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */
 public interface Stage extends AutoCloseable {
     /**
+     * Picture in less than final quality.
+     *
      * @param divisor factor by which columns and rows are reduced, or (without color tables) the distance of diffraction samples in pixels
      * @param hasColors true if the picture shows diffracted light, not only the body
      * @param exposure factor by which XYZ was multiplied for display
@@ -24,7 +26,7 @@ public interface Stage extends AutoCloseable {
     record Final(BufferedImage image, double exposure) {}
 
     interface PartListener {
-        /** @param shareDone share of all pixels, 0 to 1 */
+        /** Receives a tile and the share of all pixels that are done, 0 to 1. */
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 

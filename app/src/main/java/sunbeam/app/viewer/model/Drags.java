@@ -32,7 +32,7 @@ public final class Drags {
         return rotated(scene, rotation(-up, toRight).mul(rotation(turn, vertical)));
     }
 
-    /** @param angle counterclockwise in the picture, radians */
+    /** Rolls the model about the line of sight, counterclockwise in the picture; the angle is in radians. */
     public static Scene rolled(Scene scene, double angle) {
         return rotated(scene, rotation(-angle, sight(scene.view().camera()).normalize()));
     }

@@ -59,7 +59,7 @@ public record LoadedScene(List<SceneData> parts) {
         return firstPart().scene().method().type().equals(TableMethod.TYPE);
     }
 
-    /** @param scene scene for which {@link Scene#sharesParts} holds */
+    /** Returns the same parts with a scene for which {@link Scene#sharesParts} holds. */
     public LoadedScene with(Scene scene) {
         return new LoadedScene(parts.stream().map(part -> part.with(scene)).toList());
     }

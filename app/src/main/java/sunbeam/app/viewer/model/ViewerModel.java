@@ -17,7 +17,7 @@ public final class ViewerModel {
     public interface Listener {
         void changed();
 
-        /** @param share completed share of the newest load, 0 to 1; 0 at its start */
+        /** Reports the completed share of the newest load, 0 to 1; 0 at its start. */
         void loading(double share);
 
         void problem(String message);
@@ -25,7 +25,7 @@ public final class ViewerModel {
 
     @FunctionalInterface
     public interface Loading {
-        /** @see LoadedScene#load(sunbeam.app.render.SceneLoader, Scene, LoadedScene, DoubleConsumer) */
+        /** As {@link LoadedScene#load(sunbeam.app.render.SceneLoader, Scene, LoadedScene, DoubleConsumer)}. */
         LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
     }
 

@@ -26,7 +26,7 @@ public final class Divider {
         this.repaint = repaint;
     }
 
-    /** @param image picture by the comparison method; null if there is none yet */
+    /** Shows a picture by the comparison method, or none yet (null). */
     public void show(BufferedImage image, String ownText, String otherText, boolean complete) {
         isShown = true;
         isFinal = complete;
@@ -70,7 +70,7 @@ public final class Divider {
         }
     }
 
-    /** @param to share of the picture's width, clamped to [0, 1] */
+    /** Moves the line to a share of the picture's width, clamped to [0, 1]. */
     public void move(double to) {
         share = Math.max(0, Math.min(1, to));
         repaint.run();

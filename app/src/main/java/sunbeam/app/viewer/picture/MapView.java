@@ -43,7 +43,7 @@ public final class MapView extends JComponent {
         orders(List.of(), "");
     }
 
-    /** @param words sentence for the tooltip: the gratings' period, or why no orders are marked; may be empty */
+    /** Marks orders; the words are for the tooltip: the gratings' period, or why no orders are marked. */
     public void orders(List<GratingOrders> value, String words) {
         if (value.equals(orders) && words.equals(ordersInWords)) {
             return;
@@ -70,7 +70,7 @@ public final class MapView extends JComponent {
         }
     }
 
-    /** @param direction marked direction to the viewer, tangent frame */
+    /** Marks the direction to the viewer, tangent frame, and sets the caption. */
     public void mark(Optional<Direction> direction, String text) {
         if (!direction.equals(marked) || !text.equals(caption)) {
             marked = direction;

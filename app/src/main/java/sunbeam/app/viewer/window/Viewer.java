@@ -88,10 +88,7 @@ public final class Viewer {
         SwingUtilities.invokeLater(() -> news.accept(presenter));
     }
 
-    /**
-     * @param pictureSize in screen pixels, or null
-     * @param shape waits for the first scene's shape
-     */
+    /** Shows the window, with a picture of the given size in screen pixels unless null, and the scene once its shape is loaded. */
     public void start(Dimension pictureSize, Supplier<SceneShape> shape) {
         if (pictureSize != null) {
             window.fitPicture(pictureSize);
@@ -132,7 +129,7 @@ public final class Viewer {
         return inspector;
     }
 
-    /** @throws GraphicsException if there will be none, with the reason; not on the event thread */
+    /** Throws {@link GraphicsException} if there will be no picture. Must not be called on the event thread. */
     public void awaitPicture() throws InterruptedException {
         try {
             presenter.firstPicture().get();
