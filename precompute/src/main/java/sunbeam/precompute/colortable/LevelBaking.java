@@ -1,12 +1,12 @@
 package sunbeam.precompute.colortable;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 /**
  * Bakes the tiles of a level: filter coefficients of square roots of X, Y and Z. Stores the samples, since a tile's prefilter also reads
@@ -65,10 +65,16 @@ public final class LevelBaking {
         BitSet missing = new BitSet();
         missingTexels.keySet().forEach(missing::set);
         int[] byAngle = grid.byAngle(missing).toArray();
-        int next;
-        for (int first = 0; first < byAngle.length; first = next) {
-            next = endOfBatch(byAngle, first, missingTexels);
-            bake(Arrays.copyOfRange(byAngle, first, next), missingTexels, baker, token);
+        int end = 0;
+        for (int first = 0; first < byAngle.length; first = end) {
+            long count = 0;
+            for (; end < byAngle.length; end++) {
+                count += missingTexels.get(byAngle[end]).cardinality();
+                if (end > first && count > largestBatch) {
+                    break;
+                }
+            }
+            bake(Arrays.copyOfRange(byAngle, first, end), missingTexels, baker, token);
         }
         return Arrays.stream(tiles.stream().toArray())
                 .parallel()
@@ -76,85 +82,53 @@ public final class LevelBaking {
                 .toList();
     }
 
-    private int endOfBatch(int[] tiles, int first, Map<Integer, BitSet> missingTexels) {
-        int end = first;
-        long count = 0;
-        while (end < tiles.length) {
-            count += missingTexels.get(tiles[end]).cardinality();
-            if (end > first && count > largestBatch) {
-                break;
+    /**
+     * Evaluates the samples of all slices at one (u, v), then those at the next (u, v) of a tile in Morton order: successive samples read
+     * nearly the same frequencies of the surface's spectrum.
+     */
+    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, ColorBaker.Token token) {
+        BitSet[] missing = Arrays.stream(tiles).mapToObj(missingTexels::get).toArray(BitSet[]::new);
+        int count = Arrays.stream(missing).mapToInt(BitSet::cardinality).sum();
+        int[] tileOf = new int[count];
+        int[] texelOf = new int[count];
+        int sample = 0;
+        int end = 0;
+        for (int first = 0; first < tiles.length; first = end) {
+            while (end < tiles.length && tiles[end] % grid.perSlice() == tiles[first] % grid.perSlice()) {
+                end++;
             }
-            end++;
-        }
-        return end;
-    }
-
-    /** Tiles at one column and row of several slices, their texels to evaluate, and the index of their first sample. */
-    private record Column(int[] tiles, BitSet[] texels, int first) {
-        int end() {
-            return first + Arrays.stream(texels).mapToInt(BitSet::cardinality).sum();
-        }
-
-        /**
-         * Visits the samples of all slices at one (u, v), then the next (u, v) in Morton order: successive samples read nearly the same
-         * frequencies of the surface's spectrum.
-         */
-        void forEach(SampleVisitor visitor) {
-            int sample = first;
             for (int i = 0; i < SIDE * SIDE; i++) {
                 int texel = mortonX(i >>> 1) * SIDE + mortonX(i);
-                for (int tile = 0; tile < tiles.length; tile++) {
-                    if (texels[tile].get(texel)) {
-                        visitor.visit(sample++, tiles[tile], texel);
+                for (int tile = first; tile < end; tile++) {
+                    if (missing[tile].get(texel)) {
+                        tileOf[sample] = tiles[tile];
+                        texelOf[sample++] = texel;
                     }
                 }
             }
         }
-    }
-
-    private interface SampleVisitor {
-        void visit(int sample, int tile, int texel);
-    }
-
-    private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, ColorBaker.Token token) {
-        List<Column> columns = new ArrayList<>();
-        int count = 0;
-        int next;
-        for (int first = 0; first < tiles.length; first = next) {
-            next = first;
-            while (next < tiles.length && tiles[next] % grid.perSlice() == tiles[first] % grid.perSlice()) {
-                next++;
-            }
-            int[] columnTiles = Arrays.copyOfRange(tiles, first, next);
-            columns.add(new Column(
-                    columnTiles,
-                    Arrays.stream(columnTiles).mapToObj(missingTexels::get).toArray(BitSet[]::new),
-                    count));
-            count = columns.get(columns.size() - 1).end();
-        }
         float[] uvw = new float[COLORS * count];
-        columns.parallelStream()
-                .forEach(column -> column.forEach((sample, tile, texel) -> {
-                    int[] place = grid.place(tile);
-                    double[] at = grid.uvw(place[0] * SIDE + texel % SIDE, place[1] * SIDE + texel / SIDE, place[2]);
-                    for (int axis = 0; axis < COLORS; axis++) {
-                        uvw[COLORS * sample + axis] = (float) at[axis];
-                    }
-                }));
+        IntStream.range(0, count).parallel().forEach(i -> {
+            int[] place = grid.place(tileOf[i]);
+            int texel = texelOf[i];
+            double[] at = grid.uvw(place[0] * SIDE + texel % SIDE, place[1] * SIDE + texel / SIDE, place[2]);
+            for (int axis = 0; axis < COLORS; axis++) {
+                uvw[COLORS * i + axis] = (float) at[axis];
+            }
+        });
         float[] xyz = baker.bake(uvw, token);
-        missingTexels
-                .keySet()
-                .forEach(tile -> samples.computeIfAbsent(
-                        tile, number -> new Samples(new float[SIDE * SIDE * COLORS], new BitSet())));
-        columns.parallelStream()
-                .forEach(column -> column.forEach((sample, tile, texel) -> {
-                    Samples ofTile = samples.get(tile);
-                    ofTile.known.set(texel);
-                    for (int c = 0; c < COLORS; c++) {
-                        // The truncated sum of terms may be slightly negative in dark directions.
-                        ofTile.roots[COLORS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[COLORS * sample + c]));
-                    }
-                }));
+        for (int tile = 0; tile < tiles.length; tile++) {
+            samples.computeIfAbsent(tiles[tile], number -> new Samples(new float[SIDE * SIDE * COLORS], new BitSet()))
+                    .known
+                    .or(missing[tile]);
+        }
+        IntStream.range(0, count).parallel().forEach(i -> {
+            float[] roots = samples.get(tileOf[i]).roots;
+            for (int c = 0; c < COLORS; c++) {
+                // The truncated sum of terms may be slightly negative in dark directions.
+                roots[COLORS * texelOf[i] + c] = (float) Math.sqrt(Math.max(0, xyz[COLORS * i + c]));
+            }
+        });
     }
 
     private Map<Integer, BitSet> missingTexels(BitSet tiles) {

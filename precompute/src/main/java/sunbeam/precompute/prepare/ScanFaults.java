@@ -224,8 +224,8 @@ public final class ScanFaults {
             long same = IntStream.range(scan.columns(), heights.length)
                     .filter(i -> heights[i] == heights[i - scan.columns()])
                     .count();
-            long unlike = (long) heights.length - (long) unmeasured.cardinality() * scan.columns() - same;
-            return 2 * unlike > heights.length - (long) unmeasured.cardinality() * scan.columns();
+            long measured = heights.length - (long) unmeasured.cardinality() * scan.columns();
+            return measured > 2 * same;
         }
 
         private boolean isMissing(int row) {
