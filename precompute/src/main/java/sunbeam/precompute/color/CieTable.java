@@ -95,11 +95,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return of(observer, band.equals(WavelengthBand.VISIBLE) ? light : light.through(band));
     }
 
-    /** Returns three other weight functions in place of X, Y and Z; the integral of each is a nanometer. */
-    static CieTable ofFunctions(double[][] weighted, String description) {
-        return new CieTable(weighted, 1e-9, description, false);
-    }
-
     /** Returns S xbar, S ybar or S zbar (channel 0, 1, 2) at a wavelength in meters; zero outside 380..780 nm. */
     public double at(double wavelength, int channel) {
         double position = (wavelength - MINIMUM_WAVELENGTH) * 1e9;

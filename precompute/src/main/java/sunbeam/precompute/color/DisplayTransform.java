@@ -83,7 +83,6 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
      * several times brighter than white.
      */
     public enum Tone {
-        /** Compresses highlights above half of white. */
         COMPRESS(0.5),
 
         /** Clips each channel at 1, as in the thesis. */

@@ -123,7 +123,8 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
                     }
                 }
             }
-            return CieTable.ofFunctions(weights, count + " bands, " + range);
+            // The integral of each weight function, in place of Y, is a nanometer.
+            return new CieTable(weights, 1e-9, count + " bands, " + range, false);
         }
 
         private double[] triangle(double center) {

@@ -23,7 +23,6 @@ public final class GaussianPyramid {
     private static final int NODES = 3;
     // In sigma_f: exp(-reach^2) = 1e-6.
     private static final double REACH = 3.7;
-    /** Planes for cubic interpolation between them. */
     static final int TAPS = 4;
 
     private final int stride;
@@ -121,7 +120,6 @@ public final class GaussianPyramid {
         }
     }
 
-    /** The runs share one pass over memory. */
     private static void add(
             float[] from, int first, int length, float w0, float w1, float w2, float w3, float[] to, int at) {
         int second = first + length;
@@ -173,7 +171,6 @@ public final class GaussianPyramid {
         }
     }
 
-    /** Beyond the grid the place is that of its edge. */
     private static double node(double frequency, Plane plane) {
         return Math.max(1, Math.min(plane.side() - NODES + 1, frequency / plane.spacing + plane.half));
     }

@@ -135,10 +135,6 @@ final class LogRadialBand {
         return at;
     }
 
-    private double onRay(double radius) {
-        return (Math.log(radius) - start()) / positionStep;
-    }
-
     Tile tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
         return new Tile(sector, powers, slices);
     }
@@ -188,7 +184,7 @@ final class LogRadialBand {
         }
 
         private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
-            double place = onRay(Math.sqrt(u * u + v * v));
+            double place = (Math.log(Math.sqrt(u * u + v * v)) - start()) / positionStep;
             double ray = ray(u, v) - firstRay;
             // Both numbers are positive, so that a cast rounds down.
             int along = (int) place;

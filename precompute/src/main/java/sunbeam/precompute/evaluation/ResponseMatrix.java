@@ -33,7 +33,6 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         return fraction == 0 ? before : before + fraction * (values[row][index + 1] - before);
     }
 
-    /** NaN if the angle lies outside. */
     private double position(double angle) {
         double[] angles = grid.angles();
         if (!(angle >= angles[0] && angle <= angles[angles.length - 1])) {

@@ -68,8 +68,4 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     public SpectrumPlan tablePlan(Surface surface, VisibleRange range) {
         return surface.planner().plan(table, area, range);
     }
-
-    MethodPlan planOfTable(Surface surface, VisibleRange range) {
-        return planned(surface, surface.planner().ofTables(area.average()).plan(table, area, range));
-    }
 }

@@ -50,10 +50,6 @@ public record MethodPlan(
         return isTabulated ? Optional.empty() : spectrum;
     }
 
-    public boolean answers(MethodUse use) {
-        return uses.contains(use);
-    }
-
     public String key(MethodUse use) {
         return identity.get() + "|" + use;
     }

@@ -23,11 +23,6 @@ public record MethodType(
         this(label, help, settings, Choices.none(), creation);
     }
 
-    /** Returns this type with a setting of a single value: users may give this value, but no other. */
-    <T> MethodType fixing(Setting<T> setting, T value) {
-        return new MethodType(label, help, settings, fixed.with(setting, value), creation);
-    }
-
     public boolean has(Setting<?> setting) {
         return settings.contains(setting);
     }

@@ -89,7 +89,6 @@ public final class Methods {
         }
     }
 
-    /** Such as "pq or reference". */
     private static String owners(Setting<?> setting) {
         List<String> labels = labels(setting);
         String last = labels.get(labels.size() - 1);

@@ -59,12 +59,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
     @Override
     public MethodPlan plan(Surface surface, VisibleRange range) {
         surface.requireSmoothLight();
-        checkOrders(surface.map());
-        TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
-        return planned(surface, surface.planner().plan(planned, area, range));
-    }
-
-    private static void checkOrders(HeightMap map) {
+        HeightMap map = surface.map();
         if (LARGEST_UV * Math.max(map.width(), map.height()) < CieTable.MINIMUM_WAVELENGTH) {
             throw new SettingException(
                     Methods.METHOD,
@@ -74,6 +69,8 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                     Methods.METHOD,
                     " full");
         }
+        TableChoices planned = table.wavelengthStep().isPresent() ? table : table.withWavelengthStep(WAVELENGTH_STEP);
+        return planned(surface, surface.planner().plan(planned, area, range));
     }
 
     private MethodPlan planned(Surface surface, SpectrumPlan plan) {

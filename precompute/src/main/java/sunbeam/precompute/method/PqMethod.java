@@ -63,11 +63,11 @@ public record PqMethod(
     private static final String COEFFICIENTS = "periodCoefficients";
 
     public static final MethodType TYPE = new MethodType(
-                    "pq",
-                    "the patch repeated Q times, with sharp edges.",
-                    Setting.union(TableChoices.SETTINGS, List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS, FRESNEL)),
-                    PqMethod::of)
-            .fixing(AVERAGE, Average.COHERENT);
+            "pq",
+            "the patch repeated Q times, with sharp edges.",
+            Setting.union(TableChoices.SETTINGS, List.of(COHERENCE_LENGTH, INTERPOLATION, REPLICAS, FRESNEL)),
+            Choices.none().with(AVERAGE, Average.COHERENT),
+            PqMethod::of);
 
     public PqMethod {
         replicas.ifPresent(REPLICAS.kind()::check);

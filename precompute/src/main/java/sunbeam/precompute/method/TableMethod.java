@@ -21,6 +21,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
@@ -99,8 +100,10 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                             method.tolerance(), method.area(), TableDesign.depth(surface.map()))
                     .scaled(coarse);
             method.requireRoom(surface, coarsest, points.memory(coarsest));
-            FullMethod full = new FullMethod(TableChoices.within(method.sourceTolerance()), method.area());
-            return new PointTable(surface, method, points, coarsest, full.planOfTable(surface, points.range(coarsest)));
+            TableChoices choices = TableChoices.within(method.sourceTolerance());
+            Planner planner = surface.planner().ofTables(method.area().average());
+            SpectrumPlan source = planner.plan(choices, method.area(), points.range(coarsest));
+            return new PointTable(surface, method, points, coarsest, FullMethod.planned(surface, source));
         }
 
         private boolean isOneLight() {

@@ -10,7 +10,6 @@ public record KaiserBessel(int taps, double beta, double peak) {
         this(taps, beta, besselI0(beta));
     }
 
-    /** Returns the value at a distance from the center in grid steps. */
     public double value(double x) {
         double ratio = 2 * x / taps;
         return ratio * ratio >= 1 ? 0 : besselI0(beta * Math.sqrt(1 - ratio * ratio)) / peak;

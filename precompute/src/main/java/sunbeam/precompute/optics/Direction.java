@@ -10,7 +10,6 @@ public record Direction(double x, double y, double z) {
         return new Direction(sine * Math.cos(phi), sine * Math.sin(phi), Math.cos(theta));
     }
 
-    /** Returns the direction at (x, y) of a BRDF map's unit disc. */
     public static Direction ofDisc(double x, double y) {
         return new Direction(x, y, Math.sqrt(Math.max(0, 1 - x * x - y * y)));
     }

@@ -139,14 +139,9 @@ public final class HeightMap {
      */
     public String digest() {
         String known = digest;
-        if (known == null) {
-            known = sha256();
-            digest = known;
+        if (known != null) {
+            return known;
         }
-        return known;
-    }
-
-    private String sha256() {
         Sha256 sha = new Sha256();
         sha.add("sunbeam height map 1\n");
         ByteBuffer block = ByteBuffer.allocate(HEIGHTS_PER_BLOCK * Double.BYTES);
@@ -159,7 +154,9 @@ public final class HeightMap {
             block.putDouble(height);
         }
         sha.add(block.flip());
-        return sha.hex();
+        known = sha.hex();
+        digest = known;
+        return known;
     }
 
     /** Such as "512 x 256 samples, 20 um x 10 um". */

@@ -106,12 +106,15 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
             tables.array(ShaderArrays.singleCoefficients(COEFFICIENTS, coefficients))
                     .reals("expansionPhaseMap", ShaderArrays.phaseMap(coefficients));
         }
+        // The outer loop then runs over the terms; its steps count, since compilers need not unroll it.
+        long steps = expansion.terms() * plan.sampling().loopSteps(plan);
+        boolean few = neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
         boolean floor = neighborhood.anchor() == Neighborhood.Anchor.FLOOR;
         tables.define("ANCHOR_FLOOR", 0)
                 .define("ANCHOR_NEAREST", 1)
                 .define("ANCHOR", floor ? "ANCHOR_FLOOR" : "ANCHOR_NEAREST")
                 .define("RADIUS", Text.format("ivec2(%d, %d)", neighborhood.radiusX(), neighborhood.radiusY()))
-                .define("FEW_BINS", areFew(plan, neighborhood) ? 1 : 0)
+                .define("FEW_BINS", few ? 1 : 0)
                 .integers("tableRadius", neighborhood.radiusX(), neighborhood.radiusY());
         double sigma = plan.window().sigmaFrequency();
         double width = table.map().width();
@@ -119,12 +122,6 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         return tables.reals("tablePeriod", width, height)
                 .reals("tablePeriodRest", width - (float) width, height - (float) height)
                 .reals("windowSigmaBins", sigma * width, sigma * height);
-    }
-
-    /** The outer loop then runs over the terms; its steps count towards the limit, since compilers need not unroll it. */
-    private static boolean areFew(SpectrumPlan plan, Neighborhood neighborhood) {
-        long steps = plan.expansion().terms() * plan.sampling().loopSteps(plan);
-        return neighborhood.bins() <= FEW_BINS && steps <= PlanChecks.MOST_LOOP_STEPS;
     }
 
     private static float[] interleaved(double[][] parts) {

@@ -186,7 +186,6 @@ final class GridArrays {
         // Of a layer that is computed in the heap at a time.
         private static final long LARGEST_LAYER_BYTES = 1L << 28;
 
-        /** Returns the layout of some grids of one size. */
         static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
             long bytes = (long) Float.BYTES * CHANNELS * samples * rows;
             long most = Math.min(MemoryNeed.LONGEST_SIDE / samples, LARGEST_LAYER_BYTES / bytes);

@@ -36,23 +36,6 @@ public record GridSampling(
         boolean apart,
         ErrorBudget budget)
         implements Sampling {
-    GridSampling withColumnsCloser(int times) {
-        return with(interpolation, nodeStep / times, apart);
-    }
-
-    GridSampling inTwoTextures() {
-        return with(interpolation, nodeStep, true);
-    }
-
-    private GridSampling with(InterpolationDesign design, double step, boolean divided) {
-        return new GridSampling(design, neighborhood, step, longestStep, fewestNodes, band, single, divided, budget);
-    }
-
-    /** On rough patches the dim ends of cut orders need not be resolved. */
-    public boolean endsCut() {
-        return !budget.roughness().isRough();
-    }
-
     /** Returns the largest |u|, |v| up to which both axes are interpolated. */
     public double centerReach() {
         return fewestNodes * nodeStep / CieTable.BAND_WIDTH;
@@ -66,13 +49,10 @@ public record GridSampling(
     }
 
     private int mostNodes(VisibleRange range) {
-        return Math.max(fewestNodes, (int)
-                Math.ceil(range.maximumComponent() * CieTable.BAND_WIDTH / (diagonalStride() * nodeStep)));
-    }
-
-    private int diagonalStride() {
         // At 45 degrees, where a ray takes the most steps; the last factor allows for rounding.
-        return (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
+        int stride = (int) Math.max(1, longestStep * Math.sqrt(0.5) / nodeStep * (1 + 1e-6));
+        double most = range.maximumComponent() * CieTable.BAND_WIDTH / (stride * nodeStep);
+        return Math.max(fewestNodes, (int) Math.ceil(most));
     }
 
     @Override
@@ -94,9 +74,10 @@ public record GridSampling(
         if (use == MethodUse.COLOR) {
             return this;
         }
+        InterpolationDesign both = new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE);
         return single.<Sampling>map(bins -> bins)
-                .orElseGet(() ->
-                        with(new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE), nodeStep, apart));
+                .orElseGet(() -> new GridSampling(
+                        both, neighborhood, nodeStep, longestStep, fewestNodes, band, single, apart, budget));
     }
 
     @Override
@@ -136,9 +117,10 @@ public record GridSampling(
         plan.area().average().defineIn(tables);
         ShaderArrays.define(tables, true, table.terms());
         KernelPolynomials.of(interpolation.taps(), interpolation::kernel).defineIn(tables);
+        // On rough patches the dim ends of cut orders need not be resolved.
         tables.define("COHERENT_TEXELS", 0)
                 .define("ENSEMBLE_TEXELS", 0)
-                .define("GRID_ENDS_CUT", endsCut() ? 1 : 0)
+                .define("GRID_ENDS_CUT", budget.roughness().isRough() ? 0 : 1)
                 .reals("heightHalfRange", table.expansion().scale().halfRange());
         for (Average average : averages(plan, use)) {
             new GridArrays(this, plan, average, use).addTo(tables, table);

@@ -120,7 +120,7 @@ public final class MethodSettings {
     /** Source of the default settings. */
     public enum Preset {
         NONE,
-        /** docs/theory.md. */
+        /** The values are in docs/theory.md. */
         THESIS;
 
         public static boolean isThesis(Choices choices) {

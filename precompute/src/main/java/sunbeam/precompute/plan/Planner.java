@@ -150,10 +150,9 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             if (neighbor < 1e-3 * budget.tolerance()) {
                 return List.of(this::orders);
             }
-            Supplier<Sampling> fast = () -> grid(budget.interpolation(area.average()));
-            Supplier<Sampling> compact = () -> grid(budget.compactInterpolation(area.average()));
-            Supplier<Sampling> apart =
-                    () -> grid(budget.compactInterpolation(area.average())).inTwoTextures();
+            Supplier<Sampling> fast = () -> grid(budget.interpolation(area.average()), false);
+            Supplier<Sampling> compact = () -> grid(budget.compactInterpolation(area.average()), false);
+            Supplier<Sampling> apart = () -> grid(budget.compactInterpolation(area.average()), true);
             Supplier<Sampling> bins = () -> new OrderSampling(bins(), Optional.empty(), band(fewestNodes()));
             // Where orders are resolved along an axis, a fine enough grid is larger than the bins.
             return interpolates(map(), window())
@@ -162,7 +161,11 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         }
 
         private Neighborhood bins() {
-            return new Neighborhood(radius(map().width()), radius(map().height()), Neighborhood.Anchor.NEAREST);
+            double sigma = window().sigmaFrequency();
+            return new Neighborhood(
+                    budget.neighborhoodRadius(sigma * map().width()),
+                    budget.neighborhoodRadius(sigma * map().height()),
+                    Neighborhood.Anchor.NEAREST);
         }
 
         private Neighborhood reached() {
@@ -171,10 +174,6 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                     (int) Math.ceil(reach * map().width()),
                     (int) Math.ceil(reach * map().height()),
                     Neighborhood.Anchor.NEAREST);
-        }
-
-        private int radius(double period) {
-            return budget.neighborhoodRadius(window().sigmaFrequency() * period);
         }
 
         private BandRule band(int fewestNodes) {
@@ -201,7 +200,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             return new OrderSampling(nearest, Optional.of(nodes), band(4 * fewestNodes()));
         }
 
-        private GridSampling grid(InterpolationDesign design) {
+        private GridSampling grid(InterpolationDesign design, boolean apart) {
             // Columns are crossed at up to sqrt(2) of their distance. An order's power along the ray has deviation
             // sigma / sqrt(2), for which the trapezoid rule errs by 2 exp(-2 (pi deviation / step)^2).
             double perStep = Math.sqrt(2 / (Math.PI * Math.PI) * Math.log(2 / budget.wavelengths()));
@@ -211,9 +210,11 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             double step = rough ? uncut : Math.min(uncut, budget.cutSpacing() * deviation / Math.sqrt(2));
             BandRule band = rough ? band(fewestNodes()).withEqualSteps(uncut) : band(fewestNodes());
             double longest = Math.sqrt(2) * step;
-            GridSampling coarse = new GridSampling(
-                    design, reached(), step, longest, fewestNodes(), band, single(band), false, budget);
-            return coarse.withColumnsCloser((int) Math.ceil(coarse.centerReach() / LARGEST_CENTER));
+            // Columns are closer where both axes would be interpolated too far out.
+            double reach = fewestNodes() * step / CieTable.BAND_WIDTH;
+            double closer = step / (int) Math.ceil(reach / LARGEST_CENTER);
+            return new GridSampling(
+                    design, reached(), closer, longest, fewestNodes(), band, single(band), apart, budget);
         }
 
         /** Empty if the bins exceed the limit of a shader's loops. */

@@ -13,13 +13,11 @@ import sunbeam.precompute.optics.HeightMap;
 public enum Leveling {
     NONE,
     MEAN,
-    /** The least-squares plane a + b x + c y is subtracted. */
     PLANE,
     /** The plane, then each row's mean: removes steps between lines, and all structure that is constant along x. */
     ROWS,
     /** The plane, then each row's median, which is robust against dust. */
     MEDIAN_ROWS,
-    /** The least-squares surface of second degree is subtracted: tilt and bow. */
     QUADRATIC;
 
     // Relative to the relief; a sum over millions of samples rounds less.
@@ -138,7 +136,6 @@ public enum Leveling {
             return sums;
         }
 
-        /** Maps a column or row to [-1, 1]; 0 if there is only one. */
         private static double relative(int index, int count) {
             return count == 1 ? 0 : 2.0 * index / (count - 1) - 1;
         }

@@ -115,7 +115,6 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
                     + Arrays.stream(known).mapToDouble(i -> heights[i] - first).sum() / known.length;
         }
 
-        /** Without wrapping at the edges: the known neighbors, or the missing ones. */
         private int[] neighbors(int index, boolean known) {
             int row = index / columns;
             int column = index % columns;

@@ -1,5 +1,6 @@
 package sunbeam.precompute.reference;
 
+import java.util.Arrays;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.optics.HeightMap;
@@ -66,7 +67,8 @@ final class SurfaceSums {
         double[] real = new double[map.columns()];
         double[] imaginary = new double[map.columns()];
         for (int row = 0; row < map.rows(); row++) {
-            if (hasWeight(row, alongY)) {
+            int at = row;
+            if (Arrays.stream(alongY).anyMatch(weights -> weights.real()[at] != 0 || weights.imaginary()[at] != 0)) {
                 values.fill(row, real, imaginary);
                 for (int b = 0; b < alongY.length; b++) {
                     sums.add(
@@ -75,15 +77,6 @@ final class SurfaceSums {
             }
         }
         return sums;
-    }
-
-    private static boolean hasWeight(int row, AxisWeights[] alongY) {
-        for (AxisWeights weights : alongY) {
-            if (weights.real()[row] != 0 || weights.imaginary()[row] != 0) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** Returns exp(i k w h) of every distinct height: cosines, sines. */
@@ -110,7 +103,6 @@ final class SurfaceSums {
             }
         }
 
-        /** |sum over columns|^2 with the columns' weights. */
         double power(int weighting, AxisWeights alongX) {
             Complex sum = sum(weighting, alongX);
             return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();

@@ -92,7 +92,6 @@ final class BinPowers {
         return weights;
     }
 
-    /** Re(F_a F_b*) of a bin's terms, a <= b. */
     private static void products(double[] terms, double[] products) {
         int pair = 0;
         for (int a = 0; a < terms.length; a += 2) {

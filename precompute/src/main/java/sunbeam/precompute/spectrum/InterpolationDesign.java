@@ -143,7 +143,6 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
             return largest;
         }
 
-        /** Returns sum_m phi(f - m) K(m - bin), in grid steps. */
         double interpolated(double f, double bin) {
             double sum = 0;
             double half = 0.5 * kernel.taps();

@@ -85,7 +85,6 @@ public record LowRankExpansion(
         return new Array2DRowRealMatrix(matrix, false);
     }
 
-    /** Root mean square errors without the terms from each index on. */
     private static double[] errors(double[] singularValues) {
         double[] errors = new double[singularValues.length + 1];
         double tail = 0;
@@ -262,7 +261,6 @@ public record LowRankExpansion(
                 }
             }
 
-            /** Appends nodes and weights from index {@code used} on; returns the index after the last. */
             int addTo(double[] heights, double[] weights, int used) {
                 double[] beside = new double[size - 1];
                 for (int k = 1; k < size; k++) {

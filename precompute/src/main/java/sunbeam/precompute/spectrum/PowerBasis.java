@@ -78,7 +78,6 @@ final class PowerBasis {
         return mean;
     }
 
-    /** The mirror's power, then the singular vectors of the rows' remainders. */
     private double[][] basis(
             double[][] rows, double[] mirror, double[] weights, PhaseOctaves octaves, double tolerance) {
         double[] first = mirror.clone();
@@ -180,7 +179,6 @@ final class PowerBasis {
         return projections;
     }
 
-    /** Octaves of phases around the nodes. */
     private static final class PhaseOctaves {
         private final PhaseNodes nodes;
         private final int[] first;

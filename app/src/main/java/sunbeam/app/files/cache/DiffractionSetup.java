@@ -233,7 +233,7 @@ public record DiffractionSetup(
     }
 
     private static void requireUse(MethodPlan plan, MethodUse use) {
-        if (!plan.answers(use)) {
+        if (!plan.uses().contains(use)) {
             throw withoutPower();
         }
     }
