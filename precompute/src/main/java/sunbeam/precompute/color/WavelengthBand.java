@@ -74,10 +74,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         return Text.format("%.3f", nanometers).replaceFirst("\\.?0+$", "");
     }
 
-    /**
-     * Spectral bands, at least 2, at equally spaced wavelengths at least 2 nm apart. Weights are triangles that end at the neighbors'
-     * wavelengths, and add up to 1.
-     */
+    /** Spectral bands at equal steps of 2 nm or more, with triangles between the neighbors' wavelengths as weights, which add up to 1. */
     public record SpectralBands(WavelengthBand range, int count) {
         /** Number of bands in one {@link CieTable}: its three channels. */
         public static final int TOGETHER = 3;

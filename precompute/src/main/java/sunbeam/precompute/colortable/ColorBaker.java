@@ -10,9 +10,7 @@ public interface ColorBaker extends AutoCloseable {
     interface Token extends AutoCloseable {
         Token NONE = samples -> {};
 
-        /**
-         * Reports the number of samples done since the last call, 0 to test alone; throws CancellationException if the bake was cancelled.
-         */
+        /** Reports samples done since the last call, 0 to test alone; throws CancellationException if the bake was cancelled. */
         void step(long samples);
 
         @Override

@@ -40,8 +40,7 @@ public record ColorTable(
     /** Largest |w|: light and view along the normal. */
     public static final double DEEPEST = 2;
 
-    // Smallest tolerance at which levels for footprints use linear filters, which err by a tenth on flanks of isolated
-    // orders.
+    // Least tolerance of linear filters for footprints; they err by a tenth on flanks of isolated orders.
     private static final double LINES_TOLERANCE = 5e-3;
     // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means grow.
     private static final double LINES_STEP = 1.5;

@@ -58,10 +58,7 @@ final class DepthInterpolation {
         return IntStream.range(0, uvw.length / COORDINATES).mapToDouble(i -> Math.abs(uvw[COORDINATES * i + 2]));
     }
 
-    /**
-     * Returns the number of nodes within {@link #ERROR}: n err by 2 (phase / 2)^n / n!, with the phase from the middle of the range to its
-     * end.
-     */
+    /** Returns the nodes within {@link #ERROR}: n err by 2 (phase / 2)^n / n!, of the phase from the range's middle to its end. */
     private static int chebyshevNodes(double phase) {
         int nodes = 1;
         double error = phase;

@@ -5,10 +5,7 @@ import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 
-/**
- * Bakes each sample by its own sum over wavelengths: near the origin of (u, v), where rays meet, and to validate interpolated colors.
- * Thread-safe.
- */
+/** Sums each sample over wavelengths by itself: near the origin of (u, v), where rays meet, and for validation. Thread-safe. */
 final class DirectBaker implements ColorBaker {
     private static final int COLORS = 3;
     /** Step of ln lambda near the origin, where orders are wide. */

@@ -55,10 +55,7 @@ public final class GaussianPyramid {
         }
     }
 
-    /**
-     * Creates a pyramid of windows from sigma_f {@code narrowest} to {@code widest}; sums under the window at a point are not divided. The
-     * farthest frequency along either axis is in cycles per meter.
-     */
+    /** Windows have sigma_f from {@code narrowest} to {@code widest}; sums under that at a point are not divided; cycles per meter. */
     GaussianPyramid(PowerSpectrum bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
         Plane first = Plane.empty(narrowest, farthest, stride);
@@ -149,9 +146,7 @@ public final class GaussianPyramid {
         return first;
     }
 
-    /**
-     * Interpolates the terms at a frequency, cycles per meter, in the planes {@code first .. end - 1}: {@link #stride} values per plane.
-     */
+    /** Interpolates {@link #stride} terms per plane, in planes {@code first .. end - 1}, at a frequency in cycles per meter. */
     void at(double x, double y, int first, int end, float[] terms) {
         for (int i = first; i < end; i++) {
             Plane plane = planes.get(i);

@@ -83,8 +83,7 @@ public final class LevelBaking {
     }
 
     /**
-     * Evaluates the samples of all slices at one (u, v), then those at the next (u, v) of a tile in Morton order: successive samples read
-     * nearly the same frequencies of the surface's spectrum.
+     * Orders the samples of all slices at one (u, v) together, and a tile's (u, v) in Morton order: successive ones read like frequencies.
      */
     private void bake(int[] tiles, Map<Integer, BitSet> missingTexels, ColorBaker baker, ColorBaker.Token token) {
         BitSet[] missing = Arrays.stream(tiles).mapToObj(missingTexels::get).toArray(BitSet[]::new);
@@ -215,9 +214,7 @@ public final class LevelBaking {
         return transposed;
     }
 
-    /**
-     * Returns x of a cell by its number in Morton order (G. M. Morton, 1966), which interleaves the bits of x and y; y is x of half of it.
-     */
+    /** Returns x of a cell by its number in Morton order (G. M. Morton, 1966), which interleaves the bits; y is x of half of it. */
     public static int mortonX(int number) {
         int x = number & 0x55555555;
         x = (x | (x >>> 1)) & 0x33333333;

@@ -22,8 +22,7 @@ final class LogPolarConvolution {
     private final int padded;
     private final int terms;
     private final int slices;
-    // [pair][term]: transformed kernel. A pair is two real results of one complex transform: X and Y of a slice, or Z
-    // of two slices.
+    // [pair][term]. A pair is two real results of one complex transform: X and Y of a slice, or Z of two slices.
     private final double[][][][] kernels;
 
     @FunctionalInterface

@@ -27,9 +27,7 @@ final class QuinticSpline {
         return transposed;
     }
 
-    /**
-     * Computes the weights of six coefficients, from the sample two before the one below the position; the fraction is counted from that.
-     */
+    /** Computes the weights of six coefficients, from the sample two before the one below the position, at a fraction beyond it. */
     static void weights(double fraction, double[] weights) {
         // De Boor's recursion: B-splines of degree d from those of degree d - 1.
         weights[0] = 1;

@@ -88,9 +88,7 @@ final class RayBatch {
         }
     }
 
-    /**
-     * Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1: at most byLogarithm apart in ln f, byFrequency in f.
-     */
+    /** Returns frequencies f at which ln f / byLogarithm + f / byFrequency grows by 1: steps are at most these two. */
     private static double[] frequencies(double byLogarithm, double byFrequency, double lowest, double highest) {
         double first = Math.log(lowest) / byLogarithm + lowest / byFrequency;
         double last = Math.log(highest) / byLogarithm + highest / byFrequency;

@@ -4,10 +4,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.spectrum.PowerSpectrum.GaussianWeights;
 
-/**
- * {@link PowerSpectrum} under a window: at any frequency, the sum of the terms, each weighted by the Gaussian of its bin's distance.
- * Immutable.
- */
+/** {@link PowerSpectrum} under a window: at any frequency, the sum of the bins' terms times Gaussians of their distance. Immutable. */
 final class WindowedSpectrum {
     /** Largest spacing of decimated bins, in sigma_f: polynomials of degree 7 between them err by 1e-3. */
     private static final double DECIMATED_SPACING = 0.4;

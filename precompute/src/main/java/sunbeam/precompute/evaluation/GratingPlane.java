@@ -66,10 +66,7 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
             return Math.sqrt(shortest * longest);
         }
 
-        /**
-         * Returns evenly spaced theta_r, radians, over all directions that see the order +1 or -1 between two wavelengths, meters, if any
-         * does.
-         */
+        /** Returns evenly spaced theta_r, radians, over all directions that see the order +1 or -1 between two wavelengths, meters. */
         public Optional<double[]> angles(
                 GratingPlane plane, double shortestWavelength, double longestWavelength, int count) {
             double horizon = Math.sin(plane.largestThetaR());

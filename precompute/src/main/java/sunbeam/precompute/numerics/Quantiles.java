@@ -6,10 +6,7 @@ import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 import org.apache.commons.math3.stat.descriptive.rank.Percentile.EstimationType;
 import org.apache.commons.math3.stat.ranking.NaNStrategy;
 
-/**
- * Quantiles of samples, linear between neighbors in order of size (type 7 of Hyndman and Fan, "Sample Quantiles in Statistical Packages",
- * 1996).
- */
+/** Quantiles of samples, linear between neighbors (type 7 of Hyndman and Fan, "Sample Quantiles in Statistical Packages", 1996). */
 public final class Quantiles {
     // Differences of infinite neighbors are NaN. Interpolation towards this value exceeds INFINITE_FROM.
     private static final double IN_PLACE_OF_INFINITY = 1e300;

@@ -133,10 +133,7 @@ public final class HeightMap {
         return known;
     }
 
-    /**
-     * Returns a fingerprint for cache keys: the SHA-256 of a tag, columns and rows (int), pitch along x and y and all heights row by row
-     * (IEEE doubles), all big-endian.
-     */
+    /** Returns the SHA-256 of a tag, columns, rows (int), pitches and heights row by row (IEEE doubles), all big-endian, for cache keys. */
     public String digest() {
         String known = digest;
         if (known != null) {

@@ -117,9 +117,8 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         private static final int FEWEST_NODES = 40;
         private static final int NODES_AT_STANDARD = 60;
         private static final double WAVELENGTH_STEP_AT_STANDARD = 4e-9;
-        // Largest h^2 / (deviation * tolerance) of steps h within an order, meters. At multiples of 5 nm the slope of
-        // D65 changes by up to 1.1 % per nanometer; the trapezoid rule errs by up to h^2 / 12 times that, three
-        // tolerances.
+        // Largest h^2 / (deviation * tolerance) of steps h within an order, meters: where the slope of D65 changes by
+        // 1.1 % per nanometer, the trapezoid rule errs by up to h^2 / 12 times that, three tolerances.
         private static final double CORNER_LENGTH = 4e-6;
         // Largest |u|, |v| at which both axes are interpolated, with as many times more texels as the kernel has taps.
         private static final double LARGEST_CENTER = 0.2;

@@ -12,10 +12,7 @@ import sunbeam.precompute.units.Lengths;
 
 /** Preparation of a scan, in this order: crop, level, despike, fill missing samples, treat edges. */
 public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despike, Edges edges) {
-    /**
-     * Prepared scan: before and after its edges are treated (light is diffracted from the latter), the number of filled samples, and
-     * descriptions of the steps.
-     */
+    /** Prepared scan: before and after its edges are treated (light uses the latter), number of filled samples, words for the steps. */
     public record Prepared(HeightMap scan, HeightMap surface, int missing, List<String> steps) {
         public Prepared {
             steps = List.copyOf(steps);

@@ -180,10 +180,7 @@ public final class ScanFaults {
         }
     }
 
-    /**
-     * Detection of rows without a measurement: missing, constant, or equal to the row before. A computed surface has many such rows; then all
-     * rows count as measured.
-     */
+    /** Finds rows without a measurement: missing, constant, or like the row before; if there are many, all count as measured. */
     private static final class MeasuredRows {
         // Single samples are often missing.
         private static final double MISSING = 0.9;
@@ -259,9 +256,7 @@ public final class ScanFaults {
             return runs;
         }
 
-        /**
-         * Describes the rows without a measurement and the largest part of the scan without them; the place is that of the examined samples.
-         */
+        /** Describes the rows without a measurement and the largest part without them; the place is that of the examined samples. */
         Optional<ScanFault> fault(HeightMap whole, Crop.Samples place) {
             if (unmeasured.isEmpty()) {
                 return Optional.empty();

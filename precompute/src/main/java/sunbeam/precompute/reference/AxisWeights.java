@@ -6,8 +6,7 @@ import sunbeam.precompute.optics.HeightMap;
 /** Complex weights of the samples along one axis. N is the number of samples and f a frequency in cycles per meter. */
 record AxisWeights(double[] real, double[] imaginary) {
     /**
-     * Sample positions along one axis, relative to sample {@code origin}, under the window's maximum; the step, meters, is negative along
-     * y, because rows run downwards.
+     * Positions of samples, in steps (meters; negative along y, since rows run downwards) from {@code origin}, under the window's maximum.
      */
     record Axis(int count, double step, int origin) {
         static Axis x(HeightMap map, WindowOrigin origin) {

@@ -192,9 +192,7 @@ public final class Choices {
         /** Returns the name of a setting at this source, for use in a sentence: {@code --terms}, {@code terms}. */
         String name(Setting<?> setting);
 
-        /**
-         * Returns an error message in one line; the problem continues a sentence whose subject is the value, such as "must be at least 1".
-         */
+        /** Returns an error message in one line; the problem continues "the value ...", such as "must be at least 1". */
         default String complaint(Setting<?> setting, String value, String problem) {
             return (name(setting) + " " + value).strip() + " " + problem;
         }

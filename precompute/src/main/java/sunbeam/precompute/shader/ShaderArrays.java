@@ -4,10 +4,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.spectrum.CoefficientTable;
 
-/**
- * Arrays that the shaders of several methods read: CIE weights (color matching functions times the light's spectrum) and coefficients of an
- * expansion.
- */
+/** Arrays of several methods' shaders: color matching functions times the light's spectrum, and coefficients of an expansion. */
 public final class ShaderArrays {
     private static final int PER_TEXEL = 4;
     private static final int TABLE_LAST = 400;
@@ -21,10 +18,7 @@ public final class ShaderArrays {
         return ArrayLayout.flat("cieWeights", SAMPLES, 2, 4).linear();
     }
 
-    /**
-     * Returns the CIE weights of shaders/include/spectrum.glsl, per meter of wavelength: row 0 is smoothed, for integrals over several
-     * nanometers; row 1 has the table's own values, for narrower orders.
-     */
+    /** Returns the weights of shaders/include/spectrum.glsl, per meter of wavelength: smoothed (row 0), and the table's (narrow orders). */
     public static TableArray cieWeights(CieTable cie) {
         double norm = 1 / cie.integralOfY();
         float[] texels = new float[2 * 4 * SAMPLES];

@@ -77,10 +77,7 @@ public final class ShaderTablesFile {
         }
     }
 
-    /**
-     * Writes tables to a new file, layer by layer, under a label for lists of the cache. The caller passes a temporary name, and renames
-     * the file when it is complete.
-     */
+    /** Writes tables, layer by layer, to a new file of a temporary name, which the caller renames; the label is for lists. */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
         byte[] header = header(key, label, tables);
         byte[] block = new byte[BLOCK];

@@ -6,15 +6,9 @@ import java.util.stream.IntStream;
 
 /** Resamples DFT bins onto a grid, separably. */
 public record GridResampler(Axis alongX, Axis alongY) {
-    /**
-     * Weights {@code [sample][bin]} from the bins of one axis to a grid: sample i is sum_j weight(f_i - f_j) bin_j over the bins within
-     * reach, from {@code firstBin} on.
-     */
+    /** Weights {@code [sample][bin]} from bins to a grid: sample i is sum_j weight(f_i - f_j) bin_j from {@code firstBin} on. */
     public record Axis(int bins, int[] firstBin, double[][] weights) {
-        /**
-         * Returns weights for later interpolation: the Gaussian with the kernel divided out of its transform. The step is in cycles per
-         * meter.
-         */
+        /** Returns weights for later interpolation: the Gaussian with the kernel divided out; step in cycles per meter. */
         public static Axis forInterpolation(
                 Band grid, double step, PowerSpectrum.Axis bins, InterpolationDesign design) {
             InterpolationDesign.Spread spread = design.spread();
@@ -64,9 +58,7 @@ public record GridResampler(Axis alongX, Axis alongY) {
         return Math.multiplyExact(alongX.samples(), alongY.samples());
     }
 
-    /**
-     * Resamples real fields {@code [field][bin]}, row by row in ascending y. The target interleaves them, {@code stride} values per sample.
-     */
+    /** Resamples real fields {@code [field][bin]}, rows of ascending y; the target interleaves them, {@code stride} per sample. */
     public void resample(double[][] fields, float[] target, int stride, Order order) {
         double[][] halves = new double[fields.length][];
         Arrays.setAll(halves, i -> alongX(fields[i]));

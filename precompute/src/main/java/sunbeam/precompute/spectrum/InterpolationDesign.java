@@ -29,10 +29,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     /** End of a Gaussian, in standard deviations: exp(-7.5^2 / 2) = 6e-13. */
     public static final double GAUSS_REACH = 7.5;
 
-    /**
-     * Returns the design with the fewest taps, and of those the coarsest grid, that keeps a relative error over a skirt in standard
-     * deviations; throws IllegalArgumentException if there is none.
-     */
+    /** Returns the fewest taps, and of those the coarsest grid, within a relative error over a skirt in standard deviations. */
     public static InterpolationDesign within(double tolerance, double skirt) {
         double finest = DEVIATIONS[DEVIATIONS.length - 1];
         return first(

@@ -197,9 +197,8 @@ public record LowRankExpansion(
      * @param shares weight of each node, as a share of the patch's samples
      */
     private record HeightRule(double[] heights, double[] shares) {
-        // Difference over an interval of the phase zeta times scaled height at the largest zeta, radians. The squared
-        // error
-        // of an expansion has bandwidth 1; its mean errs by at most 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
+        // Difference over an interval of the phase zeta times scaled height, radians. The squared error of an expansion
+        // has bandwidth 1; its mean errs by 2 (INTERVAL / 4)^(2 NODES) / (2 NODES)! = 3e-24.
         private static final double INTERVAL = 4;
         private static final int NODES = 12;
 
@@ -229,10 +228,7 @@ public record LowRankExpansion(
                     Arrays.stream(shares, 0, used).map(share -> share / samples).toArray());
         }
 
-        /**
-         * Jacobi matrix of the heights in an interval, weighted by their numbers of samples; numerically stable rotations add a height (Gragg
-         * and Harrod 1984).
-         */
+        /** Jacobi matrix of the heights in an interval, weighted by number; stable rotations add one (Gragg and Harrod 1984). */
         private static final class Interval {
             private final double[] diagonal = new double[NODES];
             // Entry 0: total weight. Entry k: square of the matrix entry between rows k - 1 and k.
