@@ -18,6 +18,13 @@ public final class InputException extends RuntimeException {
         super(Quoted.oneLine(message), cause);
     }
 
+    /** Throws an exception with the message if the condition holds. */
+    public static void refuseIf(boolean condition, String message) {
+        if (condition) {
+            throw new InputException(message);
+        }
+    }
+
     public static InputException of(Path file, IOException cause) {
         return new InputException("cannot read " + file + ": " + reason(cause), cause);
     }
@@ -41,19 +48,15 @@ public final class InputException extends RuntimeException {
 
     /** Refuses folders, pipes and devices, whose reading might never end. */
     public static void requireRegular(Path file) {
-        if (Files.isDirectory(file)) {
-            throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
-        }
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new InputException("cannot read " + file + ": it is no regular file; copy it to one");
-        }
+        InputException.refuseIf(Files.isDirectory(file), "cannot read " + file + ": it is a folder; name a file in it");
+        InputException.refuseIf(
+                Files.exists(file) && !Files.isRegularFile(file),
+                "cannot read " + file + ": it is no regular file; copy it to one");
     }
 
     public static void requireSmall(Path file, long most, String otherwise) {
         requireRegular(file);
-        if (naming(file, () -> Files.size(file)) > most) {
-            throw new InputException("cannot use " + file + ": " + otherwise);
-        }
+        InputException.refuseIf(naming(file, () -> Files.size(file)) > most, "cannot use " + file + ": " + otherwise);
     }
 
     private static String reason(IOException cause) {

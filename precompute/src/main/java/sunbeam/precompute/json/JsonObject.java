@@ -73,9 +73,7 @@ public final class JsonObject {
     /** Reads a stream, which stays open; messages have the name. */
     public static JsonObject read(String name, InputStream stream) throws IOException {
         byte[] content = stream.readNBytes(MOST_BYTES + 1);
-        if (content.length > MOST_BYTES) {
-            throw new InputException(name + " is larger than 1 MiB; name another file");
-        }
+        InputException.refuseIf(content.length > MOST_BYTES, name + " is larger than 1 MiB; name another file");
         try (LineParser parser = new LineParser(name, JSON.createParser(content))) {
             return parser.root();
         }
@@ -93,9 +91,8 @@ public final class JsonObject {
 
         JsonObject root() {
             try {
-                if (nextToken() != JsonToken.START_OBJECT) {
-                    throw new InputException(name + ", line 1: it must be one JSON object, { ... }");
-                }
+                InputException.refuseIf(
+                        nextToken() != JsonToken.START_OBJECT, name + ", line 1: it must be one JSON object, { ... }");
                 JsonNode root = JSON.readTree(this);
                 if (nextToken() != null) {
                     throw wrong("something follows the closing brace; remove it");

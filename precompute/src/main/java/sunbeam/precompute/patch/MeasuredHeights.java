@@ -55,13 +55,9 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
     }
 
     static void requireReadable(Path file) {
-        if (!Files.exists(file)) {
-            throw new InputException(file + ": no such file; check the name and the folder");
-        }
+        InputException.refuseIf(!Files.exists(file), file + ": no such file; check the name and the folder");
         InputException.requireRegular(file);
-        if (!Files.isReadable(file)) {
-            throw new InputException(file + " cannot be read; check its permissions");
-        }
+        InputException.refuseIf(!Files.isReadable(file), file + " cannot be read; check its permissions");
     }
 
     private static MeasuredHeights of(Path file, ScanFormat reader, ChannelList channels, Choices choices)

@@ -172,16 +172,13 @@ public final class PatchLoader {
 
         /** In the descriptor's folder or below after all links are followed. */
         private static Path inside(Path descriptor, String name, String heights) {
-            if (heights.isBlank()) {
-                throw new InputException(name + " is empty; name a file in the descriptor's own folder");
-            }
+            InputException.refuseIf(heights.isBlank(), name + " is empty; name a file in the descriptor's own folder");
             try {
                 OwnFolder folder = new OwnFolder(descriptor, "descriptor");
                 Path file = folder.file(heights);
-                if (!Files.exists(file)) {
-                    throw new InputException(
-                            name + " is " + Quoted.of(heights) + ", but there is no file " + file + "; check the name");
-                }
+                InputException.refuseIf(
+                        !Files.exists(file),
+                        name + " is " + Quoted.of(heights) + ", but there is no file " + file + "; check the name");
                 folder.requireNoWayOut(file);
                 return file;
             } catch (IllegalArgumentException wrong) {

@@ -57,9 +57,7 @@ public final class Plausibility {
         }
         String sides = Lengths.format(width) + " x " + Lengths.format(height) + "; a patch's longer side is "
                 + Lengths.format(SHORTEST_LONG_SIDE) + " to " + Lengths.format(LONGEST_SIDE);
-        if (own) {
-            throw new InputException(file + " claims to be " + sides + "; its scale is wrong, export it again");
-        }
+        InputException.refuseIf(own, file + " claims to be " + sides + "; its scale is wrong, export it again");
         throw new SettingException(
                 PatchSettings.WIDTH, "is absurd: " + file + " would be " + sides + " (is the unit right?)");
     }

@@ -49,16 +49,14 @@ final class BinaryHeaderReaders {
      * Digital Surf, "SURF file format".
      */
     static List<ScanChannel> digitalSurf(ScanBytes file) throws IOException {
-        if (file.startsWith("DSCOMPRESSED")) {
-            throw new ScanException("is compressed in a way of its own; save it without compression");
-        }
+        ScanException.refuseIf(
+                file.startsWith("DSCOMPRESSED"), "is compressed in a way of its own; save it without compression");
         ScanBytes.Cursor header = file.cursor(0, ByteOrder.LITTLE_ENDIAN);
         int objects = header.at(14).unsigned16();
         int kind = header.at(18).unsigned16();
-        if (objects != 1 || kind != SURFACE) {
-            throw new ScanException("holds " + objects + " objects of type " + kind
-                    + " and no single surface; export the surface alone");
-        }
+        ScanException.refuseIf(
+                objects != 1 || kind != SURFACE,
+                "holds " + objects + " objects of type " + kind + " and no single surface; export the surface alone");
         boolean hasMissing = header.at(86).unsigned16() == 1;
         SampleType type = SampleType.signed(header.at(98).unsigned16());
         double missing = hasMissing ? (double) header.int32() - BELOW_LOWEST : Double.NaN;
@@ -123,10 +121,9 @@ final class BinaryHeaderReaders {
 
     private static Matcher find(Pattern pattern, String header, String otherwise) {
         Matcher matcher = pattern.matcher(header);
-        if (!matcher.find()) {
-            throw new ScanException(
-                    otherwise + " (" + Quoted.of(header.strip()) + "); save a two-dimensional array of heights");
-        }
+        ScanException.refuseIf(
+                !matcher.find(),
+                otherwise + " (" + Quoted.of(header.strip()) + "); save a two-dimensional array of heights");
         return matcher;
     }
 
@@ -164,9 +161,7 @@ final class BinaryHeaderReaders {
         int columns = cursor.at(WAVE_DIMENSIONS).int32();
         int rows = cursor.int32();
         int layers = Math.max(1, cursor.int32());
-        if (rows < 1) {
-            throw new ScanException("holds a curve and no scan; choose the file of the image");
-        }
+        ScanException.refuseIf(rows < 1, "holds a curve and no scan; choose the file of the image");
         ScanLimits.requireChannels(layers);
         ScanLimits.requireSize(columns, rows);
         cursor.skip(Integer.BYTES);

@@ -31,9 +31,7 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
     }
 
     private static List<ScanChannel> checked(List<ScanChannel> channels) {
-        if (channels.isEmpty()) {
-            throw new ScanException("holds no channel with samples on a grid; export its heights again");
-        }
+        ScanException.refuseIf(channels.isEmpty(), "holds no channel with samples on a grid; export its heights again");
         ScanLimits.requireChannels(channels.size());
         return List.copyOf(channels);
     }

@@ -24,9 +24,8 @@ final class GwyddionReader {
     private record Numbers(long offset, long count) {}
 
     static List<ScanChannel> channels(ScanBytes file) throws IOException {
-        if (file.startsWith("GWYO")) {
-            throw new ScanException("was written by Gwyddion 1, before 2006; save it again with Gwyddion 2");
-        }
+        ScanException.refuseIf(
+                file.startsWith("GWYO"), "was written by Gwyddion 1, before 2006; save it again with Gwyddion 2");
         GwyddionObject container = GwyddionObject.read(file, file.cursor(4, ByteOrder.LITTLE_ENDIAN), 0);
         Map<Integer, ScanChannel> channels = new TreeMap<>();
         for (Map.Entry<String, Object> item : container.items().entrySet()) {
@@ -76,9 +75,8 @@ final class GwyddionReader {
         private static final int LONGEST_TEXT = 1 << 20;
 
         static GwyddionObject read(ScanBytes file, ScanBytes.Cursor cursor, int depth) throws IOException {
-            if (depth > DEEPEST) {
-                throw new ScanException("nests objects more than " + DEEPEST + " deep; save it anew with Gwyddion");
-            }
+            ScanException.refuseIf(
+                    depth > DEEPEST, "nests objects more than " + DEEPEST + " deep; save it anew with Gwyddion");
             cursor.textToNul(LONGEST_NAME);
             long size = cursor.unsigned32();
             file.requireInside(cursor.position(), size);
@@ -94,10 +92,9 @@ final class GwyddionReader {
                     items.put(name, value);
                 }
             }
-            if (cursor.position() != end) {
-                throw new ScanException(
-                        "has parts that overlap at position " + end + "; the file is damaged, save it again");
-            }
+            ScanException.refuseIf(
+                    cursor.position() != end,
+                    "has parts that overlap at position " + end + "; the file is damaged, save it again");
             return new GwyddionObject(items);
         }
 

@@ -124,11 +124,10 @@ final class NanoscopeReader {
 
     private static Header.Quantity scale(Header common, Header image) {
         String text = image.text("z scale", "");
-        if (!text.startsWith("V")) {
-            throw new ScanException(
-                    "has no \"Z scale\" with volts, as before Nanoscope 4.2; save it with a newer version"
-                            + " or as .gwy with Gwyddion");
-        }
+        ScanException.refuseIf(
+                !text.startsWith("V"),
+                "has no \"Z scale\" with volts, as before Nanoscope 4.2; save it with a newer version"
+                        + " or as .gwy with Gwyddion");
         Matcher scale = SCALE.matcher(text.length() <= LONGEST_SCALE ? text : "");
         if (!scale.matches()) {
             return new Header.Quantity(1, "unknown unit");
@@ -174,10 +173,9 @@ final class NanoscopeReader {
     private static double ratio(String text) {
         String[] sides = text.split("\\s*:\\s*", -1);
         double ratio = sides.length == 2 ? number(sides[0]) / number(sides[1]) : 0;
-        if (!(ratio > 0) || Double.isInfinite(ratio)) {
-            throw new ScanException(
-                    "has an aspect ratio of " + Quoted.of(text) + "; the file is damaged, export it again");
-        }
+        ScanException.refuseIf(
+                !(ratio > 0) || Double.isInfinite(ratio),
+                "has an aspect ratio of " + Quoted.of(text) + "; the file is damaged, export it again");
         return ratio;
     }
 }

@@ -198,14 +198,12 @@ final class PictureReader {
 
     private static List<ScanChannel> tiffPage(TiffPage page, String unit, boolean several) throws IOException {
         int interpretation = (int) page.number(TIFF.TAG_PHOTOMETRIC_INTERPRETATION, BLACK_IS_ZERO);
-        if (interpretation < WHITE_IS_ZERO || interpretation > PALETTE) {
-            throw new ScanException(
-                    "is a TIFF with photometric interpretation " + interpretation + "; save it as gray or RGB");
-        }
+        ScanException.refuseIf(
+                interpretation < WHITE_IS_ZERO || interpretation > PALETTE,
+                "is a TIFF with photometric interpretation " + interpretation + "; save it as gray or RGB");
         int extra = (int) page.number(TIFF.TAG_EXTRA_SAMPLES, 0);
-        if (extra == PREMULTIPLIED) {
-            throw new ScanException("stores colors multiplied by alpha; save it without transparency");
-        }
+        ScanException.refuseIf(
+                extra == PREMULTIPLIED, "stores colors multiplied by alpha; save it without transparency");
         double fullScale = page.isFloat() ? 1 : Math.pow(2, page.bits()) - 1;
         double sign = interpretation == WHITE_IS_ZERO ? -1 : 1;
         List<Samples> bands = new ArrayList<>();

@@ -66,9 +66,8 @@ public enum SampleType {
     /** Throws ScanException for an unknown code. */
     public static SampleType of(Map<?, SampleType> types, Object code) {
         SampleType type = types.get(code);
-        if (type == null) {
-            throw new ScanException("stores samples of the unknown type " + code + "; export it in another format");
-        }
+        ScanException.refuseIf(
+                type == null, "stores samples of the unknown type " + code + "; export it in another format");
         return type;
     }
 

@@ -46,10 +46,8 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     public String headBefore(String mark) throws IOException {
         String head = headText(Header.LARGEST);
         int end = head.indexOf(mark);
-        if (end < 0) {
-            throw new ScanException(
-                    "has no " + (mark.equals("\0") ? "NUL" : mark) + " after its header; copy or export it again");
-        }
+        ScanException.refuseIf(
+                end < 0, "has no " + (mark.equals("\0") ? "NUL" : mark) + " after its header; copy or export it again");
         return head.substring(0, end);
     }
 
@@ -60,9 +58,8 @@ public record ScanBytes(Path path, FileChannel channel, long size) implements Au
     /** Reads bytes of a header, at most {@link #LARGEST_HEADER}, into a big-endian buffer with an array of exactly these. */
     public ByteBuffer read(long offset, int count) throws IOException {
         requireInside(offset, count);
-        if (count > LARGEST_HEADER) {
-            throw new ScanException("claims a header of " + count + " bytes; the file is damaged, export it again");
-        }
+        ScanException.refuseIf(
+                count > LARGEST_HEADER, "claims a header of " + count + " bytes; the file is damaged, export it again");
         ByteBuffer buffer = ByteBuffer.allocate(count);
         while (buffer.hasRemaining()) {
             if (channel.read(buffer, offset + buffer.position()) < 0) {

@@ -13,4 +13,11 @@ public final class ScanException extends RuntimeException {
     public ScanException(String message, Throwable cause) {
         super(Quoted.oneLine(message), cause);
     }
+
+    /** Throws an exception with the message if the condition holds. */
+    public static void refuseIf(boolean condition, String message) {
+        if (condition) {
+            throw new ScanException(message);
+        }
+    }
 }

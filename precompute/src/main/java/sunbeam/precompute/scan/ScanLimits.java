@@ -17,17 +17,15 @@ public final class ScanLimits {
     private ScanLimits() {}
 
     public static void requireSize(long columns, long rows) {
-        if (columns < 1 || rows < 1) {
-            throw new ScanException(
-                    "claims " + columns + " x " + rows + " samples; the file is damaged, export it again");
-        }
-        if (columns > LONGEST_SIDE || rows > LONGEST_SIDE || columns * rows > MOST_SAMPLES) {
-            throw new ScanException("has " + columns + " x " + rows + " samples; at most " + LONGEST_SIDE
-                    + " per side and " + MOST_SAMPLES + " (8192 x 8192) in all can be used, so crop the scan");
-        }
-        if (columns == 1 && rows == 1) {
-            throw new ScanException("has 1 x 1 samples, which is no surface; give at least 2 x 1 samples");
-        }
+        ScanException.refuseIf(
+                columns < 1 || rows < 1,
+                "claims " + columns + " x " + rows + " samples; the file is damaged, export it again");
+        ScanException.refuseIf(
+                columns > LONGEST_SIDE || rows > LONGEST_SIDE || columns * rows > MOST_SAMPLES,
+                "has " + columns + " x " + rows + " samples; at most " + LONGEST_SIDE + " per side and " + MOST_SAMPLES
+                        + " (8192 x 8192) in all can be used, so crop the scan");
+        ScanException.refuseIf(
+                columns == 1 && rows == 1, "has 1 x 1 samples, which is no surface; give at least 2 x 1 samples");
     }
 
     /** Refuses scans that the heap cannot hold with {@code otherBytes} while they are read and leveled. */

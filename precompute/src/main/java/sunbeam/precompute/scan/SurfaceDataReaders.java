@@ -100,9 +100,8 @@ final class SurfaceDataReaders {
     }
 
     private static void requireUncompressed(int compression) {
-        if (compression != 0) {
-            throw new ScanException("is compressed, which this reader does not support; export it without compression");
-        }
+        ScanException.refuseIf(
+                compression != 0, "is compressed, which this reader does not support; export it without compression");
     }
 
     static boolean isX3p(ScanBytes file) throws IOException {
@@ -123,13 +122,12 @@ final class SurfaceDataReaders {
     static List<ScanChannel> x3p(ScanBytes file) throws IOException {
         try (ZipFile archive = new ZipFile(file.path().toFile())) {
             Header main = main(member(archive, MAIN, 0));
-            if (!main.text("CX/AxisType", "I").equals("I")
-                    || !main.text("CY/AxisType", "I").equals("I")) {
-                throw new ScanException("holds points on no grid; interpolate them and export a matrix");
-            }
-            if (main.number("MatrixDimension/SizeZ", 1) != 1) {
-                throw new ScanException("holds several layers; export one of them");
-            }
+            ScanException.refuseIf(
+                    !main.text("CX/AxisType", "I").equals("I")
+                            || !main.text("CY/AxisType", "I").equals("I"),
+                    "holds points on no grid; interpolate them and export a matrix");
+            ScanException.refuseIf(
+                    main.number("MatrixDimension/SizeZ", 1) != 1, "holds several layers; export one of them");
             int columns = main.count("MatrixDimension/SizeX");
             int rows = main.count("MatrixDimension/SizeY");
             ScanLimits.requireSize(columns, rows);

@@ -39,9 +39,7 @@ final class TextHeaderReaders {
         int position = 0;
         while (!common.has("data")) {
             int end = head.indexOf('\n', position);
-            if (end < 0) {
-                throw new ScanException("has no line \"data\" after its header; copy or export it again");
-            }
+            ScanException.refuseIf(end < 0, "has no line \"data\" after its header; copy or export it again");
             String line = head.substring(position, end);
             String key = line.substring(0, Math.min(KEY_LENGTH, line.length())).strip();
             if (key.equals("bufferLabel")) {
@@ -154,9 +152,7 @@ final class TextHeaderReaders {
      */
     static List<ScanChannel> wsxm(ScanBytes file) throws IOException {
         Matcher size = WSXM_SIZE.matcher(file.headText(300));
-        if (!size.find()) {
-            throw new ScanException("does not say how long its header is; save it with a newer WSxM");
-        }
+        ScanException.refuseIf(!size.find(), "does not say how long its header is; save it with a newer WSxM");
         int start = Integer.parseInt(size.group(1));
         file.requireInside(start, 0);
         Header values = Header.of(file.headText(start), ':');

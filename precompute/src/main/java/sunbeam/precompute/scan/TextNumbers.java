@@ -98,9 +98,8 @@ public final class TextNumbers {
 
     private void add(double value) {
         if (count == values.length) {
-            if (count >= MOST) {
-                throw new ScanException("has more than " + MOST + " numbers, more than can be used; crop the scan");
-            }
+            ScanException.refuseIf(
+                    count >= MOST, "has more than " + MOST + " numbers, more than can be used; crop the scan");
             ScanLimits.requireMemory(2L * count, 0);
             values = Arrays.copyOf(values, (int) Math.min(MOST, 2L * count));
         }
@@ -124,16 +123,14 @@ public final class TextNumbers {
     }
 
     void requireRectangular() {
-        if (!isRectangular()) {
-            throw new ScanException("has " + ragged + ", but " + columns + " in its first row; export it again");
-        }
+        ScanException.refuseIf(
+                !isRectangular(), "has " + ragged + ", but " + columns + " in its first row; export it again");
     }
 
     public double[] first(int wanted) {
-        if (wanted > count) {
-            throw new ScanException(
-                    "has " + count + " numbers where its header announces " + wanted + "; copy or export it again");
-        }
+        ScanException.refuseIf(
+                wanted > count,
+                "has " + count + " numbers where its header announces " + wanted + "; copy or export it again");
         return Arrays.copyOf(values, wanted);
     }
 

@@ -68,10 +68,9 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
 
     /** Refuses profiles, and a first column or row of coordinates or row numbers. */
     private static void refuseCoordinates(double[] heights, int columns, int rows) {
-        if (columns == 2 && rows > 2) {
-            throw new ScanException(
-                    "has two columns, places and heights: a profile is no surface; export the whole image");
-        }
+        ScanException.refuseIf(
+                columns == 2 && rows > 2,
+                "has two columns, places and heights: a profile is no surface; export the whole image");
         // The corner, where the first column and row meet, is left out.
         if (columns > 1
                 && isEvenlySpaced(heights, columns, columns, rows - 1)

@@ -60,9 +60,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         } catch (IOException | RuntimeException broken) {
             throw damaged(broken);
         }
-        if (pages.isEmpty()) {
-            throw new ScanException("has no TIFF page; copy or export it again");
-        }
+        ScanException.refuseIf(pages.isEmpty(), "has no TIFF page; copy or export it again");
         return pages;
     }
 
@@ -174,14 +172,12 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
                 ? Set.of(16, 32, 64).contains(bits())
                 : Set.of(UNSIGNED, SIGNED).contains(format())
                         && Set.of(8, 16, 32).contains(bits());
-        if (!known || !sameBitDepth) {
-            throw new ScanException(
-                    "is a TIFF with " + (sameBitDepth ? bits() + "-bit" : "differently sized") + " samples of format "
-                            + format() + "; save it as integers of 8, 16 or 32 bits or floats of 16, 32 or 64");
-        }
-        if (bands() < 1 || bands() > MAX_BANDS) {
-            throw new ScanException("has " + bands() + " channels; save it as gray or RGB");
-        }
+        ScanException.refuseIf(
+                !known || !sameBitDepth,
+                "is a TIFF with " + (sameBitDepth ? bits() + "-bit" : "differently sized") + " samples of format "
+                        + format() + "; save it as integers of 8, 16 or 32 bits or floats of 16, 32 or 64");
+        ScanException.refuseIf(
+                bands() < 1 || bands() > MAX_BANDS, "has " + bands() + " channels; save it as gray or RGB");
         double tile = number(TIFF.TAG_TILE_WIDTH, 0) * number(TIFF.TAG_TILE_HEIGTH, 0);
         if (tile > ScanLimits.MOST_SAMPLES) {
             throw new ScanException(Text.format("is a TIFF with tiles of %.0f samples; save it in strips", tile));
@@ -217,9 +213,7 @@ record TiffPage(ScanBytes file, int index, Directory tags) {
         @Override
         public int read(byte[] bytes, int offset, int count) throws IOException {
             rest -= count;
-            if (rest < 0) {
-                throw new ScanException("has TIFF tags larger than the file; it is damaged, export it again");
-            }
+            ScanException.refuseIf(rest < 0, "has TIFF tags larger than the file; it is damaged, export it again");
             return super.read(bytes, offset, count);
         }
     }

@@ -99,12 +99,11 @@ final class TiffTagReaders {
         byte[] data = page.bytes(PARK_DATA);
         byte[] head = page.bytes(PARK_HEADER);
         ByteBuffer header = ByteBuffer.wrap(head).order(ByteOrder.LITTLE_ENDIAN);
-        if (page.number(PARK_TAG, 0) != PARK_MAGIC || data.length == 0 || head.length < LEAST_HEADER) {
-            throw new ScanException("has no heights in its Park Systems tags; export it again");
-        }
-        if (header.getInt(0) != 0) {
-            throw new ScanException("holds lines or spectra and no scan; choose the file of the image");
-        }
+        ScanException.refuseIf(
+                page.number(PARK_TAG, 0) != PARK_MAGIC || data.length == 0 || head.length < LEAST_HEADER,
+                "has no heights in its Park Systems tags; export it again");
+        ScanException.refuseIf(
+                header.getInt(0) != 0, "holds lines or spectra and no scan; choose the file of the image");
         int columns = header.getInt(100);
         int rows = header.getInt(104);
         boolean forward = header.getInt(128) != 0;

@@ -39,9 +39,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
 
     /** Throws InputException if the file cannot be used; the message names line, column and value. */
     public static DirectionList read(Path file) {
-        if (Files.isDirectory(file)) {
-            throw new InputException("cannot read " + file + ": it is a folder; name a file in it");
-        }
+        InputException.refuseIf(Files.isDirectory(file), "cannot read " + file + ": it is a folder; name a file in it");
         return InputException.naming(file, () -> read(Files.newInputStream(file)));
     }
 
@@ -51,9 +49,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
                     .filter(record ->
                             record.getFieldCount() > 1 || !record.getField(0).isBlank())
                     .iterator();
-            if (!records.hasNext()) {
-                throw new InputException("it is empty; its first line must name the columns");
-            }
+            InputException.refuseIf(!records.hasNext(), "it is empty; its first line must name the columns");
             List<String> header =
                     records.next().getFields().stream().map(String::strip).toList();
             List<String> columns = columns(header);
@@ -95,9 +91,8 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
                 throw new InputException(
                         "it has no column " + name + ", only " + abbreviated(String.join(",", header)) + remedy);
             }
-            if (header.indexOf(name) != header.lastIndexOf(name)) {
-                throw new InputException("it has two columns " + name + "; remove one");
-            }
+            InputException.refuseIf(
+                    header.indexOf(name) != header.lastIndexOf(name), "it has two columns " + name + "; remove one");
         }
         return columns;
     }
@@ -107,9 +102,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
         while (records.hasNext()) {
             CsvRecord record = records.next();
             String place = "line " + record.getStartingLineNumber();
-            if (rows.size() == MOST_ROWS) {
-                throw new InputException("more than " + MOST_ROWS + " rows; split it");
-            }
+            InputException.refuseIf(rows.size() == MOST_ROWS, "more than " + MOST_ROWS + " rows; split it");
             if (record.getFieldCount() != header.size()) {
                 throw new InputException(
                         place + ": " + record.getFieldCount() + " fields, but the header has " + header.size());
@@ -119,9 +112,7 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
                             number(place + ", column " + name + ": ", name, record.getField(header.indexOf(name))))
                     .toArray());
         }
-        if (rows.isEmpty()) {
-            throw new InputException("it has a header but no row");
-        }
+        InputException.refuseIf(rows.isEmpty(), "it has a header but no row");
         return rows;
     }
 

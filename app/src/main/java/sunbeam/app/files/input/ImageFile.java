@@ -36,9 +36,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
     public static BufferedImage ours(Path file, String remedy) {
         return InputException.naming(file, () -> {
             BufferedImage image = ImageIO.read(file.toFile());
-            if (image == null) {
-                throw new InputException("it is no picture; " + remedy);
-            }
+            InputException.refuseIf(image == null, "it is no picture; " + remedy);
             return image;
         });
     }

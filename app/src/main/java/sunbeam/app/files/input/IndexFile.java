@@ -79,10 +79,9 @@ public final class IndexFile {
     }
 
     private static void requireVisible(String column, NavigableMap<Double, Double> values) {
-        if (values.isEmpty()) {
-            throw new InputException("it has no column " + column
-                    + "; export it from refractiveindex.info as CSV, with the header wl,n");
-        }
+        InputException.refuseIf(
+                values.isEmpty(),
+                "it has no column " + column + "; export it from refractiveindex.info as CSV, with the header wl,n");
         double first = 1e9 * values.firstKey();
         double last = 1e9 * values.lastKey();
         if (first > FIRST_NM + ROUNDING || last < LAST_NM - ROUNDING) {

@@ -55,9 +55,7 @@ public final class PngText {
     }
 
     private static Map<String, String> read(DataInputStream stream) throws IOException {
-        if (!Arrays.equals(stream.readNBytes(SIGNATURE.length), SIGNATURE)) {
-            throw new InputException("it is no PNG file");
-        }
+        InputException.refuseIf(!Arrays.equals(stream.readNBytes(SIGNATURE.length), SIGNATURE), "it is no PNG file");
         Map<String, String> text = new LinkedHashMap<>();
         CRC32 checksum = new CRC32();
         InputStream checked = new CheckedInputStream(stream, checksum);
@@ -69,16 +67,13 @@ public final class PngText {
                 return text;
             }
             boolean isText = type.equals("tEXt") || type.equals("iTXt");
-            if (isText && length > LONGEST_TEXT_BYTES) {
-                throw new InputException("a text has " + length + " bytes");
-            }
+            InputException.refuseIf(isText && length > LONGEST_TEXT_BYTES, "a text has " + length + " bytes");
             byte[] data = checked.readNBytes(isText ? (int) length : 0);
             // Pixels are checked too: the texts do not describe a damaged picture.
             checked.skipNBytes(length - data.length);
-            if ((int) checksum.getValue() != stream.readInt()) {
-                throw new InputException(
-                        "it is damaged (checksum of " + (isText ? "its text" : Quoted.oneLine(type)) + ")");
-            }
+            InputException.refuseIf(
+                    (int) checksum.getValue() != stream.readInt(),
+                    "it is damaged (checksum of " + (isText ? "its text" : Quoted.oneLine(type)) + ")");
             if (isText) {
                 addEntry(text, type, data);
             }
@@ -93,9 +88,8 @@ public final class PngText {
             return;
         }
         // iTXt: keyword, 0, compression flag, compression method, language, 0, translated keyword, 0, text.
-        if (keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0) {
-            throw new InputException("the text '" + keyword + "' is compressed");
-        }
+        InputException.refuseIf(
+                keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0, "the text '" + keyword + "' is compressed");
         int languageEnd = indexOfZero(data, keywordEnd + 3);
         int translatedEnd = indexOfZero(data, languageEnd + 1);
         text.put(keyword, string(data, translatedEnd + 1, data.length, StandardCharsets.UTF_8));

@@ -167,10 +167,9 @@ final class GltfAccessors {
     /** Returns an entry of a list of the document; "what" names its kind in messages. */
     <T> T entry(List<T> list, Integer index, String what) {
         int count = list == null ? 0 : list.size();
-        if (index == null || index < 0 || index >= count) {
-            throw new InputException(
-                    "it names " + what + " " + index + " of " + count + "; repair it or export it again");
-        }
+        InputException.refuseIf(
+                index == null || index < 0 || index >= count,
+                "it names " + what + " " + index + " of " + count + "; repair it or export it again");
         return list.get(index);
     }
 
@@ -228,9 +227,8 @@ final class GltfAccessors {
         OwnFolder folder = new OwnFolder(file.toAbsolutePath(), "mesh");
         try {
             Path path = folder.file(decoded(uri));
-            if (!Files.exists(path)) {
-                throw new InputException("its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
-            }
+            InputException.refuseIf(
+                    !Files.exists(path), "its buffer " + Quoted.of(uri) + " is missing; copy it into the folder, too");
             folder.requireNoWayOut(path);
             InputException.requireRegular(path);
             return path;

@@ -75,9 +75,8 @@ final class GltfDocument {
     static GlTF read(byte[] json) throws IOException {
         JsonNode tree = tree(json);
         String version = tree.path("asset").path("version").asText();
-        if (!version.startsWith("2.")) {
-            throw new InputException("it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
-        }
+        InputException.refuseIf(
+                !version.startsWith("2."), "it is glTF of version " + Quoted.of(version) + "; export it as glTF 2.0");
         ((ObjectNode) tree).retain(READ_PROPERTIES);
         checkAndNormalize(JsonPointer.empty(), tree);
         GlTF gltf;
@@ -105,10 +104,9 @@ final class GltfDocument {
     private static JsonNode tree(byte[] json) throws IOException {
         try (JsonParser parser = JSON.createParser(json)) {
             for (int values = 0; parser.nextToken() != null; values++) {
-                if (values > MOST_VALUES) {
-                    throw new InputException("its JSON has more than " + MOST_VALUES
-                            + " values; export it with its numbers in a buffer");
-                }
+                InputException.refuseIf(
+                        values > MOST_VALUES,
+                        "its JSON has more than " + MOST_VALUES + " values; export it with its numbers in a buffer");
             }
             return MAPPER.readTree(json);
         } catch (JsonProcessingException broken) {

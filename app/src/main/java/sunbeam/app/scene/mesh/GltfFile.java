@@ -50,10 +50,9 @@ final class GltfFile {
         if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {
             return read(file, text(all, 0, all.limit()), ByteBuffer.allocate(0));
         }
-        if (all.getInt(4) != 2) {
-            throw new InputException(
-                    "it is glTF of version " + Integer.toUnsignedLong(all.getInt(4)) + "; export it as glTF 2.0");
-        }
+        InputException.refuseIf(
+                all.getInt(4) != 2,
+                "it is glTF of version " + Integer.toUnsignedLong(all.getInt(4)) + "; export it as glTF 2.0");
         int first = HEADER_BYTES + CHUNK_HEADER_BYTES;
         int json = chunk(all, HEADER_BYTES, JSON, "JSON");
         int next = first + json;
@@ -90,10 +89,9 @@ final class GltfFile {
     }
 
     private static byte[] text(ByteBuffer all, int offset, int length) {
-        if (length > MOST_JSON_BYTES) {
-            throw new InputException("its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES
-                    + " can be used, so export it as .glb");
-        }
+        InputException.refuseIf(
+                length > MOST_JSON_BYTES,
+                "its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES + " can be used, so export it as .glb");
         byte[] text = new byte[length];
         all.get(offset, text);
         return text;
@@ -102,9 +100,8 @@ final class GltfFile {
     private record PendingNode(Integer node, Matrix4d parent) {}
 
     private RawMesh mesh() throws IOException {
-        if (gltf.getScenes() == null) {
-            throw new InputException("it has no scene, so nothing is placed; export it again with one");
-        }
+        InputException.refuseIf(
+                gltf.getScenes() == null, "it has no scene, so nothing is placed; export it again with one");
         List<Integer> roots = accessors
                 .entry(gltf.getScenes(), gltf.getScene() == null ? 0 : gltf.getScene(), "scene")
                 .getNodes();
@@ -153,14 +150,12 @@ final class GltfFile {
 
     private void place(Integer number, Node node, Matrix4d place) throws IOException {
         var mesh = accessors.entry(gltf.getMeshes(), node.getMesh(), "mesh");
-        if (node.getSkin() != null) {
-            throw new InputException(
-                    "node " + number + " is moved by a skeleton; apply its pose and export it without one");
-        }
-        if (isMoved(node.getWeights() == null ? mesh.getWeights() : node.getWeights())) {
-            throw new InputException(
-                    "node " + number + " is moved by the weights of targets; apply them and export it again");
-        }
+        InputException.refuseIf(
+                node.getSkin() != null,
+                "node " + number + " is moved by a skeleton; apply its pose and export it without one");
+        InputException.refuseIf(
+                isMoved(node.getWeights() == null ? mesh.getWeights() : node.getWeights()),
+                "node " + number + " is moved by the weights of targets; apply them and export it again");
         for (MeshPrimitive primitive : mesh.getPrimitives() == null ? List.<MeshPrimitive>of() : mesh.getPrimitives()) {
             primitives.add(primitive, place);
         }

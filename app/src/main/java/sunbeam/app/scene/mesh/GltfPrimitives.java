@@ -144,10 +144,9 @@ final class GltfPrimitives {
     private double[] read(Map<String, Integer> attributes, String name, int components, int vertices)
             throws IOException {
         Integer accessor = attributes.get(name);
-        if (accessors.count(accessor) != vertices) {
-            throw new InputException(name + " has " + accessors.count(accessor) + " elements of " + vertices
-                    + " vertices; export it again");
-        }
+        InputException.refuseIf(
+                accessors.count(accessor) != vertices,
+                name + " has " + accessors.count(accessor) + " elements of " + vertices + " vertices; export it again");
         return accessors.read(accessor, components);
     }
 

@@ -103,9 +103,8 @@ public record MeshSource(String name, Unit unit) {
     /** Throws InputException if there is no such mesh, or the file cannot be used. */
     public Loaded load() {
         if (BuiltInMeshes.names().contains(name)) {
-            if (unit != Unit.M) {
-                throw new InputException("mesh " + name + " is in meters; leave out the unit, which is for files");
-            }
+            InputException.refuseIf(
+                    unit != Unit.M, "mesh " + name + " is in meters; leave out the unit, which is for files");
             return new Loaded(BuiltInMeshes.create(name), List.of());
         }
         Path file = Path.of(name);
@@ -141,12 +140,9 @@ public record MeshSource(String name, Unit unit) {
         List<String> warnings = new ArrayList<>();
         RawMesh mesh = raw.withoutDegenerate();
         int dropped = (raw.cornerCount() - mesh.cornerCount()) / 3;
-        if (raw.cornerCount() == 0) {
-            throw new InputException(file + " has no faces; name a mesh with faces as OBJ, PLY or glTF");
-        }
-        if (mesh.cornerCount() == 0) {
-            throw new InputException(file + " has no face with an area");
-        }
+        InputException.refuseIf(
+                raw.cornerCount() == 0, file + " has no faces; name a mesh with faces as OBJ, PLY or glTF");
+        InputException.refuseIf(mesh.cornerCount() == 0, file + " has no face with an area");
         if (dropped > 0) {
             warnings.add(file + ": dropped " + count(dropped, "triangle") + " without area");
         }

@@ -105,10 +105,9 @@ final class ObjFile {
         for (int corner = 0; corner < count; corner++) {
             corner(words.nextToken(), polygon, 3 * corner);
             for (int kind = 1; kind < 3; kind++) {
-                if ((polygon[3 * corner + kind] < 0) != (polygon[kind] < 0)) {
-                    throw new InputException(
-                            "the face's corners differ in kind; give all of them texture coordinate and normal, or none");
-                }
+                InputException.refuseIf(
+                        (polygon[3 * corner + kind] < 0) != (polygon[kind] < 0),
+                        "the face's corners differ in kind; give all of them texture coordinate and normal, or none");
             }
         }
         mesh.addFace(polygon);

@@ -88,9 +88,7 @@ final class PlyFile {
         if (isVertex()) {
             hasCoordinates = areThere(coordinates);
             hasNormals = areThere(normal);
-            if (!areThere(position)) {
-                throw new InputException("it has not x, y and z; export the mesh again");
-            }
+            InputException.refuseIf(!areThere(position), "it has not x, y and z; export the mesh again");
         } else if ((isFace() || isStrips()) && corners < 0) {
             throw new InputException("it has no list vertex_indices; export the mesh again");
         }
@@ -141,9 +139,8 @@ final class PlyFile {
     private static double[] numbers(double[][] values, int... columns) {
         return IntStream.of(columns)
                 .mapToDouble(column -> {
-                    if (values[column].length != 1) {
-                        throw new InputException("a list where a number belongs; export the mesh again");
-                    }
+                    InputException.refuseIf(
+                            values[column].length != 1, "a list where a number belongs; export the mesh again");
                     return values[column][0];
                 })
                 .toArray();

@@ -75,10 +75,9 @@ record PlyHeader(Encoding encoding, List<Element> elements) {
         StringBuilder line = new StringBuilder();
         for (int next = stream.read(); next != '\n' && next >= 0; next = stream.read()) {
             line.append((char) next);
-            if (line.length() > LONGEST_LINE) {
-                throw new InputException(
-                        "a line of the header is longer than " + LONGEST_LINE + " characters; export the mesh again");
-            }
+            InputException.refuseIf(
+                    line.length() > LONGEST_LINE,
+                    "a line of the header is longer than " + LONGEST_LINE + " characters; export the mesh again");
         }
         return line.toString();
     }

@@ -94,9 +94,8 @@ public record BodyTexture(int width, int height, byte[] rgba) {
     }
 
     static BodyTexture read(String what, Path file, String alternative, long heapBytes) {
-        if (!Files.exists(file)) {
-            throw new InputException("there is no " + what + " " + file + "; name an image file" + alternative);
-        }
+        InputException.refuseIf(
+                !Files.exists(file), "there is no " + what + " " + file + "; name an image file" + alternative);
         BufferedImage image =
                 new ImageFile(what, LARGEST_SIDE, LARGEST_SIDE * LARGEST_SIDE, BYTES_PER_PIXEL).read(file, heapBytes);
         int width = image.getWidth();
