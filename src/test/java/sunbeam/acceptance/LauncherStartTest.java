@@ -95,13 +95,11 @@ class LauncherStartTest extends InSandbox {
 
     /** Runs a script of bash, whose arguments are bash and the launcher, and compares its output and exit code. */
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "PATH= exec $1 \"$2\" inspect | there is no cat on the PATH (); add the folder that has it | 7",
-                "ulimit -n 32; exec $1 \"$2\" inspect | only 32 files may be open at once; allow 256 (ulimit -n 256) | 7",
-                "mkdir gone; cd gone; rmdir ../gone; exec $1 \"$2\" inspect | the current folder does not exist any more: change to another (cd) | 2"
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            PATH= exec $1 "$2" inspect | there is no cat on the PATH (); add the folder that has it | 7
+            ulimit -n 32; exec $1 "$2" inspect | only 32 files may be open at once; allow 256 (ulimit -n 256) | 7
+            mkdir gone; cd gone; rmdir ../gone; exec $1 "$2" inspect | the current folder does not exist any more: change to another (cd) | 2
+            """)
     void whatTheLauncherCannotDoIsALineOfOurs(String script, String words, int code) throws Exception {
         ProcessBuilder start = new ProcessBuilder(
                 "/bin/bash", "-c", script, "start", "/bin/bash", launcher().toString());

@@ -107,21 +107,19 @@ final class SunbeamTest extends CommandLineFixture {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then",
-                "brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help",
-                "export blaze --format npz --output x --theta-max 0,5 | option '--theta-max': '0,5' is no number, such as 0.5; write a decimal point for the comma, \"0.5\"; see",
-                "color --patch blaze --theta-i 3,5 | --theta-i \"3,5\" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point",
-                "brdf-map --patch nowhere --theta-i 95 | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
-                "color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg",
-                "brdf-map --tolerance 0,01 | --tolerance \"0,01\" is no number; write a decimal point for the comma, \"0.01\"",
-                "brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point",
-                "color blaze --output - | cannot write several files to standard output: name a file",
-                "evaluate blaze --output - | cannot write several files to standard output: name a file",
-                "colour               | unknown command 'colour' (did you mean color?); see sunbeam --help",
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            --theta-i 30 brdf-map | option '--theta-i' has no command before it; give the command first, then
+            brdf-map --size 8x8   | option '--size': '8x8' is no whole number, such as 512; see sunbeam brdf-map --help
+            export blaze --format npz --output x --theta-max 0,5 | option '--theta-max': '0,5' is no number, such as 0.5; write a decimal point for the comma, "0.5"; see
+            color --patch blaze --theta-i 3,5 | --theta-i "3,5" is no angle; give degrees as in 30deg, or radians as in 0.5rad; write a decimal point
+            brdf-map --patch nowhere --theta-i 95 | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg
+            color --patch nowhere --theta-i 95    | --theta-i 95 deg is out of range; give 0 deg to 89.9 deg
+            brdf-map --tolerance 0,01 | --tolerance "0,01" is no number; write a decimal point for the comma, "0.01"
+            brdf-map --exposure 1,5 | --exposure '1,5' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from; write a decimal point
+            color blaze --output - | cannot write several files to standard output: name a file
+            evaluate blaze --output - | cannot write several files to standard output: name a file
+            colour               | unknown command 'colour' (did you mean color?); see sunbeam --help
+            """)
     void whatBeginnersWriteIsOneLineWithTheRemedy(String commandLine, String message) {
         assertThat(sunbeam(commandLine)).isEqualTo(2);
         assertThat(err.toString()).contains(message).hasLineCount(1);

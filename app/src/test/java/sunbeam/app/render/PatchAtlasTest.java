@@ -152,17 +152,15 @@ class PatchAtlasTest extends InAScene {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "'\"map\": \"../m.png\", \"#ff0000\": \"blaze\"'|\"patch.map\": ../m.png",
-                "'\"map\": \"none.png\", \"#ff0000\": \"blaze\"'|is no file",
-                "'\"map\": \"m.png\"'|has 0 patches beside its map",
-                "'\"map\": \"m.png\", \"red\": \"blaze\"'|is no color",
-                "'\"map\": \"m.png\", \"#ff0000\": \"blaze\", \"#FF0000\": \"disc\"'|gives #ff0000 two patches",
-                "'\"map\": \"m.png\", \"#ff0000\": \"no-such\"'|\"patch.#ff0000\": no-such",
-                "'\"map\": \"m.png\", \"#ff0000\": 3'|\"patch.#ff0000\": must be an object",
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            '"map": "../m.png", "#ff0000": "blaze"'|"patch.map": ../m.png
+            '"map": "none.png", "#ff0000": "blaze"'|is no file
+            '"map": "m.png"'|has 0 patches beside its map
+            '"map": "m.png", "red": "blaze"'|is no color
+            '"map": "m.png", "#ff0000": "blaze", "#FF0000": "disc"'|gives #ff0000 two patches
+            '"map": "m.png", "#ff0000": "no-such"'|"patch.#ff0000": no-such
+            '"map": "m.png", "#ff0000": 3'|"patch.#ff0000": must be an object
+            """)
     void invalidPatchMapsAreRefusedInOneLine(String keys, String complaint) throws IOException {
         Files.copy(Path.of(map(BufferedImage.TYPE_INT_RGB, RED, RED, RED, RED)), folder.resolve("m.png"));
         Path file = Files.writeString(folder.resolve("scene.json"), """

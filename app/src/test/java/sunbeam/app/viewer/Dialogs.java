@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
@@ -34,11 +35,9 @@ final class Dialogs {
 
     static void answer(String title, String button) throws Exception {
         JDialog dialog = await(title);
-        SwingUtilities.invokeLater(() -> all(dialog, AbstractButton.class).stream()
-                .filter(candidate -> button.equals(candidate.getText()))
-                .findFirst()
-                .orElseThrow()
-                .doClick());
+        SwingUtilities.invokeLater(
+                () -> find(dialog, AbstractButton.class, candidate -> button.equals(candidate.getText()))
+                        .doClick());
         ViewerInAWindow.awaitOnEvents(() -> !dialog.isShowing());
     }
 
@@ -61,6 +60,11 @@ final class Dialogs {
             }
         }
         return Optional.empty();
+    }
+
+    /** Returns the first component of a type, at any depth, that a condition holds for. */
+    static <T> T find(Container root, Class<T> type, Predicate<T> condition) {
+        return all(root, type).stream().filter(condition).findFirst().orElseThrow();
     }
 
     static <T> List<T> all(Container root, Class<T> type) {

@@ -33,12 +33,8 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
 
     @Test
     void theThesisStandsToTheRightOfALineThatIsDragged() throws Exception {
-        onEvents(() -> {
-            // The comparison uses the exposure of the scene's own picture.
-            viewer.model()
-                    .change(scene -> scene.with(Choices.none().with(SceneSettings.EXPOSURE, OptionalDouble.of(0.7))));
-            return null;
-        });
+        // The comparison uses the exposure of the scene's own picture.
+        change(scene -> scene.with(Choices.none().with(SceneSettings.EXPOSURE, OptionalDouble.of(0.7))));
         awaitFinal();
         Scene scene = modelScene();
         BufferedImage own = picture();
@@ -82,12 +78,11 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
 
     @Test
     void bothSidesHaveTheGround() throws Exception {
-        onEvents(() -> viewer.model()
-                .change(scene -> scene.with(Choices.none()
-                        .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
-                        .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
-                        .with(SceneSettings.SKY, 0.5)
-                        .with(SceneSettings.SHADOWS, true))));
+        change(scene -> scene.with(Choices.none()
+                .with(SceneSettings.GROUND, Optional.of(SceneColor.parse("#a0a0a0")))
+                .with(SceneSettings.BACKGROUND, SceneColor.parse("#ff00ff"))
+                .with(SceneSettings.SKY, 0.5)
+                .with(SceneSettings.SHADOWS, true)));
         awaitFinal();
         choose("comparison", "full, thesis");
         BufferedImage both = awaitOther();

@@ -175,10 +175,7 @@ public abstract class ViewerInAWindow {
     }
 
     <T extends Component> T control(String name, Class<T> type) {
-        return Dialogs.all(viewer.window().controls(), type).stream()
-                .filter(control -> name.equals(control.getName()))
-                .findFirst()
-                .orElseThrow(() -> new AssertionError("there is no control " + name));
+        return Dialogs.find(viewer.window().controls(), type, control -> name.equals(control.getName()));
     }
 
     Environment environment() {

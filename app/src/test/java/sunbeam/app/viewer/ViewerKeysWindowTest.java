@@ -78,8 +78,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         drag(InputEvent.BUTTON1_DOWN_MASK);
         drag(InputEvent.BUTTON3_DOWN_MASK);
         wheel(2);
-        onEvents(() ->
-                viewer.model().change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 1.0))));
+        change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 1.0)));
         awaitFinal();
         assertThat(different(before, picture(), true)).isPositive();
         press(KeyEvent.VK_HOME);
@@ -131,10 +130,8 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     }
 
     private boolean button(String name) throws Exception {
-        return onEvents(() -> Dialogs.all(viewer.window().getJMenuBar(), JToggleButton.class).stream()
-                .filter(button -> name.equals(button.getName()))
-                .findFirst()
-                .orElseThrow()
+        JMenuBar bar = viewer.window().getJMenuBar();
+        return onEvents(() -> Dialogs.find(bar, JToggleButton.class, button -> name.equals(button.getName()))
                 .isSelected());
     }
 
@@ -173,10 +170,8 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     private List<String> marked(String title) throws Exception {
         return onEvents(() -> {
             JMenuBar bar = viewer.window().getJMenuBar();
-            JMenu menu = Dialogs.all(bar, JMenu.class).stream()
-                    .filter(candidate -> candidate.getText().equals(title))
-                    .findFirst()
-                    .orElseThrow();
+            JMenu menu = Dialogs.find(
+                    bar, JMenu.class, candidate -> candidate.getText().equals(title));
             menu.setSelected(true);
             menu.setSelected(false);
             return Arrays.stream(menu.getMenuComponents())

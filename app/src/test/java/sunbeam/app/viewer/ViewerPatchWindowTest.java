@@ -71,10 +71,10 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     private JLabel caption() {
-        return Dialogs.all(viewer.window().controls(), JLabel.class).stream()
-                .filter(label -> label.getText().startsWith("Patch"))
-                .findFirst()
-                .orElseThrow();
+        return Dialogs.find(
+                viewer.window().controls(),
+                JLabel.class,
+                label -> label.getText().startsWith("Patch"));
     }
 
     @Test
@@ -149,10 +149,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     private JLabel label(String name) {
-        return Dialogs.all(viewer.window().status(), JLabel.class).stream()
-                .filter(label -> name.equals(label.getName()))
-                .findFirst()
-                .orElseThrow();
+        return Dialogs.find(viewer.window().status(), JLabel.class, label -> name.equals(label.getName()));
     }
 
     private boolean isBusy() throws Exception {

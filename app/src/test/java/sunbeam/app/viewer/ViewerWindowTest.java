@@ -132,6 +132,6 @@ final class ViewerWindowTest extends ViewerInAWindow {
     }
 
     private void moveLight() throws Exception {
-        onEvents(() -> viewer.model().change(scene -> scene.withLight(OTHER)));
+        change(scene -> scene.withLight(OTHER));
     }
 }

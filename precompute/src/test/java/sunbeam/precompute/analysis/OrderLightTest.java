@@ -57,10 +57,6 @@ class OrderLightTest {
         return Math.pow(BesselJ.value(Math.abs(order), Math.abs(argument)), 2);
     }
 
-    private static double sincSquared(double x) {
-        return x == 0 ? 1 : Math.pow(Math.sin(Math.PI * x) / (Math.PI * x), 2);
-    }
-
     @ParameterizedTest
     @CsvSource({"0, 0, 450", "40, 0, 600", "40, 90, 600", "65, 30, 500", "80, 137, 400"})
     void ordersOfASinusoidAreBesselFunctionsAlsoUnderConicalIncidence(double theta, double phi, double nanometers) {
@@ -79,35 +75,6 @@ class OrderLightTest {
         });
         assertThat(light.between()).isZero();
         assertThat(light.mirror()).isCloseTo(Gain.reflectance(wi.z()), within(1e-15));
-    }
-
-    @ParameterizedTest
-    @CsvSource({"0, 500", "0, 700", "30, 450", "70, 650"})
-    void blazeAndLamellarOrdersAreSincSquared(double theta, double nanometers) {
-        double wavelength = nanometers * 1e-9;
-        double height = 250e-9;
-        Direction wi = Direction.ofDegrees(theta, 0);
-        OrderLight blaze = light(grating((x, y) -> height * x / PERIOD), wi, wavelength);
-        OrderLight lamellar = light(grating((x, y) -> x < PERIOD / 2 ? height : 0), wi, wavelength);
-
-        blaze.efficiencies().forEach((order, efficiency) -> {
-            double w = pair(wi, wavelength, order.m(), 0).w();
-            // The ramp's phase k w H in periods; order m is the bin -m.
-            double expected = factor(wi, wavelength, order.m(), 0) * sincSquared(w * height / wavelength - order.m());
-            // Steps of a 2048th of the height: (pi x / 2048)^2 / 3 of the sinc at x of at most 7.
-            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(4e-5 * expected + EXPANSION));
-        });
-        lamellar.efficiencies().forEach((order, efficiency) -> {
-            double half =
-                    Math.PI / wavelength * pair(wi, wavelength, order.m(), 0).w() * height;
-            double share = order.m() == 0
-                    ? Math.pow(Math.cos(half), 2)
-                    : order.m() % 2 == 0 ? 0 : Math.pow(2 * Math.sin(half) / (Math.PI * order.m()), 2);
-            double expected = factor(wi, wavelength, order.m(), 0) * share;
-            assertThat(efficiency.value()).as("%s", order).isCloseTo(expected, within(4e-5 * expected + EXPANSION));
-        });
-        assertThat(blaze.efficiencies().keySet())
-                .isEqualTo(lamellar.efficiencies().keySet());
     }
 
     @Test

@@ -10,8 +10,6 @@ import static sunbeam.precompute.plan.MethodSettings.INTERPOLATION;
 import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.RADIUS;
 import static sunbeam.precompute.plan.MethodSettings.REPLICAS;
-import static sunbeam.precompute.plan.MethodSettings.TERMS;
-import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 import static sunbeam.precompute.plan.MethodSettings.WINDOW_ORIGIN;
 
 import java.util.List;
@@ -26,17 +24,14 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.builtin.BuiltInPatches;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings.GemForm;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.Neighborhood;
 import sunbeam.precompute.plan.Neighborhood.Anchor;
-import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
@@ -51,31 +46,12 @@ class MethodsTest {
         return Methods.ALL;
     }
 
-    @Test
-    void nothingChosenIsFullWithinTheStandardTolerance() {
-        assertThat(Methods.of(Choices.none()))
-                .isEqualTo(new FullMethod(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD));
-        assertThat(Methods.of(THESIS)).isEqualTo(FullMethod.thesis());
-    }
-
     @ParameterizedTest
     @MethodSource("types")
     void eachTypeMakesItsOwnMethodFromSettingsThatAreDeclared(MethodType type) {
         assertThat(Methods.of(Choices.none().with(Methods.METHOD, type)).type()).isSameAs(type);
         assertThat(Methods.SETTINGS).containsAll(type.settings()).doesNotHaveDuplicates();
         assertThat(Methods.METHOD.kind().parse(type.label())).isSameAs(type);
-    }
-
-    @Test
-    void refusesSettingsOfOtherMethodsAndNamesBoth() {
-        assertThatThrownBy(() -> Methods.of(Choices.none().with(REPLICAS, 3)))
-                .isInstanceOf(SettingException.class)
-                .hasMessage("replicas 3 belongs to method pq or reference, not full; leave it out or use method pq");
-        assertThatThrownBy(() -> Methods.of(GEM.with(TOLERANCE, 0.1)))
-                .hasMessage(
-                        "tolerance 0.1 belongs to method full, table, nmm or pq, not gem; leave it out or use method full");
-        assertThatThrownBy(() -> Methods.of(PQ.with(RADIUS, 3))).hasMessageContaining("not pq");
-        assertThatThrownBy(() -> Methods.of(REFERENCE.with(TERMS, 3))).hasMessageContaining("not reference");
     }
 
     @Test
@@ -110,13 +86,6 @@ class MethodsTest {
         assertThat(method.table().neighborhood()).contains(new Neighborhood(1, Anchor.NEAREST));
         FullMethod wide = (FullMethod) Methods.of(THESIS.with(RADIUS, 3));
         assertThat(wide.table().neighborhood()).contains(new Neighborhood(3, Anchor.FLOOR));
-    }
-
-    @Test
-    void theThesisKeepsNoTolerance() {
-        assertThatThrownBy(() -> Methods.of(THESIS.with(TOLERANCE, 0.1)))
-                .hasMessage("tolerance 0.1 contradicts preset thesis, whose choices keep no tolerance; leave one of"
-                        + " them out");
     }
 
     @Test

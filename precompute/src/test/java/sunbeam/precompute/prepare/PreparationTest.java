@@ -144,13 +144,11 @@ class PreparationTest {
             " is no area of four lengths; give LEFT:RIGHT,BOTTOM:TOP, such as 5um:25um,0um:10um";
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "0,5um|0.5um",
-                "0:0,5um,0:10um|0:0.5um,0:10um",
-                "2,5 um:20um,0:1,25 um|2.5 um:20um,0:1.25 um",
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            0,5um|0.5um
+            0:0,5um,0:10um|0:0.5um,0:10um
+            2,5 um:20um,0:1,25 um|2.5 um:20um,0:1.25 um
+            """)
     void decimalCommasDifferFromThoseBetweenLengths(String written, String meant) {
         assertThatThrownBy(() -> Crop.KIND.parse(written))
                 .hasMessage('"' + written + '"' + FORM + "; write a decimal point for the comma, \"" + meant + '"');

@@ -222,13 +222,10 @@ class ScanFormatTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "f8 | (9999999999, 128) | has 128 x 9999999999 samples; at most",
-                "u8 | (2, 3)            | numbers of type u8, which is not read; save a.astype('float64')",
-            },
-            quoteCharacter = '"')
+    @CsvSource(delimiter = '|', quoteCharacter = '"', textBlock = """
+            f8 | (9999999999, 128) | has 128 x 9999999999 samples; at most
+            u8 | (2, 3)            | numbers of type u8, which is not read; save a.astype('float64')
+            """)
     void namesTheRemedy(String type, String shape, String complaint) throws IOException {
         try (ScanBytes bytes = ScanBytes.open(numpyFile("<" + type, shape))) {
             assertThatThrownBy(() -> BinaryHeaderReaders.numpy(bytes)).hasMessageContaining(complaint);

@@ -3,6 +3,14 @@ package sunbeam.precompute.setting;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.setting.Choices.Origin;
 
@@ -20,16 +28,6 @@ class ChoicesTest {
         assertThat(choices.find(LENGTH)).isEmpty();
         assertThat(choices.get(LENGTH, 1e-6)).isEqualTo(1e-6);
         assertThat(choices.without(TERMS)).isEqualTo(Choices.none());
-    }
-
-    @Test
-    void refusesValuesBeyondTheLimitsInTheWordsOfTheirPlace() {
-        assertThatThrownBy(() -> Choices.none().parsed(LENGTH, "50nm", OPTION))
-                .isInstanceOf(SettingException.class)
-                .hasMessage("--coherence-length 50 nm is out of range; give 100 nm to 10 mm");
-        assertThatThrownBy(() -> Choices.none().parsed(TERMS, "2.5", OPTION))
-                .hasMessage("--terms \"2.5\" is no whole number");
-        assertThatThrownBy(() -> Choices.none().parsed(LENGTH, "NaNm", OPTION)).hasMessageContaining("is no length");
     }
 
     @Test
@@ -86,5 +84,34 @@ class ChoicesTest {
         assertThat(Choices.none().with(TERMS, 12, OPTION))
                 .isEqualTo(Choices.none().with(TERMS, 12))
                 .isNotEqualTo(Choices.none().with(TERMS, 13));
+    }
+
+    private static final Path SOURCES = Path.of("src", "main", "java");
+    private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|(?m)^\\s*//.*$", Pattern.DOTALL);
+    /** A character or a text within a line, so that a quotation mark as a character, or an apostrophe in a comment, opens no text. */
+    private static final Pattern LITERAL = Pattern.compile("'(?:\\\\.|[^'\\\\\n])++'|\"(?:\\\\.|[^\"\\\\\n])*+\"");
+
+    private static final Pattern OPTION_WORD = Pattern.compile("(?<![\\w-])--[a-z]");
+
+    @Test
+    void noTextNamesAnOption() throws IOException {
+        List<String> named = new ArrayList<>();
+        try (Stream<Path> files = Files.walk(SOURCES)) {
+            for (Path file :
+                    files.filter(path -> path.toString().endsWith(".java")).toList()) {
+                named.addAll(options(Files.readString(file)));
+            }
+        }
+        // An option of Gwyddion.
+        named.remove("\"--convert-to-gwy=\"");
+        assertThat(named).isEmpty();
+    }
+
+    private static List<String> options(String source) {
+        return LITERAL.matcher(COMMENT.matcher(source).replaceAll(""))
+                .results()
+                .map(MatchResult::group)
+                .filter(OPTION_WORD.asPredicate())
+                .toList();
     }
 }

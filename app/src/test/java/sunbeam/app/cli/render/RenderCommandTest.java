@@ -160,25 +160,23 @@ class RenderCommandTest extends CommandLineFixture {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--light-sweep 0 | is not a sweep",
-                "--supersample 0 | --supersample 0 is out of range",
-                "--turntable 2 --light-sweep 0:1 | contradict each other",
-                "--exposure -1 | --exposure",
-                "--method pq | has no ensemble average, which the scene asks for; add --average coherent",
-                "--method full --spacing 1um | --spacing",
-                "--replicas 2 | --replicas",
-                "--method gem --patch elaphe-like | for example 1um",
-                "--method table --preset thesis | --preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full",
-                "--size 0x5 | --size",
-                "--frames 5 | --frames 5 needs --light-sweep, whose frames it counts, as in",
-                "--frames 5 --turntable 3 | --turntable has its own number",
-                "--frame-rate 5 | --frame-rate needs --light-sweep or --turntable",
-                "--certify 0 | --certify 0 is out of range",
-                "--certify 6 --method nmm --average coherent | method nmm"
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            --light-sweep 0 | is not a sweep
+            --supersample 0 | --supersample 0 is out of range
+            --turntable 2 --light-sweep 0:1 | contradict each other
+            --exposure -1 | --exposure
+            --method pq | has no ensemble average, which the scene asks for; add --average coherent
+            --method full --spacing 1um | --spacing
+            --replicas 2 | --replicas
+            --method gem --patch elaphe-like | for example 1um
+            --method table --preset thesis | --preset thesis belongs to --method full, nmm, pq, gem or reference, not table; leave it out or use --method full
+            --size 0x5 | --size
+            --frames 5 | --frames 5 needs --light-sweep, whose frames it counts, as in
+            --frames 5 --turntable 3 | --turntable has its own number
+            --frame-rate 5 | --frame-rate needs --light-sweep or --turntable
+            --certify 0 | --certify 0 is out of range
+            --certify 6 --method nmm --average coherent | method nmm
+            """)
     void aMistakeIsAUsageErrorThatNamesIt(String options, String words) throws IOException {
         Files.writeString(scene, SCENE.replace("\"method\": \"full\", ", ""));
         assertComplaint(ExitCode.USAGE, "render @scene.json --size 40x30 --output @b.png " + options, words);

@@ -61,15 +61,13 @@ class GltfReaderTest extends MeshReading {
      * to 1. Here v grows upwards.
      */
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "'\"offset\":[0,1],\"rotation\":1.57079632679,\"scale\":[0.5,0.5]' | 0 | 0 | 0.5 | 0.5",
-                "'\"offset\":[0,1],\"scale\":[1,-1]'                              | 0 | 0 | 1   | 1",
-                "'\"scale\":[3,2]'                                                | 0 | -1 | 3  | 1",
-                "'\"offset\":[0.25,0.5]'                                          | 0.25 | -0.5 | 1.25 | 0.5",
-                "''                                                               | 0 | 0 | 1   | 1",
-            })
+    @CsvSource(delimiter = '|', textBlock = """
+            '"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]' | 0 | 0 | 0.5 | 0.5
+            '"offset":[0,1],"scale":[1,-1]'                              | 0 | 0 | 1   | 1
+            '"scale":[3,2]'                                                | 0 | -1 | 3  | 1
+            '"offset":[0.25,0.5]'                                          | 0.25 | -0.5 | 1.25 | 0.5
+            ''                                                               | 0 | 0 | 1   | 1
+            """)
     void textureTransformsAreApplied(String transform, float u, float v, float toU, float toV) throws IOException {
         // Float32 angles and coordinates.
         assertThat(bounds(textured(transformed(transform))))
@@ -183,22 +181,19 @@ class GltfReaderTest extends MeshReading {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            quoteCharacter = '`',
-            value = {
-                "/meshes/0/primitives/0/indices | \"x\"",
-                "/meshes/0/primitives/0/indices | null",
-                "/meshes/0/primitives | [null]",
-                "/bufferViews/1/byteOffset | null",
-                "/accessors/0/byteOffset | -1",
-                "/accessors/0/count | 2147483648",
-                "/accessors/0/max | [1,\"x\",0]",
-                "/nodes/0/scale | [2,3]",
-                "/nodes/0/scale | []",
-                "/nodes/0/matrix | [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0]",
-                "/nodes/0/mesh | 0.5",
-            })
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            /meshes/0/primitives/0/indices | "x"
+            /meshes/0/primitives/0/indices | null
+            /meshes/0/primitives | [null]
+            /bufferViews/1/byteOffset | null
+            /accessors/0/byteOffset | -1
+            /accessors/0/count | 2147483648
+            /accessors/0/max | [1,"x",0]
+            /nodes/0/scale | [2,3]
+            /nodes/0/scale | []
+            /nodes/0/matrix | [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0]
+            /nodes/0/mesh | 0.5
+            """)
     void aWrongValueIsRefusedByItsPath(String path, String value) throws IOException {
         ObjectMapper mapper = new ObjectMapper();
         JsonNode json = mapper.readTree(GOOD);
