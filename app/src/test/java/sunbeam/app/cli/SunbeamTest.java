@@ -169,8 +169,6 @@ final class SunbeamTest extends CommandLineFixture {
         return Stream.of(
                 Arguments.of(new UsageException("what"), 2),
                 Arguments.of(new InputException("what"), 4),
-                Arguments.of(new InputException("what"), 4),
-                Arguments.of(new InputException("what"), 4),
                 Arguments.of(new GraphicsException("what"), 5),
                 Arguments.of(new GraphicsException("what") {}, 5),
                 Arguments.of(new OutputException("what"), 6),

@@ -52,33 +52,6 @@ class ColorTableTest {
         }
     }
 
-    @Test
-    void coherentAveragesAndShortestWindowsHaveOneLevel() {
-        assertThat(ColorTable.within(1e-2, GaussianArea.STANDARD, 1e-6, false, 0)
-                        .levels())
-                .hasSize(1);
-        GaussianArea area = ENSEMBLE.with(CoherenceWindow.ofCoherenceLength(1e-6));
-        assertThat(ColorTable.within(1e-3, area, 1e-6, false, 0).levels()).hasSize(1);
-        assertThat(ColorTable.within(1e-2, area, 1e-6, false, 0).levels()).hasSize(2);
-    }
-
-    @Test
-    void meansAreInterpolatedAlongLinesButNotPointsAndNotLoneOrders() {
-        ColorTable fine = ColorTable.within(1e-3, ENSEMBLE, 1e-6, false, 0);
-        assertThat(fine.pointLevelCount()).isZero();
-        assertThat(fine.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
-        ColorTable coarse = ColorTable.within(1e-2, ENSEMBLE, 1e-6, false, 0);
-        assertThat(coarse.pointLevelCount()).isOne();
-        assertThat(coarse.levels().get(0).interpolation()).isEqualTo(Interpolation.CUBIC);
-        assertThat(coarse.levels().get(0).design().step())
-                .isLessThan(coarse.levels().get(1).design().step());
-        assertThat(coarse.levels().subList(1, coarse.levels().size()))
-                .allMatch(level -> level.interpolation() == Interpolation.SHIFTED_LINES);
-        ColorTable lone = ColorTable.within(1e-2, ENSEMBLE, 1e-6, true, 0);
-        assertThat(lone.pointLevelCount()).isZero();
-        assertThat(lone.levels()).allMatch(level -> level.interpolation() == Interpolation.CUBIC);
-    }
-
     /** A slope shifts (u, v) by the slope times w; the width of the finest level is not added twice. */
     @Test
     void levelsOfReliefAreAsWideAsItsSlopesMoveThem() {

@@ -48,22 +48,6 @@ class TablePointsTest {
         }
     }
 
-    @Test
-    void nowhereDoUAndVChangeFasterThanTheirPlaces() {
-        TableSpace space = new TableSpace.OneLight(Direction.ofDegrees(20, 10));
-        double step = 1e-4;
-        for (double x = -1.25; x <= 1.25; x += 0.05) {
-            for (double y = -1.25; y <= 1.25; y += 0.05) {
-                double[] here = space.uvw(x, y, 0);
-                double[] right = space.uvw(x + step, y, 0);
-                double[] below = space.uvw(x, y + step, 0);
-                // 1e-3: the slope's own change over a step.
-                assertThat(Math.hypot(right[0] - here[0], right[1] - here[1])).isLessThan(step * 1.001);
-                assertThat(Math.hypot(below[0] - here[0], below[1] - here[1])).isLessThan(step * 1.001);
-            }
-        }
-    }
-
     private static TablePoints of(Direction light) {
         return new TablePoints(VisibleRange.of(light));
     }
@@ -158,15 +142,5 @@ class TablePointsTest {
                 .orElseThrow();
         // 2,000 random ones of 8,000 miss the last hundred with a probability of 1e-12.
         assertThat(Math.toDegrees(Math.acos(steepest))).isGreaterThan(79);
-    }
-
-    @Test
-    void differentLightsAndPairsHaveDifferentKeys() {
-        Stream<String> keys = Stream.of(
-                of(new Direction(0, 0, 1)).key(),
-                of(Direction.ofDegrees(1, 0)).key(),
-                of(pairs(5)).key(),
-                of(pairs(6)).key());
-        assertThat(keys).doesNotHaveDuplicates();
     }
 }

@@ -30,12 +30,16 @@ class HeightLevelsTest {
     }
 
     @Test
-    void everySampleHasItsLevel() {
+    void everySampleHasItsLevelAndMinusZeroIsZero() {
         Random random = new Random(4);
         assertSortedDistinctAndIndexed(i -> 1e-7 * random.nextGaussian());
-        assertThat(assertSortedDistinctAndIndexed(i -> 1e-9 * random.nextInt(256))
-                        .count())
-                .isBetween(250, 256);
+        HeightLevels bytes = assertSortedDistinctAndIndexed(i -> 1e-9 * random.nextInt(256));
+        assertThat(bytes.count()).isBetween(250, 256);
+        HeightLevels flat = assertSortedDistinctAndIndexed(i -> 3e-9);
+        assertThat(flat.count()).isEqualTo(1);
+        HeightLevels zeros =
+                assertSortedDistinctAndIndexed(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : Double.MIN_VALUE);
+        assertThat(zeros.count()).isEqualTo(2);
     }
 
     @Test
@@ -44,21 +48,6 @@ class HeightLevelsTest {
         // All levels but one lie in one step of the search.
         assertSortedDistinctAndIndexed(i -> i == 77 ? 1e-3 : 1e-12 * random.nextInt(500));
         assertSortedDistinctAndIndexed(i -> i == 77 ? -Double.MAX_VALUE : i == 78 ? Double.MAX_VALUE : i);
-    }
-
-    @Test
-    void aFlatMapHasOneLevel() {
-        assertThat(assertSortedDistinctAndIndexed(i -> 3e-9).count()).isEqualTo(1);
-        assertThat(assertSortedDistinctAndIndexed(i -> i % 2 == 0 ? 0.0 : Double.MIN_VALUE)
-                        .count())
-                .isEqualTo(2);
-    }
-
-    @Test
-    void minusZeroIsZero() {
-        assertThat(assertSortedDistinctAndIndexed(i -> i % 3 == 0 ? -0.0 : i % 3 == 1 ? 0.0 : 1e-9)
-                        .count())
-                .isEqualTo(2);
     }
 
     /** The decision is based on 8192 samples; 4096 levels of a scan are not many, rare levels are. */

@@ -37,16 +37,6 @@ class PlannerTest {
 
     private record Request(TableChoices table, GaussianArea area) {}
 
-    /** The patch has 3.2 um: orders are resolved, neither resolved nor blurred, or blurred, as measured skins under sunlight. */
-    @ParameterizedTest
-    @CsvSource({"65e-6, OrderSampling, true", "10e-6, OrderSampling, false", "3.2e-6, GridSampling, false"})
-    void theWindowDecidesTheSampling(double coherenceLength, String sampling, boolean resolved) {
-        Sampling planned = plan(400e-9, request(coherenceLength)).sampling();
-        assertThat(planned.getClass().getSimpleName()).isEqualTo(sampling);
-        assertThat(planned instanceof OrderSampling orders && orders.resolved().isPresent())
-                .isEqualTo(resolved);
-    }
-
     @Test
     void theThesisStaysAsItIs() {
         SpectrumPlan plan = plan(400e-9, THESIS);
@@ -140,23 +130,6 @@ class PlannerTest {
         } else {
             assertThat(lines).anySatisfy(line -> assertThat(line).contains(reason, value));
         }
-    }
-
-    /** A lone bright bin half a bin beyond the neighborhood contributes less than the budget; a smaller neighborhood would not do. */
-    @ParameterizedTest
-    @ValueSource(doubles = {0.15, 0.4, 1, 2.3, 9})
-    void theNeighborhoodIsAsLargeAsItMustBe(double sigmaBins) {
-        for (double tolerance : new double[] {1e-2, 1e-3, 1e-4}) {
-            ErrorBudget budget = new ErrorBudget(tolerance);
-            int radius = budget.neighborhoodRadius(sigmaBins);
-            assertThat(gauss((radius + 0.5) / sigmaBins)).isLessThanOrEqualTo(budget.leftOut());
-            assertThat(radius == 0 || gauss((radius - 0.5) / sigmaBins) > budget.leftOut())
-                    .isTrue();
-        }
-    }
-
-    private static double gauss(double deviations) {
-        return Math.exp(-0.5 * deviations * deviations);
     }
 
     @Test
@@ -273,12 +246,8 @@ class PlannerTest {
     }
 
     private static Roughness measured(double relief, IntToDoubleFunction shape, double coherenceLength) {
-        double[] heights = new double[SIDE * SIDE];
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = relief * shape.applyAsDouble(i);
-        }
         return Roughness.measure(
-                new HeightMap(SIDE, SIDE, WIDTH / SIDE, WIDTH / SIDE, heights),
+                Surfaces.sampled(SIDE, SIDE, WIDTH / SIDE, (x, y) -> relief * shape.applyAsDouble(y * SIDE + x)),
                 CoherenceWindow.ofCoherenceLength(coherenceLength),
                 WindowOrigin.CENTRE,
                 VisibleRange.all(),

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
@@ -122,22 +121,6 @@ class PreparationTest {
                 assertThat(treated.at(column, row)).isEqualTo(slope.at(column, row));
             }
         }
-    }
-
-    @Test
-    void describesStepsInOrderWithNumbers() {
-        HeightMap measured = field(i -> i == 2000 ? Double.NaN : i == 500 ? 2e-6 : rough(i) + 2e-9 * (i % COLUMNS));
-        Preparation.Prepared prepared = new Preparation(
-                        Optional.of(new Crop(0, 3e-6, 0, 3e-6)), Leveling.PLANE, true, Edges.BLEND)
-                .apply(measured);
-        assertThat(prepared.steps()).hasSize(5);
-        assertThat(prepared.steps().get(0)).isEqualTo("cropped from 4 um x 3 um");
-        assertThat(prepared.steps().get(1)).isEqualTo("levelling plane");
-        assertThat(prepared.steps().get(2)).startsWith("1 spike samples removed");
-        assertThat(prepared.steps().get(3)).isEqualTo("1 missing samples filled");
-        assertThat(prepared.steps().get(4)).startsWith("edges blended over 300 nm x 300 nm");
-        assertThat(prepared.missing()).isEqualTo(1);
-        assertThat(prepared.surface().heights()).doesNotContain(Double.NaN);
     }
 
     private static final String FORM =

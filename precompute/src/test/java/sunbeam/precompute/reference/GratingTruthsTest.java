@@ -83,11 +83,7 @@ class GratingTruthsTest {
     void lamellarGratingHasItsClosedForm(int raised) {
         int samples = 64;
         double depth = 120e-9;
-        double[] heights = new double[samples];
-        for (int i = 0; i < raised; i++) {
-            heights[i] = depth;
-        }
-        HeightMap map = new HeightMap(samples, 1, PERIOD / samples, PERIOD / samples, heights);
+        HeightMap map = Surfaces.sampled(samples, 1, PERIOD / samples, (column, row) -> column < raised ? depth : 0);
         // Order m of a step of a samples in N is a Dirichlet kernel, with the phase of its middle (a - 1) / 2.
         assertOrders(map, depth, (order, phase) -> {
             Complex step = Complex.I.multiply(phase).exp().subtract(1);

@@ -181,22 +181,4 @@ class FourierTableTest {
             assertThat(result.imaginary()[m]).as("bin %d", bin).isCloseTo(interleaved[2 * bin + 1], ROUNDING);
         }
     }
-
-    @ParameterizedTest
-    @CsvSource({"16, 8, 7, 3", "15, 9, 7, 4", "12, 7, 3, 2", "7, 12, 3, 5", "1, 6, 0, 2", "6, 1, 2, 0", "9, 2, 4, 0"})
-    void powersAreTheSquaresOfTheComplexTransform(int columns, int rows, int reachX, int reachY) {
-        double[] field = random(columns * rows);
-        BandTransform2d transform =
-                new BandTransform2d(columns, rows, Band.of(-reachX, reachX), Band.of(-reachY, reachY));
-        double[] powers =
-                transform.powers((row, samples) -> System.arraycopy(field, row * columns, samples, 0, columns));
-        ComplexVector bins =
-                transform.transform((row, real, imaginary) -> System.arraycopy(field, row * columns, real, 0, columns));
-        assertThat(powers).hasSize(bins.length());
-        for (int i = 0; i < powers.length; i++) {
-            double expected = bins.real()[i] * bins.real()[i] + bins.imaginary()[i] * bins.imaginary()[i];
-            // Both round, at 1e-16 of values up to 1, in some ten steps of the transform.
-            assertThat(powers[i]).isCloseTo(expected, within(1e-14));
-        }
-    }
 }

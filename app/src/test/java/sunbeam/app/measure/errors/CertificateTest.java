@@ -211,15 +211,6 @@ final class CertificateTest {
     }
 
     @Test
-    void aPictureMirroredLeftToRightIsWrong() {
-        float[] mirrored = EXACT.clone();
-        for (int pixel = 10; pixel < WIDTH - 10; pixel++) {
-            System.arraycopy(EXACT, 3 * (WIDTH - 1 - pixel), mirrored, 3 * pixel, 3);
-        }
-        assertThat(certifyPicture(mirrored, 50).missed()).isTrue();
-    }
-
-    @Test
     void noMorePixelsAreEvaluatedThanThereAreAndTheSameSeedTakesTheSame() {
         Certificate certificate = certifyPicture(EXACT.clone(), 1000);
         assertThat(certificate.places()).startsWith((WIDTH - 10) + " random pixels");
