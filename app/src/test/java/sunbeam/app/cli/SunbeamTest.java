@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.Writer;
 import java.util.Map;
 import java.util.concurrent.CompletionException;
@@ -158,8 +157,6 @@ final class SunbeamTest extends CommandLineFixture {
                         "sunbeam: cannot write to standard output (not everything was written): the program that reads it has"
                                 + " ended, or the disk that it goes to is full\n");
     }
-
-    private final StringWriter err = new StringWriter();
 
     private int report(Throwable failure, boolean debug) {
         return new Failures(new PrintWriter(err), () -> debug).report(failure);

@@ -18,7 +18,6 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.cli.CommandLineFixture;
@@ -241,9 +240,6 @@ class RenderCommandTest extends CommandLineFixture {
 
     private static final int SIDE = 256;
     private static final int BLOCK = 16;
-
-    @TempDir
-    private Path folder;
 
     @Test
     void smoothColorsHaveNoBands() throws IOException {
