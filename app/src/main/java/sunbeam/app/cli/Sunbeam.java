@@ -7,9 +7,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
 import sunbeam.app.cli.benchmark.BenchmarkCommand;
 import sunbeam.app.cli.brdfmap.BrdfMapCommand;
 import sunbeam.app.cli.cache.CacheCommand;
@@ -22,6 +30,7 @@ import sunbeam.app.cli.export.ExportCommand;
 import sunbeam.app.cli.figures.FiguresCommand;
 import sunbeam.app.cli.inspect.InspectCommand;
 import sunbeam.app.cli.mesh.MeshCommand;
+import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.orders.OrdersCommand;
 import sunbeam.app.cli.precompute.PrecomputeCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
@@ -49,8 +58,8 @@ public final class Sunbeam {
 
     /** Runs one command line and returns the exit code; never throws. */
     public int run(String... arguments) {
-        RootCommand root = new RootCommand(environment);
-        Failures failures = new Failures(err, () -> environment.debug() || root.debug());
+        Root root = new Root(environment);
+        Failures failures = new Failures(err, () -> environment.debug() || root.debug);
         try {
             boolean completeHelp = Arrays.asList(arguments).contains(CommandHelp.COMPLETE);
             String[] plain = Arrays.stream(arguments)
@@ -59,7 +68,7 @@ public final class Sunbeam {
             CommandLine commandLine = commandLine(root, completeHelp, plain);
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
-            commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet()));
+            commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet));
             requireText(arguments);
             return checkedExitCode(commandLine.execute(plain), failures);
         } catch (Throwable failure) {
@@ -147,7 +156,7 @@ public final class Sunbeam {
     }
 
     /** Returns the root command with only the command that the arguments name, which starts sooner; with all for the help. */
-    private CommandLine commandLine(RootCommand command, boolean completeHelp, String... arguments) {
+    private CommandLine commandLine(Root command, boolean completeHelp, String... arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();
         Optional<String> asked = Arrays.stream(arguments)
@@ -164,8 +173,10 @@ public final class Sunbeam {
         describe(root);
         root.getCommandSpec()
                 .usageMessage()
-                .description(RootCommand.DESCRIPTION)
-                .footer(RootCommand.footer());
+                .description(Root.DESCRIPTION)
+                .footer(Environment.resource(Sunbeam.class, "footer.txt")
+                        .lines()
+                        .toArray(String[]::new));
         return root;
     }
 
@@ -179,5 +190,72 @@ public final class Sunbeam {
         }
         usage.exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.table());
         commandLine.getSubcommands().values().forEach(Sunbeam::describe);
+    }
+
+    /** The command {@code sunbeam} itself, which only has subcommands; its help is the first page of the manual. */
+    @Command(
+            name = "sunbeam",
+            mixinStandardHelpOptions = true,
+            versionProvider = Root.ProgramVersion.class,
+            scope = ScopeType.INHERIT,
+            sortOptions = false,
+            synopsisHeading = "Usage: ",
+            descriptionHeading = "%n",
+            optionListHeading = "%nOptions:%n",
+            commandListHeading = "%nCommands:%n")
+    private static final class Root implements Callable<Integer>, ReportingCommand.Root {
+        static final String[] DESCRIPTION = {
+            "Sunbeam renders the colors that a nanostructured surface, such as a snake's skin or a compact disc,"
+                    + " makes by diffraction. It reads a height map measured by an atomic force microscope, precomputes"
+                    + " Fourier tables of it, and evaluates the diffraction BRDF for each pixel on the graphics card."
+        };
+
+        // Never read: Sunbeam replaces this option by --help before the command line is parsed, and then installs the
+        // complete help.
+        @Option(
+                names = CommandHelp.COMPLETE,
+                scope = ScopeType.INHERIT,
+                description = "Show all options of a command, whole descriptions and exit codes.")
+        @SuppressWarnings("UnusedVariable")
+        private boolean completeHelp;
+
+        @Option(
+                names = "--debug",
+                scope = ScopeType.INHERIT,
+                description = "Print the stack trace of a failure below its message.")
+        private boolean debug;
+
+        @Option(
+                names = "--quiet",
+                scope = ScopeType.INHERIT,
+                description = "Print only failures on standard error: no plan, no warning, no progress.")
+        private boolean quiet;
+
+        @Spec
+        private CommandSpec specification;
+
+        private final Environment environment;
+
+        Root(Environment environment) {
+            this.environment = environment;
+        }
+
+        @Override
+        public Environment environment() {
+            return environment;
+        }
+
+        @Override
+        public Integer call() {
+            String commands = String.join(", ", specification.subcommands().keySet());
+            throw new ParameterException(specification.commandLine(), "No command given; there are " + commands);
+        }
+
+        static final class ProgramVersion implements IVersionProvider {
+            @Override
+            public String[] getVersion() {
+                return new String[] {"sunbeam " + Environment.version()};
+            }
+        }
     }
 }

@@ -1,6 +1,9 @@
 package sunbeam.app.cli.render;
 
+import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
+
 import java.awt.image.BufferedImage;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -8,12 +11,16 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
+import jrtr.GraphicsException;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
+import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.PictureSize;
+import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.LinearFile;
@@ -21,6 +28,7 @@ import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.render.DrawRequest;
@@ -30,16 +38,24 @@ import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneDisplay;
+import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.terminal.Environment;
+import sunbeam.app.terminal.ExitCode;
+import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.method.TableMethod;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
@@ -48,6 +64,8 @@ public final class FrameSequence implements AutoCloseable {
     private static final int MOST_WAITING = 8;
     // Least width for a statement about lit pixels: those of a smaller picture may all lie between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
+    // Tolerance of the exact points of a certificate: a quarter of the limit of the picture's median error.
+    private static final double POINT_TOLERANCE = 5e-3;
 
     private final PictureSize size;
     private final PixelSamples samples;
@@ -219,28 +237,55 @@ public final class FrameSequence implements AutoCloseable {
         return PngWriter.write(file, overwrite, image, text.of(scene, exposure, renderer));
     }
 
-    /** Compares random pixels of a frame with points of the same scene by method full, {@code exact}. */
-    Certificate certify(RenderContext context, Scene frame, List<SceneData> exact, int count) {
-        List<SceneSession> points = new ArrayList<>();
+    /** Compares random pixels with points of the scene by method full, and returns the exit code that the picture deserves. */
+    ExitCode certify(
+            RenderContext context,
+            Environment environment,
+            Scene scene,
+            int count,
+            Map<String, Object> report,
+            PrintWriter out,
+            PrintWriter err) {
+        Scene points = scene.withMethod(scene.method()
+                .with(Choices.none().with(Methods.METHOD, FullMethod.TYPE).with(TOLERANCE, POINT_TOLERANCE)));
+        List<SceneSession> exact = new ArrayList<>();
         try {
-            exact.forEach(part -> points.add(new SceneSession(context, part)));
-            return new SceneCertifier(size.width(), size.height(), samples)
+            List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
+            parts.forEach(part -> exact.add(new SceneSession(context, part)));
+            Certificate certificate = new SceneCertifier(size.width(), size.height(), samples)
                     .certify(
                             new PartSum(sessions),
-                            frame,
-                            new PartSum(points),
-                            exact.get(0).scene(),
+                            scene,
+                            new PartSum(exact),
+                            parts.get(0).scene(),
                             exposure,
                             count);
+            report.put("certificate", ReportFields.of(certificate));
+            // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce
+            // them.
+            List<ErrorStatistics> tables = sessions.stream()
+                    .flatMap(part -> part.tableErrors(scene, size.width(), size.height(), samples).stream())
+                    .toList();
+            tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
+            Optional<String> miss = tables.stream()
+                    .flatMap(
+                            errors -> VirtualTexture.miss(errors, scene.method().get(TOLERANCE)).stream())
+                    .findFirst();
+            boolean isTable = scene.method().type().equals(TableMethod.TYPE);
+            String remedy = miss.orElse(
+                    "a larger --supersample or --size" + (isTable ? "" : ", or --method table,") + " may help");
+            ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);
+            if (judged != ExitCode.OK || miss.isEmpty()) {
+                return judged;
+            }
+            err.println(Messages.error(miss.get()));
+            return ExitCode.TOLERANCE_MISSED;
+        } catch (GraphicsException failure) {
+            throw new GraphicsException("the picture is written, but cannot be compared: " + failure.getMessage()
+                    + "; or leave --certify out");
         } finally {
-            points.forEach(SceneSession::close);
+            exact.forEach(SceneSession::close);
         }
-    }
-
-    List<ErrorStatistics> tableErrors(Scene frame) {
-        return sessions.stream()
-                .flatMap(part -> part.tableErrors(frame, size.width(), size.height(), samples).stream())
-                .toList();
     }
 
     /** Returns the lit pixels of all drawn frames; empty if no frame was drawn, or if frames are too narrow for a statement. */

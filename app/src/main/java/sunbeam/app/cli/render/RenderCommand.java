@@ -2,6 +2,7 @@ package sunbeam.app.cli.render;
 
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -9,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -21,6 +23,8 @@ import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.options.TevOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
+import sunbeam.app.files.output.OutputException;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
@@ -40,6 +44,7 @@ import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
+import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam render}: draws a scene as a picture or an animation, without a window. */
 @Command(
@@ -55,6 +60,8 @@ import sunbeam.precompute.files.FileNames;
             "  sunbeam render xenopeltis --light-sweep 0:360 --frames 12"
         })
 public final class RenderCommand extends FileCommand {
+    private static final String GIF = "animation.gif";
+
     @Parameters(
             paramLabel = "SCENE",
             completionCandidates = SceneOverrides.Names.class,
@@ -127,20 +134,17 @@ public final class RenderCommand extends FileCommand {
         }
         List<Scene> scenes = animation.isGiven() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
-        FrameFiles files = frameFiles();
-        requireNoSceneFile(scene, files.target());
-        files.check(scenes.size());
-        if (linear != null) {
-            AtomicFile.checkWritable(linear, overwrite());
-        }
+        Path target =
+                output != null ? output : Path.of(stem() + (animation.isGiven() ? "-" + animation.name() : ".png"));
+        checkFiles(scene, target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         try (LoadingScene loading = LoadingScene.start(loader, scene);
                 RenderContext context = loading.offscreen()) {
-            return draw(context, loading, scenes, files);
+            return draw(context, loading, scenes, target);
         }
     }
 
-    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, FrameFiles files) {
+    private int draw(RenderContext context, LoadingScene loading, List<Scene> scenes, Path target) {
         Scene scene = scenes.get(0);
         PrintWriter err = err();
         PrintWriter out = out(output, linear);
@@ -157,7 +161,7 @@ public final class RenderCommand extends FileCommand {
                         environment().progress())) {
             List<SceneData> parts = frames.parts();
             SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
-            List<Path> written = draw(frames, scenes, files);
+            List<Path> written = draw(frames, scenes, target);
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("scene", sceneName);
             report.put("plans", SceneData.ofRegions(parts, data -> data.method().summary()));
@@ -167,8 +171,8 @@ public final class RenderCommand extends FileCommand {
                 json.print(out, report, written);
             }
             ExitCode certified = certify.count().isPresent()
-                    ? new PictureCertificate(frames, scene, json.text(out), err)
-                            .judge(context, environment(), certify.count().getAsInt(), report)
+                    ? frames.certify(
+                            context, environment(), scene, certify.count().getAsInt(), report, json.text(out), err)
                     : ExitCode.OK;
             if (json.isGiven()) {
                 json.print(out, report, written);
@@ -235,26 +239,60 @@ public final class RenderCommand extends FileCommand {
         }
     }
 
-    private FrameFiles frameFiles() {
-        Path chosen = Path.of(stem() + (animation.isGiven() ? "-" + animation.name() : ".png"));
-        boolean mayExist = output != null || resume || overwrite() == Overwrite.REPLACE;
-        return new FrameFiles(output != null ? output : chosen, animation.isGiven(), mayExist, resume, overwrite());
-    }
-
     private String stem() {
         return FileNames.stem(Path.of(sceneName));
     }
 
-    private static void requireNoSceneFile(Scene scene, Path target) {
+    /** True if the target may be an existing file or folder; otherwise a taken name gets a number. */
+    private boolean mayExist() {
+        return output != null || resume || overwrite() == Overwrite.REPLACE;
+    }
+
+    private Overwrite ofPictures() {
+        return mayExist() || animation.isGiven() ? overwrite() : Overwrite.NUMBER;
+    }
+
+    private Overwrite ofGif() {
+        return resume ? Overwrite.REPLACE : overwrite();
+    }
+
+    /** Refuses what cannot be written, before anything is drawn. */
+    private void checkFiles(Scene scene, Path target, int frames) {
         if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
             throw new UsageException("--output " + target + " is a file of the scene; give another name");
         }
+        if (animation.isGiven()) {
+            OutputFolder.check(target);
+            if (mayExist() && Files.isDirectory(target)) {
+                AtomicFile.checkWritable(target.resolve(GIF), ofGif());
+            }
+        }
+        if (!resume && (mayExist() || !animation.isGiven())) {
+            for (Path file : pictures(target, frames)) {
+                if (ofPictures() == Overwrite.REFUSE && Files.exists(file)) {
+                    throw new OutputException.Exists("cannot write " + file
+                            + ": it exists; add --resume to keep what is finished, or --force to replace it");
+                }
+                if (!animation.isGiven()) {
+                    AtomicFile.checkWritable(file, ofPictures());
+                }
+            }
+        }
+        AtomicFile.checkWritable(linear, overwrite());
     }
 
-    private List<Path> draw(FrameSequence frames, List<Scene> scenes, FrameFiles files) {
-        Path place = files.claim();
-        List<Path> pictures = files.pictures(place, scenes.size());
-        Overwrite overwrite = files.ofPictures();
+    private List<Path> pictures(Path place, int frames) {
+        return !animation.isGiven()
+                ? List.of(place)
+                : IntStream.rangeClosed(1, frames)
+                        .mapToObj(frame -> place.resolve(Text.format("frame-%04d.png", frame)))
+                        .toList();
+    }
+
+    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
+        Path place = animation.isGiven() ? OutputFolder.claim(target, mayExist()) : target;
+        List<Path> pictures = pictures(place, scenes.size());
+        Overwrite overwrite = ofPictures();
         List<Boolean> missing =
                 resume ? frames.missing(scenes, pictures, overwrite) : Collections.nCopies(pictures.size(), true);
         AtomicFile.checkWritable(pictures.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
@@ -262,8 +300,8 @@ public final class RenderCommand extends FileCommand {
         if (!animation.isGiven()) {
             written.addAll(frames.draw(scenes, pictures, missing, overwrite, linear));
         } else {
-            Path gif = FrameFiles.gif(place);
-            AtomicFile.checkWritable(gif, files.ofGif());
+            Path gif = place.resolve(GIF);
+            AtomicFile.checkWritable(gif, ofGif());
             String kept = "interrupted; finished frames are kept, add --resume to draw the others";
             ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
             try {
@@ -271,7 +309,7 @@ public final class RenderCommand extends FileCommand {
             } finally {
                 hook.close();
             }
-            GifAnimation.write(gif, files.ofGif(), pictures, animation.frameRate());
+            GifAnimation.write(gif, ofGif(), pictures, animation.frameRate());
             written.addAll(List.of(place, gif));
         }
         if (linear != null) {
