@@ -33,7 +33,7 @@ import sunbeam.precompute.patch.PatchSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
-/** Writes scene files that {@link SceneReader} reads. */
+/** Writes scene files that {@link Scenes} reads. */
 public final class SceneWriter {
     private static final List<Setting<?>> OMITTED_IF_STANDARD = List.of(TITLE, MESH_UNIT, INDEX);
 

@@ -1,5 +1,16 @@
 package sunbeam.app.scene;
 
+import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
+import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
+import static sunbeam.app.scene.SceneSettings.INDEX;
+import static sunbeam.app.scene.SceneSettings.INTENSITY;
+import static sunbeam.app.scene.SceneSettings.MESH;
+import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
+import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
+import static sunbeam.app.scene.SceneSettings.TEXTURE;
+import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
+
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -7,11 +18,32 @@ import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import jrtr.scene.View.Camera;
+import org.joml.Quaternionf;
+import org.joml.Quaternionfc;
+import org.joml.Vector3f;
+import sunbeam.app.scene.mesh.BuiltInMeshes;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.precompute.color.Illuminant;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.files.OwnFolder;
+import sunbeam.precompute.json.JsonObject;
+import sunbeam.precompute.method.Methods;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.patch.builtin.BuiltInPatches;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.units.Lengths;
 
-/** Finds scenes by built-in name or file name. */
+/** Finds built-in scenes and reads scene files (docs/scenes.md); messages name file, line and key. */
 public final class Scenes {
     private static final List<String> NAMES = List.of(
             "close-up",
@@ -25,8 +57,17 @@ public final class Scenes {
             "light-left",
             "light-above",
             "light-right");
+    // Meters; also of a component of a direction.
+    private static final double LARGEST_NUMBER = 1e6;
 
-    private Scenes() {}
+    private final JsonObject root;
+    // Built-in scenes name no files, others those in their folder and below.
+    private final Optional<OwnFolder> folder;
+
+    private Scenes(JsonObject root, Optional<OwnFolder> folder) {
+        this.root = root;
+        this.folder = folder;
+    }
 
     /** Returns the names (data/scenes). */
     public static List<String> builtIn() {
@@ -47,7 +88,7 @@ public final class Scenes {
             throw new InputException((nameOrFile.endsWith(".json") ? "there is no file " : "there is no scene ")
                     + Quoted.of(nameOrFile) + "; name a scene file (.json), or one of " + String.join(", ", NAMES));
         }
-        return SceneReader.read(file);
+        return read(file);
     }
 
     /** Returns a JPEG of 48 x 36 pixels. */
@@ -70,9 +111,192 @@ public final class Scenes {
             if (stream == null) {
                 throw new IllegalStateException("built without " + resource);
             }
-            return SceneReader.readBuiltIn(name + ".json", stream);
+            return new Scenes(JsonObject.read(name + ".json", stream), Optional.empty()).scene();
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot read " + resource, failure);
         }
+    }
+
+    /** Reads a scene; throws InputException if it is missing or none, SettingException if a value cannot be used. */
+    public static Scene read(Path file) {
+        return new Scenes(JsonObject.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene")))
+                .scene();
+    }
+
+    /** True for a scene, which may be invalid. */
+    public static boolean isScene(Path file) {
+        try {
+            return file.toString().toLowerCase(Locale.ROOT).endsWith(".json")
+                    && JsonObject.read(file).has("camera");
+        } catch (InputException notJson) {
+            return false;
+        }
+    }
+
+    private Scene scene() {
+        root.required(MESH.fileKey(), "\"snake\"");
+        root.required(TEXTURE.fileKey(), "\"elaphe\"");
+        Choices own = root.choices(SceneSettings.OF_ROOT);
+        own = resolve(own, MESH, BuiltInMeshes.names());
+        own = resolve(own, TEXTURE, BodyTexture.names());
+        own = resolve(own, ORIENTATION_MAP, List.of(Body.NONE));
+        own = resolveIndex(own);
+        Optional<JsonObject> plan = root.findObject("plan");
+        Choices methodChoices = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
+        methodChoices =
+                methodChoices.has(ILLUMINANT) ? resolve(methodChoices, ILLUMINANT, Illuminant.NAMES) : methodChoices;
+        JsonObject weights = root.object("weights", "{ \"diffraction\": 20, \"texture\": 1 }");
+        Scene scene = new Scene(
+                own.over(weights.choices(SceneSettings.WEIGHTS)),
+                patches(),
+                view(root.object("camera", "{ \"position\": ... }")),
+                orientation(),
+                light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
+                fillLights(),
+                new SceneMethod(methodChoices));
+        plan.ifPresent(JsonObject::requireNoOthers);
+        weights.requireNoOthers();
+        root.requireNoOthers();
+        return scene;
+    }
+
+    private PatchAtlas patches() {
+        JsonNode value = root.required("patch", "\"elaphe-like\"");
+        if (!value.isObject() || !value.has(PATCH_MAP.fileKey())) {
+            return PatchAtlas.of(patch(root, "patch"));
+        }
+        JsonObject keys = root.object("patch", "");
+        String map =
+                resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of()).get(PATCH_MAP);
+        List<PatchAtlas.Region> regions = new ArrayList<>();
+        for (String key : keys.others()) {
+            SceneColor color = keys.checked(key, () -> SceneColor.parse(key));
+            regions.add(new PatchAtlas.Region(color, patch(keys, key)));
+        }
+        return root.checked("patch", () -> new PatchAtlas(map, regions));
+    }
+
+    /** A name, or an object with a name or file and further {@link PatchSettings}. */
+    private PatchRequest patch(JsonObject object, String key) {
+        JsonNode value = object.required(key, "\"elaphe-like\"");
+        Choices choices;
+        if (value.isTextual()) {
+            choices = Choices.at(object.originAt(key)).with(PatchSettings.PATCH, value.textValue());
+        } else {
+            JsonObject keys = object.object(key, "");
+            keys.required(PatchSettings.PATCH.fileKey(), "\"scan.png\"");
+            choices = keys.choices(PatchSettings.ALL);
+            keys.requireNoOthers();
+        }
+        return new PatchRequest(resolve(choices, PatchSettings.PATCH, BuiltInPatches.names()));
+    }
+
+    private static Viewpoint view(JsonObject camera) {
+        Vector3f position = place(camera, "position");
+        Vector3f lookAt = place(camera, "lookAt");
+        Vector3f up = camera.has("up") ? numbers(camera, "up") : new Vector3f(0, 0, 1);
+        double angle = camera.choices(List.of(FIELD_OF_VIEW)).get(FIELD_OF_VIEW);
+        Camera placed = camera.checked("position", () -> new Camera(position, lookAt, up));
+        camera.requireNoOthers();
+        return new Viewpoint(placed, angle);
+    }
+
+    /** Three lengths with units, to meters. */
+    private static Vector3f place(JsonObject object, String key) {
+        List<JsonNode> values = object.sequence(key, object.required(key, "[\"10 cm\", \"-20 cm\", \"15 cm\"]"), 3);
+        return new Vector3f(floats(values, value -> object.quantity(key, value, Scenes::coordinate)));
+    }
+
+    private static double coordinate(String text) {
+        double meters = Lengths.parse(text);
+        if (!(Math.abs(meters) <= LARGEST_NUMBER)) {
+            throw new IllegalArgumentException(Quoted.of(text) + " is out of range; give at most 1000 km");
+        }
+        return meters;
+    }
+
+    private static Vector3f numbers(JsonObject object, String key) {
+        List<JsonNode> values = object.sequence(key, object.required(key, "[0, 0, 1]"), 3);
+        return new Vector3f(floats(values, value -> object.number(key, value, -LARGEST_NUMBER, LARGEST_NUMBER)));
+    }
+
+    private static float[] floats(List<JsonNode> values, ToDoubleFunction<JsonNode> number) {
+        float[] floats = new float[values.size()];
+        for (int i = 0; i < floats.length; i++) {
+            floats[i] = (float) number.applyAsDouble(values.get(i));
+        }
+        return floats;
+    }
+
+    private static SceneLight light(JsonObject light) {
+        Vector3f direction = numbers(light, "direction");
+        Choices choices = light.choices(List.of(INTENSITY, ANGULAR_DIAMETER));
+        SceneLight result = light.checked(
+                "direction", () -> new SceneLight(direction, choices.get(INTENSITY), choices.get(ANGULAR_DIAMETER)));
+        light.requireNoOthers();
+        return result;
+    }
+
+    private List<SceneLight> fillLights() {
+        return root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
+                .map(Scenes::light)
+                .toList();
+    }
+
+    private Quaternionfc orientation() {
+        if (!root.has("orientation")) {
+            return new Quaternionf();
+        }
+        JsonNode value = root.required("orientation", "[0, 0, 0, 1]");
+        List<JsonNode> values = root.sequence("orientation", value, 4);
+        float[] q = floats(values, number -> root.number("orientation", number, -1, 1));
+        Quaternionf rotation = new Quaternionf(q[0], q[1], q[2], q[3]);
+        if (Math.abs(rotation.lengthSquared() - 1) > 1e-3f) {
+            throw root.complaint("orientation", "must be a unit quaternion x, y, z, w, such as [0, 0, 0, 1]");
+        }
+        return rotation;
+    }
+
+    /** Makes the file name of a setting absolute, unless it is a built-in name. */
+    private Choices resolve(Choices choices, Setting<String> setting, List<String> builtIn) {
+        try {
+            return choices.with(setting, resolve(choices.get(setting), builtIn), choices.origin(setting));
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(setting, wrong.getMessage());
+        }
+    }
+
+    private Choices resolveIndex(Choices choices) {
+        SkinIndex index = choices.get(INDEX);
+        try {
+            return index.isByWavelength()
+                    ? choices.with(INDEX, SkinIndex.of(resolve(index.file(), List.of())))
+                    : choices;
+        } catch (IllegalArgumentException wrong) {
+            throw choices.complaint(INDEX, wrong.getMessage());
+        }
+    }
+
+    private String resolve(String name, List<String> builtIn) {
+        if (builtIn.contains(name)) {
+            return name;
+        }
+        if (folder.isEmpty() || name.isBlank()) {
+            throw new IllegalArgumentException(
+                    builtIn.isEmpty()
+                            ? "names a file, which built-in scenes do not"
+                            : "is not one of " + list(builtIn));
+        }
+        Path file = folder.get().file(name).normalize();
+        if (!Files.exists(file)) {
+            throw new IllegalArgumentException("is no file: there is no " + file + "; check the name"
+                    + (builtIn.isEmpty() ? "" : ", or take one of " + list(builtIn)));
+        }
+        folder.get().requireNoWayOut(file);
+        return file.toString();
+    }
+
+    private static String list(List<String> names) {
+        return String.join(", ", names);
     }
 }

@@ -13,7 +13,7 @@ import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshFiles;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -42,7 +42,7 @@ enum FuzzedReader {
         Files.write(file.resolveSibling("scan.png"), Seeds.image("png"));
         load(choices(file));
     }),
-    SCENE("scene.json", SceneReader::read),
+    SCENE("scene.json", Scenes::read),
     DIRECTIONS("directions.csv", file -> DirectionList.read(file).pairs()),
     /** OBJ, PLY and glTF, which go by how they begin. */
     MESH("mesh", file -> MeshSource.of(file.toString()).load()),

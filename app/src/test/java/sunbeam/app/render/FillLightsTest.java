@@ -21,7 +21,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Viewpoint;
@@ -107,7 +107,7 @@ class FillLightsTest extends InAScene {
         Scene scene = scene(FullMethod.TYPE).withFillLights(List.of(FILL, KEY));
         Path file = folder.resolve("scene.json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
-        assertThat(SceneReader.read(file).fillLights()).isEqualTo(List.of(FILL, KEY));
+        assertThat(Scenes.read(file).fillLights()).isEqualTo(List.of(FILL, KEY));
     }
 
     @Test
@@ -131,7 +131,7 @@ class FillLightsTest extends InAScene {
         assertThat(text).contains("12 deg");
         Files.writeString(file, text.replace("12 deg", "40 deg"));
 
-        assertThatThrownBy(() -> SceneReader.read(file))
+        assertThatThrownBy(() -> Scenes.read(file))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("angularDiameter\": 40 deg is out of range; give 0 deg to 15 deg");
     }
@@ -156,7 +156,7 @@ class FillLightsTest extends InAScene {
                         + " \"light\": { \"direction\": [0, 0, 1] }, \"fillLights\": "
                         + fillLights
                         + " }");
-        assertThatThrownBy(() -> SceneReader.read(file))
+        assertThatThrownBy(() -> Scenes.read(file))
                 .isInstanceOf(InputException.class)
                 .hasMessageContainingAll(words, "fillLights");
     }

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -148,7 +148,7 @@ class OrientationMapTest extends InAScene {
         Path file = folder.resolve("scene.json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
 
-        assertThat(SceneReader.read(file).get(SceneSettings.ORIENTATION_MAP))
+        assertThat(Scenes.read(file).get(SceneSettings.ORIENTATION_MAP))
                 .isEqualTo(scene.get(SceneSettings.ORIENTATION_MAP));
     }
 

@@ -20,7 +20,7 @@ import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Weights;
 import sunbeam.precompute.files.InputException;
@@ -115,7 +115,7 @@ class PatchAtlasTest extends InAScene {
         SceneWriter.write(file, Overwrite.REFUSE, scene);
 
         assertThat(Files.readString(file)).contains("\"#0000ff\" : \"blaze\"");
-        PatchAtlas read = SceneReader.read(file).patches();
+        PatchAtlas read = Scenes.read(file).patches();
         assertThat(read.map()).isEqualTo(scene.patches().map());
         assertThat(read.regions())
                 .extracting(PatchAtlas.Region::color)
@@ -169,7 +169,7 @@ class PatchAtlasTest extends InAScene {
                   "light": { "direction": [0, 0, 1] } }
                 """.formatted(keys));
 
-        assertThatThrownBy(() -> SceneReader.read(file))
+        assertThatThrownBy(() -> Scenes.read(file))
                 .isInstanceOf(RuntimeException.class)
                 .hasMessageContainingAll("scene.json, line 1", complaint)
                 .satisfies(failure -> assertThat(failure.getMessage().lines()).hasSize(1));

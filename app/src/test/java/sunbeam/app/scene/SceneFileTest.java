@@ -52,7 +52,7 @@ class SceneFileTest {
 
     private void assertRefused(String text, String... words) throws IOException {
         Path file = write(text);
-        assertThatThrownBy(() -> SceneReader.read(file))
+        assertThatThrownBy(() -> Scenes.read(file))
                 .isInstanceOfAny(InputException.class, SettingException.class)
                 .hasMessageStartingWith(file.toString())
                 .hasMessageContainingAll(words)
@@ -74,7 +74,7 @@ class SceneFileTest {
         for (String json : JsonVariants.of(rich)) {
             Path file = write(json);
             try {
-                SceneReader.read(file);
+                Scenes.read(file);
             } catch (InputException | SettingException refused) {
                 assertThat(refused).hasMessageStartingWith(file + ", line 1: ");
             }
@@ -83,7 +83,7 @@ class SceneFileTest {
 
     @Test
     void keysSetTheirValues() throws IOException {
-        Scene scene = SceneReader.read(write(SCENE));
+        Scene scene = Scenes.read(write(SCENE));
         assertThat(scene.view().camera().centerOfProjection().y()).isEqualTo(-0.2f);
         assertThat(scene.light().towards().z()).isEqualTo(1);
         assertThat(scene.get(SceneSettings.ROTATE_PATCH)).isEqualTo(Math.toRadians(30));
@@ -95,13 +95,13 @@ class SceneFileTest {
     @Test
     void aMeshFilesUnitIsKeptWithIt() throws IOException {
         Files.writeString(folder.resolve("square.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        Scene scene = SceneReader.read(write(SCENE.replace("\"snake\",", "\"square.obj\", \"meshUnit\": \"mm\",")));
+        Scene scene = Scenes.read(write(SCENE.replace("\"snake\",", "\"square.obj\", \"meshUnit\": \"mm\",")));
         Path copy = folder.resolve("copy.json");
 
         SceneWriter.write(copy, Overwrite.REFUSE, scene);
 
         assertThat(scene.mesh().unit()).isEqualTo(MeshSource.Unit.MM);
-        assertThat(SceneReader.read(copy).mesh()).isEqualTo(scene.mesh());
+        assertThat(Scenes.read(copy).mesh()).isEqualTo(scene.mesh());
         Choices other = Choices.none().with(SceneSettings.MESH, "sphere");
         assertThat(scene.with(other).mesh()).as("the unit is of one file").isEqualTo(MeshSource.of("sphere"));
         assertRefused(
@@ -149,7 +149,7 @@ class SceneFileTest {
         assertRefused(SCENE + "{}", "line 12", "follows");
         assertRefused("[]", "object");
         assertRefused(SCENE.replace("\"exposure\"", "\"mesh\""), "line 9", "the key \"mesh\" stands twice");
-        assertThatThrownBy(() -> SceneReader.read(folder.resolve("none.json")))
+        assertThatThrownBy(() -> Scenes.read(folder.resolve("none.json")))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("no such file");
     }
@@ -171,7 +171,7 @@ class SceneFileTest {
         Scene scene = Scenes.load(name);
         Path file = folder.resolve(name + ".json");
         SceneWriter.write(file, Overwrite.REFUSE, scene);
-        assertThat(SceneReader.read(file)).isEqualTo(scene);
+        assertThat(Scenes.read(file)).isEqualTo(scene);
         assertThat(scene.get(SceneSettings.TITLE)).isNotEmpty();
     }
 
@@ -179,13 +179,13 @@ class SceneFileTest {
     void filesAreWrittenRelativeToTheScene() throws IOException {
         Files.createDirectory(folder.resolve("textures"));
         Path texture = Files.write(folder.resolve("textures/skin.png"), new byte[1]);
-        Scene scene = SceneReader.read(write(SCENE.replace("\"elaphe\",", "\"textures/skin.png\",")));
+        Scene scene = Scenes.read(write(SCENE.replace("\"elaphe\",", "\"textures/skin.png\",")));
         assertThat(Path.of(scene.get(SceneSettings.TEXTURE))).isEqualTo(texture.toAbsolutePath());
 
         Path copy = folder.resolve("copy.json");
         SceneWriter.write(copy, Overwrite.REFUSE, scene);
         assertThat(copy).content().contains("\"textures/skin.png\"").doesNotContain(folder.toString());
-        assertThat(SceneReader.read(copy)).isEqualTo(scene);
+        assertThat(Scenes.read(copy)).isEqualTo(scene);
 
         Path elsewhere = folder.resolve("textures/elsewhere.json");
         Scene moved =

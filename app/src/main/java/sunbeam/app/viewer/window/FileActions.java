@@ -27,7 +27,7 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.render.FrameText;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneReader;
+import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -99,7 +99,7 @@ public final class FileActions {
         switch (kind) {
             case SCENE ->
                 run(
-                        () -> SceneReader.read(file),
+                        () -> Scenes.read(file),
                         scene -> viewer.open(scene, () -> window.status().message("loaded " + file.getFileName())));
             case MESH ->
                 model.open(
@@ -123,7 +123,7 @@ public final class FileActions {
             load(Kind.MESH, file);
             return;
         }
-        run(() -> SceneReader.isScene(file), isScene -> load(isScene ? Kind.SCENE : Kind.PATCH, file));
+        run(() -> Scenes.isScene(file), isScene -> load(isScene ? Kind.SCENE : Kind.PATCH, file));
     }
 
     public List<Path> recent() {
