@@ -45,18 +45,10 @@ import sunbeam.precompute.units.Lengths;
 
 /** Finds built-in scenes and reads scene files (docs/scenes.md); messages name file, line and key. */
 public final class Scenes {
-    private static final List<String> NAMES = List.of(
-            "close-up",
-            "disc",
-            "elaphe",
-            "elaphe-body",
-            "elaphe-scales",
-            "xenopeltis",
-            "xenopeltis-body",
-            "xenopeltis-scales",
-            "light-left",
-            "light-above",
-            "light-right");
+    private static final List<String> NAMES = List.of(("close-up disc elaphe elaphe-body elaphe-scales xenopeltis"
+                    + " xenopeltis-body xenopeltis-scales light-left light-above light-right")
+            .split(" ", -1));
+
     // Meters; also of a component of a direction.
     private static final double LARGEST_NUMBER = 1e6;
 
@@ -119,8 +111,7 @@ public final class Scenes {
 
     /** Reads a scene; throws InputException if it is missing or none, SettingException if a value cannot be used. */
     public static Scene read(Path file) {
-        return new Scenes(JsonObject.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene")))
-                .scene();
+        return new Scenes(JsonObject.read(file), Optional.of(new OwnFolder(file.toAbsolutePath(), "scene"))).scene();
     }
 
     /** True for a scene, which may be invalid. */

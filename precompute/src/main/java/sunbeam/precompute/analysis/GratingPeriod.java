@@ -91,8 +91,7 @@ public record GratingPeriod(
                 ? Optional.empty()
                 : RepeatedPeriod.of(scan, which, periodic);
         // A long period may hold slightly different lines: a grating of split orders.
-        boolean lines = exact.filter(found -> found.period() > MANY_LINES * Verdict.VIOLET)
-                .isPresent();
+        boolean lines = exact.isPresent() && exact.get().period() > MANY_LINES * Verdict.VIOLET;
         if (periodic && !lines && (small || exact.isPresent())) {
             return exact.orElseGet(() -> nothing.none(none + " within the patch, which is taken as a period"));
         }
@@ -105,7 +104,7 @@ public record GratingPeriod(
         if (periodic && exact.isPresent()) {
             // A lattice's waves cross each other: only a sure piece holds more of them.
             boolean found =
-                    piece.isSure() || (piece.isSeen() && exact.get().others().isEmpty());
+                    piece.isSure() || (piece.isSeen() && exact.get().others.isEmpty());
             return found && exact.get().period() > MANY_LINES * piece.period() ? piece : exact.get();
         }
         if (!piece.isSeen() && side < SHORTEST_SIDE) {
@@ -142,9 +141,7 @@ public record GratingPeriod(
     }
 
     static GratingPeriod exact(SpatialFrequency wave, double share) {
-        double period = wave.period();
-        return new GratingPeriod(
-                wave, period, period, 0, Double.POSITIVE_INFINITY, share, List.of(), Certainty.SURE, "");
+        return vague(wave, Double.POSITIVE_INFINITY, share).within(wave.length(), wave.length(), 0);
     }
 
     /** Sets the interval of the frequency, cycles per meter, and its direction's half width. */
@@ -170,9 +167,8 @@ public record GratingPeriod(
     }
 
     private GratingPeriod tooLittle(String why) {
-        return withCertainty(
-                Certainty.TOO_LITTLE,
-                "too little to judge: " + why + "; use a larger scan, or state that it is periodic");
+        String reason = "too little to judge: " + why + "; use a larger scan, or state that it is periodic";
+        return withCertainty(Certainty.TOO_LITTLE, reason);
     }
 
     /** For the surface rotated counter-clockwise. */

@@ -14,8 +14,7 @@ public final class HeightLevels {
     private static final double FEW_SAMPLES_PER_LEVEL = 4;
 
     private final HeightMap map;
-    private final double minimum;
-    private final double maximum;
+
     private Distinct distinct;
     private int[] index;
 
@@ -38,8 +37,6 @@ public final class HeightLevels {
 
     private HeightLevels(HeightMap map) {
         this.map = map;
-        this.minimum = map.minimum() + 0.0;
-        this.maximum = map.maximum() + 0.0;
     }
 
     /** Throws IllegalArgumentException if a sample is missing. */
@@ -113,11 +110,11 @@ public final class HeightLevels {
     }
 
     public double minimum() {
-        return minimum;
+        return map.minimum() + 0.0;
     }
 
     public double maximum() {
-        return maximum;
+        return map.maximum() + 0.0;
     }
 
     /** Estimates from some samples whether evaluating a function for all is faster than finding the levels. */

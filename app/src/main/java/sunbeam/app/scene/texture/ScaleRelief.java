@@ -238,7 +238,7 @@ public final class ScaleRelief {
     }
 
     private static double noise(int number) {
-        return SkinNoise.hash((number + 1) * 0x9e3779b9);
+        return BodyColors.SkinNoise.hash((number + 1) * 0x9e3779b9);
     }
 
     /** Random dither hides the steps of bytes. */

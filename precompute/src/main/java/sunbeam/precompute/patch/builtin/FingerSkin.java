@@ -11,71 +11,23 @@ import sunbeam.precompute.patch.builtin.RowLayout.FingerRow;
  * @param grain fine roughness, root mean square in meters
  */
 record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, double grain, long seed) {
+    // In the order of RowLayout: rows (3.1 and 1.55 um apart), fingers (1.03 and 0.55 um apart), their spreads, rows
+    // over which columns continue, count spread, wander, its modes along x and y, tip spread, height spread, lean.
+    private static final RowLayout ELAPHE_ROWS = new RowLayout(21, 63, 0.09, 0.16, 4, 0, 0.6e-6, 9, 6, 0.4e-6, 7e-9, 0);
+    private static final RowLayout XENOPELTIS_ROWS =
+            new RowLayout(42, 118, 0.02, 0.15, 0, 2, 0.9e-6, 14, 4, 0.1e-6, 11e-9, 0.07);
+    // In the order of FingerShape: length, exponents of tip and base, crest, fall, bulge, dome, fade, floor, floor
+    // fall, depth and length of notches, edge width.
+    private static final FingerShape ELAPHE_FINGERS =
+            new FingerShape(0.97, 2.4, 2.6, 38e-9, 0, 6e-9, 48e-9, 0.25, -31e-9, 5e-9, 55e-9, 220e-9, 35e-9);
+    private static final FingerShape XENOPELTIS_FINGERS =
+            new FingerShape(0.72, 3.2, 1.7, 78e-9, 125e-9, 0, 30e-9, 0.2, -42e-9, 0, 70e-9, 200e-9, 35e-9);
+
     /** Elaphe guttata: long pointed fingers in columns that run on over many rows, so colors lie along x only. */
-    static final FingerSkin ELAPHE = new FingerSkin(
-            new RowLayout(
-                    21, // rows: 3.1 um apart
-                    63, // fingers: 1.03 um apart
-                    0.09, // row spread
-                    0.16, // finger spread
-                    4, // rows over which columns continue
-                    0, // count spread: none, columns continue
-                    0.6e-6, // wander
-                    9, // wander modes along x
-                    6, // wander modes along y
-                    0.4e-6, // tip spread
-                    7e-9, // height spread
-                    0), // lean
-            new FingerShape(
-                    0.97, // length
-                    2.4, // tip exponent
-                    2.6, // base exponent
-                    38e-9, // crest
-                    0, // fall
-                    6e-9, // bulge
-                    48e-9, // dome
-                    0.25, // fade
-                    -31e-9, // floor
-                    5e-9, // floor fall
-                    55e-9, // notch depth
-                    220e-9, // notch length
-                    35e-9), // edge width
-            3.6,
-            6e-9,
-            1);
+    static final FingerSkin ELAPHE = new FingerSkin(ELAPHE_ROWS, ELAPHE_FINGERS, 3.6, 6e-9, 1);
 
     /** Xenopeltis unicolor: blunt short fingers in independent, meandering rows, so colors spread about y. */
-    static final FingerSkin XENOPELTIS = new FingerSkin(
-            new RowLayout(
-                    42, // rows: 1.55 um apart
-                    118, // fingers: 0.55 um apart
-                    0.02, // row spread
-                    0.15, // finger spread
-                    0, // rows are independent
-                    2, // count spread
-                    0.9e-6, // wander
-                    14, // wander modes along x
-                    4, // wander modes along y
-                    0.1e-6, // tip spread
-                    11e-9, // height spread
-                    0.07), // lean: 4 degrees
-            new FingerShape(
-                    0.72, // length
-                    3.2, // tip exponent
-                    1.7, // base exponent
-                    78e-9, // crest
-                    125e-9, // fall
-                    0, // bulge
-                    30e-9, // dome
-                    0.2, // fade
-                    -42e-9, // floor
-                    0, // floor fall
-                    70e-9, // notch depth
-                    200e-9, // notch length
-                    35e-9), // edge width
-            3.2,
-            7e-9,
-            2);
+    static final FingerSkin XENOPELTIS = new FingerSkin(XENOPELTIS_ROWS, XENOPELTIS_FINGERS, 3.2, 7e-9, 2);
 
     private static final double SIDE = 65e-6;
     // 63.5 nm apart, finer than the 95 nm that 380 nm light needs.
