@@ -18,10 +18,8 @@ public record Chromaticity(double x, double y) {
     }
 
     /**
-     * Hue as a wavelength, with its purity.
-     *
-     * @param nanometers dominant wavelength; the negative complementary wavelength for purples; NaN for white, gray and black
-     * @param purity excitation purity, 0 for white to 1 for a spectral color or the purest purple
+     * Hue: dominant wavelength in nanometers, negative and complementary for purples, NaN for white, gray and black; and excitation purity,
+     * from 0 for white to 1 for a spectral color or the purest purple.
      */
     public record Hue(double nanometers, double purity) {}
 

@@ -54,10 +54,8 @@ public record ColorTable(
     private static final double HALF_TOLERANCE = 1e-3;
 
     /**
-     * Mip level of a table.
-     *
-     * @param scale factor of the baked power: averaging makes a Gaussian of height 1 lower as it makes it wider
-     * @param includeFaintTails whether the baker includes the tails of orders down to a millionth of a neighboring order's power
+     * Mip level of a table. Its power is scaled, since averaging makes a Gaussian of height 1 lower as it makes it wider; faint tails of
+     * orders go down to a millionth of a neighboring order's power.
      */
     public record Level(
             GaussianArea area,
@@ -76,10 +74,8 @@ public record ColorTable(
     }
 
     /**
-     * Returns a table that keeps a tolerance. A coherent average, which is no sum of Gaussians, has one level and no slopes.
-     *
-     * @param relief effective relief in meters, see {@link TableDesign#depth}
-     * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
+     * Returns a table that keeps a tolerance for an effective relief in meters ({@link TableDesign#depth}). Orders may be isolated in the
+     * dark, as a grating's, but not with slopes. A coherent average, which is no sum of Gaussians, has one level and no slopes.
      */
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {

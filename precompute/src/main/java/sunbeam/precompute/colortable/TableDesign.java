@@ -7,10 +7,8 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 
 /**
- * Resolution of a color table, by laws measured on the thesis's patches (docs/color-tables.md).
- *
- * @param step distance of texels in u and in v, above 0
- * @param slices number of slices of |w|, equally spaced from 0 to 2; at least {@link #TAPS}
+ * Resolution of a color table, by laws measured on the thesis's patches (docs/color-tables.md): steps in u and v, above 0, and at least
+ * {@link #TAPS} slices, equally spaced over |w| from 0 to 2.
  */
 public record TableDesign(double step, int slices) {
     /** Slices that an interpolation along w reads. */

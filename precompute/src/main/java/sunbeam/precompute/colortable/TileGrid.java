@@ -8,10 +8,8 @@ import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.shader.ArrayLayout;
 
 /**
- * Texel grid of a level, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice. Columns and rows of tiles
- * include a border of one tile on each side, which prefilters read.
- *
- * @param originX x of texel (0, 0)
+ * Texel grid of a level, from an origin, in slices of |w|, divided into tiles, which are numbered row by row, slice after slice. Columns
+ * and rows of tiles include a border of one tile on each side, which prefilters read.
  */
 public record TileGrid(
         TableSpace space,

@@ -125,11 +125,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     }
 
     /**
-     * Bakes a table; closes the bakers and tokens that it opens.
-     *
-     * @param tolerance relative error of X, Y, Z that table and source may have together
-     * @param room test of whether a table fits into memory
-     * @param refused throws an exception for the design of a necessary table that does not fit
+     * Bakes a table that, together with its source, keeps a relative error of X, Y, Z, if there is room; {@code refused} throws for a
+     * necessary design that does not fit. Closes the bakers and tokens that it opens.
      */
     public static ValidatedTable make(
             double tolerance,

@@ -48,12 +48,7 @@ public record Ridge(GratingPlane plane, double[] wavelengths, double[] angles) {
         /** The same for C wavelengths, labeled in steps of 1 / C of their range, as algorithm 4.1 is written, instead of 1 / (C - 1). */
         MAXIMUM_BY_COUNT;
 
-        /**
-         * Returns the peaks of a response; empty if there is no ridge.
-         *
-         * @param order range of periods in which a ridge is searched; maxima are those of all angles
-         * @param sigmaFrequency standard deviation of the coherence window's spectrum, cycles per meter
-         */
+        /** Returns the peaks, if any: of a ridge within these periods, or of all angles; sigma_f of the window is in cycles per meter. */
         public Optional<Ridge> of(ResponseMatrix response, FirstOrder order, double sigmaFrequency) {
             if (this == RIDGE) {
                 return new RidgeTracker(response, sigmaFrequency).follow(order);

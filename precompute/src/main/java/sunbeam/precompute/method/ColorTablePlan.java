@@ -24,11 +24,8 @@ import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
 /**
- * Plan of {@link TableMethod} for all lights and views. Its shader tables hold no tiles, which are baked on demand; a coarse level is
- * planned when {@link #source} is called.
- *
- * @param relief effective relief of the surface, meters, see {@link TableDesign#depth}
- * @param finest plan by which colors of the finest level are evaluated
+ * Plan of {@link TableMethod} for all lights and views, of an effective relief in meters ({@link TableDesign#depth}). Its shader tables
+ * hold no tiles, which are baked on demand; {@link #source} plans coarse levels when they are needed.
  */
 public record ColorTablePlan(
         Surface surface, ColorTable table, double relief, double tolerance, Roughness roughness, MethodPlan finest) {

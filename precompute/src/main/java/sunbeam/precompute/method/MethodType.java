@@ -7,11 +7,8 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 
 /**
- * Kind of a method, with its settings; each kind has one instance, in {@link Methods#ALL}.
- *
- * @param help one sentence for the manual
- * @param fixed settings with a single value
- * @param creation function that creates the method, and refuses choices that contradict each other
+ * Kind of a method: a sentence for the manual, its settings, those that have a single value, and a function that creates the method and
+ * refuses contradictions; each kind has one instance, in {@link Methods#ALL}.
  */
 public record MethodType(
         String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {

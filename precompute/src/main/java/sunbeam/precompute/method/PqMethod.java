@@ -43,10 +43,7 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Method {@code pq}: the patch is repeated Q times, with sharp edges instead of a window, at a fixed place, so that there is only the
- * coherent average.
- *
- * @param window window whose coherence length the replicas fill along each axis
- * @param replicas number of replicas along each axis, 1..{@link Replicas#MOST}; replaces the number that follows from the window
+ * coherent average. If no number is chosen, replicas fill the window's coherence length along each axis.
  */
 public record PqMethod(
         TableChoices table,

@@ -9,11 +9,8 @@ import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.setting.SettingException;
 
 /**
- * Surface and light for which methods are planned.
- *
- * @param levels heights, without missing samples
- * @param name name in messages, not unique
- * @param digest SHA-256 of grid and heights, in hexadecimal, for cache keys
+ * Surface and light for which methods are planned: heights without missing samples, a name for messages, and for cache keys the SHA-256 of
+ * grid and heights, in hexadecimal.
  */
 public record Surface(HeightLevels levels, String name, String digest, CieTable cie, Roughness.Cache statistics) {
     public Surface(HeightMap map, String name, String digest, CieTable cie) {

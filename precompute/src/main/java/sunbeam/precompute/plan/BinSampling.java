@@ -18,10 +18,8 @@ import sunbeam.precompute.spectrum.FourierTable;
 import sunbeam.precompute.text.Text;
 
 /**
- * Sum over a neighborhood of bins at fixed wavelengths (shaders/method/full_bins.glsl): equal steps, as in the thesis, or exact weights for
- * light with spectral lines.
- *
- * @param planned whether the wavelengths keep the tolerance; false if the user chose them
+ * Sum over a neighborhood of bins at fixed wavelengths (shaders/method/full_bins.glsl): planned with exact weights for any light, or of
+ * equal steps, as in the thesis, which keep no tolerance.
  */
 public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths, boolean planned) implements Sampling {
     private static final double THESIS_WAVELENGTH_STEP = 5e-9;

@@ -177,10 +177,8 @@ final class GridArrays {
     }
 
     /**
-     * Layout of a spectrum's terms in a texture. The texels of one sample are side by side in a row, so that a pixel's reads are adjacent;
-     * texels beyond the limits of a row and of Java's heap are in further layers.
-     *
-     * @param together number of texels of a sample in one layer
+     * Layout of a spectrum's terms in a texture. The texels of one sample lie side by side in a row, {@code together} in a layer, so that a
+     * pixel's reads are adjacent; others, beyond the limits of a row and of Java's heap, are in further layers.
      */
     record TermsLayout(int texels, int together, ArrayLayout array) {
         // Of a layer that is computed in the heap at a time.

@@ -17,10 +17,8 @@ import sunbeam.precompute.spectrum.LowRankExpansion;
 import sunbeam.precompute.spectrum.TaylorExpansion;
 
 /**
- * Makes a {@link SpectrumPlan} from a patch, the user's choices, and the directions that a scene can reach.
- *
- * @param heapLimit largest size of Java's heap, bytes
- * @param mostSteps limit of a shader's loop steps per pixel
+ * Makes a {@link SpectrumPlan} from a patch, the user's choices and a scene's directions, within a heap of so many bytes and a shader's
+ * loop steps per pixel.
  */
 public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long mostSteps, Roughness.Cache statistics) {
     private static final int THESIS_TERMS = 37;

@@ -23,11 +23,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * Plan of the sums that method {@code full} takes: expansion, DFT bins, and sampling of the windowed spectrum.
- *
- * @param tolerance promised relative error; empty for the thesis's choices, which promise none
- */
+/** Plan of the sums that method {@code full} takes; it promises a tolerance, except for the thesis's choices. */
 public record SpectrumPlan(
         Optional<Double> tolerance,
         VisibleRange range,

@@ -10,10 +10,8 @@ import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.text.Text;
 
 /**
- * Intervals of (u, v, w) that a scene can reach; nothing outside is computed or stored. Limits of w are those of |w|, 0..2.
- *
- * @param light the only light, for every direction to the viewer: then w follows from u and v
- * @param pairs the only pairs of directions; empty if there are others
+ * Intervals of u, v and |w| (0..2) that a scene can reach; nothing outside is computed or stored. If it has one light, for every direction
+ * to the viewer, w follows from u and v; if it has pairs of directions, there are no others.
  */
 public record VisibleRange(
         double minimumU,

@@ -18,11 +18,7 @@ public record KernelPolynomials(double[][] coefficients) {
     private static final int MOST_POWERS = 16;
     private static final int CHECKED_INTERVALS = 64;
 
-    /**
-     * Returns the polynomials of the lowest degree that are close enough to the kernel.
-     *
-     * @param kernel weight of a sample by its distance in samples; smooth up to a distance of {@code taps / 2}
-     */
+    /** Returns polynomials of the least degree near a kernel of distances in samples, which is smooth up to {@code taps / 2}. */
     public static KernelPolynomials of(int taps, DoubleUnaryOperator kernel) {
         for (int powers = 4; powers <= MOST_POWERS; powers++) {
             int count = powers;

@@ -9,12 +9,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /**
- * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies, bin / width and bin / height.
- *
- * @param bandY bins along y, ascending with y
- * @param real real parts {@code [term][row * bandX.count() + column]}, in ascending order of bins; phases refer to sample (0, 0), at the
- *     top left
- * @param imaginary imaginary parts, in the order of {@code real}
+ * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies, bin / width and bin / height. Parts are
+ * {@code [term][row * bandX.count() + column]}, in ascending order of bins, rows with y; phases refer to sample (0, 0), at the top left.
  */
 public record FourierTable(
         HeightMap map, Expansion expansion, Band bandX, Band bandY, float[][] real, float[][] imaginary) {

@@ -190,11 +190,9 @@ public record LowRankExpansion(
     }
 
     /**
-     * Quadrature rule over the heights of a patch: a weighted sum at a few heights replaces the mean over all samples. Each interval of bounded
-     * phase has the Gauss rule of its heights with at most {@value #NODES} nodes, exact for polynomials up to degree 2 {@value #NODES} - 1.
-     *
-     * @param heights nodes of the rule: scaled heights, -1..1
-     * @param shares weight of each node, as a share of the patch's samples
+     * Quadrature rule over the heights of a patch: a weighted sum at a few scaled heights, with shares of the samples as weights, replaces
+     * the mean over all samples. Each interval of bounded phase has the Gauss rule of its heights with at most {@value #NODES} nodes, exact
+     * for polynomials up to degree 2 {@value #NODES} - 1.
      */
     private record HeightRule(double[] heights, double[] shares) {
         // Difference over an interval of the phase zeta times scaled height, radians. The squared error of an expansion
