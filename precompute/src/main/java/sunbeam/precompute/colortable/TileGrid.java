@@ -2,6 +2,7 @@ package sunbeam.precompute.colortable;
 
 import java.util.BitSet;
 import java.util.Comparator;
+import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.plan.VisibleRange;
@@ -98,11 +99,8 @@ public record TileGrid(
         });
     }
 
-    private interface Depths {
-        double[] between(double nearest, double farthest);
-    }
-
-    private BitSet within(double middleX, double middleY, double reach, Depths depths) {
+    /** The function returns the smallest and the largest |w| between two distances from the middle. */
+    private BitSet within(double middleX, double middleY, double reach, BiFunction<Double, Double, double[]> depths) {
         BitSet tiles = new BitSet();
         double side = SIDE * design.step();
         for (int row = 1; row < rows - 1; row++) {
@@ -111,7 +109,7 @@ public record TileGrid(
                 double y = firstY() + row * side - middleY;
                 double nearest = Math.hypot(nearest(x, side), nearest(y, side));
                 if (nearest <= reach) {
-                    double[] w = depths.between(nearest, Math.hypot(farthest(x, side), farthest(y, side)));
+                    double[] w = depths.apply(nearest, Math.hypot(farthest(x, side), farthest(y, side)));
                     int last = firstSlice(w[1] / design.sliceStep() + ROUNDING) + taps() - 1;
                     for (int slice = firstSlice(w[0] / design.sliceStep() - ROUNDING); slice <= last; slice++) {
                         tiles.set(slice * perSlice() + row * columns + column);

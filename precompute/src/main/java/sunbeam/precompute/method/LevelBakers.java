@@ -51,12 +51,8 @@ public final class LevelBakers {
         }
     }
 
-    public ColorBaker.Token progress(long samples) {
-        return sources.progress(samples);
-    }
-
-    public void warn(String line) {
-        sources.diagnostics().shortfall().accept(line);
+    public TableSources sources() {
+        return sources;
     }
 
     /** Opens the baker of a level, to be closed by the caller. */

@@ -119,14 +119,8 @@ public record PqMethod(
         double step = table.isThesis() ? COARSEST_STEP : wavelengthStep(surface.map(), repeated, range);
         WavelengthNodes wavelengths =
                 WavelengthNodes.uniform(surface.cie(), table.wavelengthStep().orElse(step));
-        Period planned = new Period(
-                surface,
-                surface.planner().expansion(table, range),
-                range,
-                interpolation,
-                repeated,
-                wavelengths,
-                fresnel);
+        Period planned =
+                new Period(this, surface, surface.planner().expansion(table, range), range, repeated, wavelengths);
         surface.planner().excess(planned.memory()).ifPresent(excess -> {
             throw new SettingException(
                     Methods.METHOD,
@@ -156,13 +150,12 @@ public record PqMethod(
     }
 
     private record Period(
+            PqMethod method,
             Surface surface,
             Expansion expansion,
             VisibleRange range,
-            PeriodInterpolation interpolation,
             Replicas replicas,
-            WavelengthNodes wavelengths,
-            FresnelFactor fresnel) {
+            WavelengthNodes wavelengths) {
         MethodPlan plan() {
             return new MethodPlan(
                     Text.format(
@@ -181,10 +174,10 @@ public record PqMethod(
                             surface.key(),
                             expansion.key(),
                             range.toString(),
-                            interpolation.toString(),
+                            method.interpolation.toString(),
                             replicas.toString(),
                             Integer.toString(wavelengths.count()),
-                            fresnel.toString()),
+                            method.fresnel.toString()),
                     (use, sources) -> tables());
         }
 
@@ -192,20 +185,22 @@ public record PqMethod(
             return List.of(
                     Text.format(
                             "sizes: %d %s terms, %s interpolation",
-                            expansion.terms(), ValueKind.name(expansion.kind()), ValueKind.name(interpolation)),
+                            expansion.terms(), ValueKind.name(expansion.kind()), ValueKind.name(method.interpolation)),
                     "replicas: chosen, or the number closest to the coherence length",
                     Text.format(
                             "spectrum: of one period, %d samples a bin, %d taps along each axis; see docs/theory.md for its error",
-                            interpolation.oversampling(), interpolation.taps()),
+                            method.interpolation.oversampling(), method.interpolation.taps()),
                     "wavelengths: chosen, or one per cycle of the power over 1 / lambda");
         }
 
         private Band bandX() {
-            return range.bandX(interpolation.oversampling() * surface.map().width(), interpolation.margin());
+            return range.bandX(
+                    method.interpolation.oversampling() * surface.map().width(), method.interpolation.margin());
         }
 
         private Band bandY() {
-            return range.bandY(interpolation.oversampling() * surface.map().height(), interpolation.margin());
+            return range.bandY(
+                    method.interpolation.oversampling() * surface.map().height(), method.interpolation.margin());
         }
 
         private ArrayLayout termsLayout() {
@@ -221,26 +216,28 @@ public record PqMethod(
                     ShaderArrays.wavelengthsLayout(wavelengths),
                     terms);
             // One complex transform in double precision, before and after its second axis, and one layer of texels.
-            long lines = (long) interpolation.oversampling() * surface.map().rows() + terms.height();
+            long lines =
+                    (long) method.interpolation.oversampling() * surface.map().rows() + terms.height();
             return new MemoryNeed(2L * Double.BYTES * lines * terms.width() + terms.bytes() / terms.layers(), layouts);
         }
 
         private ShaderTables tables() {
             HeightMap map = surface.map();
-            PeriodSpectrum spectrum = new PeriodSpectrum(surface.levels(), expansion, bandX(), bandY(), interpolation);
+            PeriodSpectrum spectrum =
+                    new PeriodSpectrum(surface.levels(), expansion, bandX(), bandY(), method.interpolation);
             CoefficientTable coefficients = CoefficientTable.sampled(expansion);
             ArrayLayout terms = termsLayout();
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
             ShaderArrays.define(tables, true, expansion.terms());
             CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
-            if (interpolation == PeriodInterpolation.RING) {
+            if (method.interpolation == PeriodInterpolation.RING) {
                 tables.define("PERIOD_RING", 1);
             } else {
-                KernelPolynomials.of(interpolation.taps(), interpolation::kernel)
+                KernelPolynomials.of(method.interpolation.taps(), method.interpolation::kernel)
                         .defineIn(tables);
             }
-            return fresnel.applyTo(tables.define("PERIOD_LAYERS", terms.layers())
+            return method.fresnel.applyTo(tables.define("PERIOD_LAYERS", terms.layers())
                     .array(ShaderArrays.coefficients(COEFFICIENTS, coefficients))
                     .array(ShaderArrays.wavelengths(wavelengths))
                     .array(TableArray.computed(terms, layer -> layer(spectrum, layer)))
@@ -248,8 +245,8 @@ public record PqMethod(
                     .reals("periodPhaseMap", ShaderArrays.phaseMap(coefficients))
                     .reals(
                             "periodScale",
-                            interpolation.oversampling() * map.width(),
-                            interpolation.oversampling() * map.height())
+                            method.interpolation.oversampling() * map.width(),
+                            method.interpolation.oversampling() * map.height())
                     .reals("periodFirst", bandX().first(), bandY().first())
                     .reals("periodLength", map.width(), map.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())

@@ -88,11 +88,11 @@ final class PlanChecks {
         return SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
     }
 
-    static SettingException tooLarge(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
+    static SettingException tooLarge(SpectrumPlan plan, String excess) {
         return SettingException.of(
                 COHERENCE_LENGTH,
                 plan.window().coherenceLength(),
-                excess(plan, rows, heapLimit, mostSteps).orElseThrow()
+                excess
                         + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
                         + " patch, or give a coarser ",
                 TOLERANCE,

@@ -51,6 +51,7 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                 ? List.of(() -> BinSampling.of(choices, area.window(), map, cie))
                 : new Samplings(heights, cie, area, range, budget).choices();
         SpectrumPlan plan = null;
+        Optional<String> excess = Optional.empty();
         for (Supplier<Sampling> choice : samplings) {
             Sampling sampling = choice.get();
             // One bin more, since float32 may round to the next.
@@ -63,11 +64,12 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                     range.bandY(map.height(), around.radiusY() + 1),
                     area,
                     sampling);
-            if (PlanChecks.excess(plan, map.rows(), heapLimit, mostSteps).isEmpty()) {
+            excess = PlanChecks.excess(plan, map.rows(), heapLimit, mostSteps);
+            if (excess.isEmpty()) {
                 return plan;
             }
         }
-        throw PlanChecks.tooLarge(plan, map.rows(), heapLimit, mostSteps);
+        throw PlanChecks.tooLarge(plan, excess.orElseThrow());
     }
 
     /** Measures the roughness if the plan may interpolate the spectrum on a grid; else returns {@link Roughness#NONE}. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
@@ -60,15 +61,8 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         String name = "light of random directions under a coherence length of " + 1e6 * window.coherenceLength()
                 + " um at the window's " + origin.name().toLowerCase(Locale.ROOT) + ", " + range;
         double[] numbers = statistics.get(
-                map,
-                name,
-                () -> of(sample(new ReferenceEvaluator(map, window, origin), range), deviations)
-                        .numbers());
+                map, name, () -> numbers(sample(new ReferenceEvaluator(map, window, origin), range), deviations));
         return new Roughness(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]);
-    }
-
-    private double[] numbers() {
-        return new double[] {bright, mean, dark, deviations, diffracted};
     }
 
     private static List<ReferenceEvaluator.Sample> sample(ReferenceEvaluator source, VisibleRange range) {
@@ -94,24 +88,23 @@ public record Roughness(double bright, double mean, double dark, double deviatio
         return sample.coherent() >= ErrorBudget.DARKEST_POWER;
     }
 
-    private static Roughness of(List<ReferenceEvaluator.Sample> samples, double deviations) {
+    /** Returns the components of a roughness; those of a patch that is too dark are {@link #NONE}'s. */
+    private static double[] numbers(List<ReferenceEvaluator.Sample> samples, double deviations) {
         double[] powers = samples.stream()
                 .filter(Roughness::isBright)
                 .mapToDouble(ReferenceEvaluator.Sample::coherent)
                 .sorted()
                 .toArray();
         double bright = (double) powers.length / samples.size();
-        return isTooDark(samples)
-                ? new Roughness(bright, NONE.mean, NONE.dark, NONE.deviations, NONE.diffracted)
-                : new Roughness(
-                        bright,
-                        Arrays.stream(powers).average().orElseThrow(),
-                        powers[powers.length / 10],
-                        deviations,
-                        samples.stream()
-                                .mapToDouble(sample -> Math.max(0, 1 - sample.specular()))
-                                .average()
-                                .orElseThrow());
+        if (isTooDark(samples)) {
+            return new double[] {bright, NONE.mean, NONE.dark, NONE.deviations, NONE.diffracted};
+        }
+        double mean = Arrays.stream(powers).average().orElseThrow();
+        DoubleStream diffracted = samples.stream().mapToDouble(sample -> Math.max(0, 1 - sample.specular()));
+        double dark = powers[powers.length / 10];
+        return new double[] {
+            bright, mean, dark, deviations, diffracted.average().orElseThrow()
+        };
     }
 
     private static double deviations(CoherenceWindow window, VisibleRange range) {

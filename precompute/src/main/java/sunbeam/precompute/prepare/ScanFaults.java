@@ -25,8 +25,6 @@ public final class ScanFaults {
     private static final int FEWEST_COLUMNS = 16;
     // Evenly spaced: the error of their median is a twelfth of their spread.
     private static final int MOST_COLUMNS = 256;
-    // Ratio of a Gaussian's standard deviation to its median absolute deviation.
-    private static final double GAUSSIAN = 1.4826;
     // Least jump, in robust deviations of all offsets, and in spreads of the columns.
     private static final double JUMP_DEVIATIONS = 10;
     private static final double JUMP_SPREADS = 4;
@@ -63,8 +61,8 @@ public final class ScanFaults {
                 .toList();
         this.spread = median(offsets.stream().mapToDouble(Offset::spread));
         this.medianOffset = median(offsets.stream().mapToDouble(Offset::median));
-        this.deviation =
-                GAUSSIAN * median(offsets.stream().mapToDouble(offset -> Math.abs(offset.median - medianOffset)));
+        this.deviation = Spikes.GAUSSIAN
+                * median(offsets.stream().mapToDouble(offset -> Math.abs(offset.median - medianOffset)));
     }
 
     /**
@@ -94,7 +92,8 @@ public final class ScanFaults {
                 .toArray();
         double median = median(Arrays.stream(differences));
         double mean = Arrays.stream(differences).average().orElse(Double.NaN);
-        double spread = GAUSSIAN * median(Arrays.stream(differences).map(difference -> Math.abs(difference - median)));
+        double spread =
+                Spikes.GAUSSIAN * median(Arrays.stream(differences).map(difference -> Math.abs(difference - median)));
         return new Offset(row, median, mean, spread);
     }
 

@@ -18,7 +18,8 @@ public record Spikes(HeightMap cleaned, int count, double largest) {
     private static final double NEARLY_ALL = 0.995;
     private static final int MOST_EXAMINED = 100_000;
     private static final double DEVIATIONS = 8;
-    private static final double GAUSSIAN = 1.4826;
+    // Ratio of a Gaussian's standard deviation to its median absolute deviation.
+    static final double GAUSSIAN = 1.4826;
     private static final double ISOLATED = 0.25;
     private static final int REACH = 2;
 

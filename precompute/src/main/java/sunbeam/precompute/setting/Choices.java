@@ -135,25 +135,19 @@ public final class Choices {
         try {
             return action.get();
         } catch (SettingException failure) {
-            throw failure.place() == Origin.Place.PROGRAM ? located(failure) : failure;
+            if (failure.place() != Origin.Place.PROGRAM) {
+                throw failure;
+            }
+            Setting<?> setting = failure.about();
+            String value = has(setting) ? written(setting) : failure.value();
+            // The user can change a value that the program chose at home.
+            Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
+            throw new SettingException(setting, failure.problem(), place, value, failure);
         }
     }
 
-    private SettingException located(SettingException failure) {
-        Setting<?> setting = failure.about();
-        String value = has(setting) ? written(setting) : failure.value();
-        // The user can change a value that the program chose at home.
-        Origin place = origin(setting).place() == Origin.Place.PROGRAM ? home : origin(setting);
-        return new SettingException(setting, failure.problem(), place, value, failure);
-    }
-
-    public String written(Setting<?> setting) {
-        return find(setting).map(value -> format(setting, value)).orElse("");
-    }
-
-    @SuppressWarnings("unchecked") // with() stores only values of the setting's type
-    private static <T> String format(Setting<T> setting, Object value) {
-        return setting.kind().format((T) value);
+    public <T> String written(Setting<T> setting) {
+        return find(setting).map(setting.kind()::format).orElse("");
     }
 
     /** Returns a description for metadata: "tolerance 0.001, coherence length 65 um". */

@@ -26,14 +26,11 @@ public final class ShaderArrays {
             double[] weights = smooth(cie, c);
             for (int i = 0; i < SAMPLES; i++) {
                 texels[4 * i + c] = (float) (weights[i] * norm);
-                texels[4 * (SAMPLES + i) + c] = (float) (cie.at(wavelength(i), c) * norm);
+                double wavelength = CieTable.MINIMUM_WAVELENGTH + i * (1e-9 / PER_NANOMETER);
+                texels[4 * (SAMPLES + i) + c] = (float) (cie.at(wavelength, c) * norm);
             }
         }
         return TableArray.of(cieWeightsLayout(), texels);
-    }
-
-    private static double wavelength(int sample) {
-        return CieTable.MINIMUM_WAVELENGTH + sample * (1e-9 / PER_NANOMETER);
     }
 
     /**

@@ -103,7 +103,7 @@ final class CachedBaker implements Scheduler.TileBaker {
 
     List<Scheduler.BakedTiles> bakeAll(TileSet tiles) {
         List<Scheduler.BakedTiles> all = new ArrayList<>();
-        try (ColorBaker.Token progress = bakers.progress(missing(tiles))) {
+        try (ColorBaker.Token progress = bakers.sources().progress(missing(tiles))) {
             for (int level = 0; level < tiles.levels(); level++) {
                 if (!tiles.of(level).isEmpty()) {
                     all.add(bake(level, tiles.of(level), progress));
@@ -135,7 +135,7 @@ final class CachedBaker implements Scheduler.TileBaker {
             VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {
                 warned = true;
                 cached().discard();
-                bakers.warn(line);
+                bakers.sources().diagnostics().shortfall().accept(line);
             });
         }
     }
