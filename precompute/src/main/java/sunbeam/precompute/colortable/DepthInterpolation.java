@@ -6,7 +6,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** Lagrange interpolation of colors along w, between slices in which |w| is constant. Immutable. */
-final class DepthInterpolation {
+record DepthInterpolation(double[] depths, int taps, double[] denominators) {
     private static final int TAPS = 6;
     private static final int COORDINATES = 3;
     private static final double DEEPEST = 2;
@@ -15,20 +15,17 @@ final class DepthInterpolation {
 
     private static final double ERROR = 5e-5;
 
-    private final double[] depths;
-    private final int taps;
-    // Equally spaced slices have the same denominators for each first tap.
-    private final double[] denominators;
-
     private DepthInterpolation(double[] depths, int taps) {
-        this.depths = depths;
-        this.taps = taps;
-        this.denominators = IntStream.range(0, taps)
-                .mapToDouble(slice -> IntStream.range(0, taps)
-                        .filter(other -> other != slice)
-                        .mapToDouble(other -> depths[slice] - depths[other])
-                        .reduce(1, (product, factor) -> product * factor))
-                .toArray();
+        // Equally spaced slices have the same denominators for each first tap.
+        this(
+                depths,
+                taps,
+                IntStream.range(0, taps)
+                        .mapToDouble(slice -> IntStream.range(0, taps)
+                                .filter(other -> other != slice)
+                                .mapToDouble(other -> depths[slice] - depths[other])
+                                .reduce(1, (product, factor) -> product * factor))
+                        .toArray());
     }
 
     /**
@@ -83,14 +80,6 @@ final class DepthInterpolation {
 
     private static int spaced(double range, double widestStep) {
         return Math.max(TAPS, 1 + (int) Math.ceil(range / widestStep));
-    }
-
-    double[] depths() {
-        return depths;
-    }
-
-    int taps() {
-        return taps;
     }
 
     int firstTap(double depth) {

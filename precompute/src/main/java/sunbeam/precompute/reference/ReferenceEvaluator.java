@@ -20,25 +20,24 @@ import sunbeam.precompute.reference.AxisWeights.Axis;
  * <p>The sums are exact for the patch repeated without end: replicas only change the samples' weights, which are added up per axis before the
  * sum over samples. Rounding error about 2e-15 / sqrt(power), relative. Immutable and safe for use by several threads.
  */
-public final class ReferenceEvaluator {
+public record ReferenceEvaluator(
+        SurfaceSums surface, CoherenceWindow window, Axis axisX, Axis axisY, double[] windowX, double[] windowY) {
     // In sigma and sigma_f: the amplitude is below exp(-9^2 / 2) = 3e-18, the power below exp(-6.8^2) = 8e-21.
     private static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
-    private final SurfaceSums surface;
-    private final CoherenceWindow window;
-    private final Axis axisX;
-    private final Axis axisY;
-    private final double[] windowX;
-    private final double[] windowY;
-
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
-        this.surface = new SurfaceSums(map);
-        this.window = window;
-        this.axisX = Axis.x(map, origin);
-        this.axisY = Axis.y(map, origin);
-        this.windowX = axisX.window(window.sigmaMeters(), AMPLITUDE_REACH);
-        this.windowY = axisY.window(window.sigmaMeters(), AMPLITUDE_REACH);
+        this(new SurfaceSums(map), window, Axis.x(map, origin), Axis.y(map, origin));
+    }
+
+    private ReferenceEvaluator(SurfaceSums surface, CoherenceWindow window, Axis x, Axis y) {
+        this(
+                surface,
+                window,
+                x,
+                y,
+                x.window(window.sigmaMeters(), AMPLITUDE_REACH),
+                y.window(window.sigmaMeters(), AMPLITUDE_REACH));
     }
 
     /** Power of one coherence area, and its mean over all positions of the window. */
@@ -46,10 +45,6 @@ public final class ReferenceEvaluator {
 
     /** Coherent light in one direction, and |mean of exp(i k w h)|^2: in mirror direction, the specular order's share of light. */
     public record Sample(double coherent, double specular) {}
-
-    public CoherenceWindow window() {
-        return window;
-    }
 
     public HeightLevels heights() {
         return surface.heights();

@@ -17,22 +17,12 @@ import sunbeam.precompute.reference.ReferenceEvaluator.Power;
  *
  * for N x M samples and Qx x Qy replicas. Method {@code pq} has this sum in closed form, as an array factor (thesis section 2.4.1).
  */
-public final class ReplicaLight implements ExactLight {
+public record ReplicaLight(SurfaceSums surface, Axis x, Axis y, Replicas replicas, CieTable cie) implements ExactLight {
     // With all replicas a long and b wide, the power has at most |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
 
-    private final SurfaceSums surface;
-    private final Axis x;
-    private final Axis y;
-    private final Replicas replicas;
-    private final CieTable cie;
-
     public ReplicaLight(HeightMap map, Replicas replicas, CieTable cie) {
-        this.surface = new SurfaceSums(map);
-        this.x = Axis.x(map, WindowOrigin.CORNER);
-        this.y = Axis.y(map, WindowOrigin.CORNER);
-        this.replicas = replicas;
-        this.cie = cie;
+        this(new SurfaceSums(map), Axis.x(map, WindowOrigin.CORNER), Axis.y(map, WindowOrigin.CORNER), replicas, cie);
     }
 
     @Override

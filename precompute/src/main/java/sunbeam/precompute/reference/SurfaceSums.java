@@ -7,23 +7,15 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
-final class SurfaceSums {
-    private final HeightMap map;
-    private final HeightLevels heights;
-    private final boolean tabulates;
-
+record SurfaceSums(HeightMap map, HeightLevels heights) {
     SurfaceSums(HeightMap map) {
-        this.map = map;
-        this.heights = HeightLevels.of(map);
-        this.tabulates = !heights.areTooManyToTabulate();
-    }
-
-    HeightLevels heights() {
-        return heights;
+        this(map, HeightLevels.of(map));
     }
 
     Sums overRows(double w, double wavelength, AxisWeights... alongY) {
-        return tabulates ? overRows(phases(w, wavelength), alongY) : overSamples(w, wavelength, alongY);
+        return heights.areTooManyToTabulate()
+                ? overSamples(w, wavelength, alongY)
+                : overRows(phases(w, wavelength), alongY);
     }
 
     /** Without a table of p by height; reads memory sequentially. */

@@ -117,20 +117,9 @@ public final class BandTransform2d {
      * Inverse DFT of one period, X_j = (1/N) sum_n x_n exp(+2 pi i n j / N), for the bins j of a {@link Band}, which may be longer than N:
      * Commons Math's FFT where N is a power of two, a nonuniform FFT over it otherwise. Thread-safe.
      */
-    static final class Line {
-        private final int length;
-        private final Band band;
-        private final Nonuniform nonuniform;
-
+    record Line(int length, Band band, Nonuniform nonuniform) {
         Line(int length, Band band) {
-            this.length = length;
-            this.band = band;
-            boolean powerOfTwo = length > 1 && Integer.bitCount(length) == 1;
-            this.nonuniform = powerOfTwo ? null : new Nonuniform(length, band);
-        }
-
-        Band band() {
-            return band;
+            this(length, band, length > 1 && Integer.bitCount(length) == 1 ? null : new Nonuniform(length, band));
         }
 
         ComplexVector workspace() {
@@ -148,7 +137,7 @@ public final class BandTransform2d {
                     target.imaginary()[index] = work.imaginary()[bin];
                 }
             } else {
-                nonuniform.transform(work, 1.0 / length, target, offset, stride);
+                nonuniform.transform(work, target, offset, stride);
             }
         }
 
@@ -207,7 +196,7 @@ public final class BandTransform2d {
                 Arrays.setAll(gains, m -> gridSize / kernel.transform((double) (band.first() + m - middle) / gridSize));
             }
 
-            void transform(ComplexVector samples, double factor, ComplexVector target, int offset, int stride) {
+            void transform(ComplexVector samples, ComplexVector target, int offset, int stride) {
                 ComplexVector turned = turned(samples);
                 double[] re = turned.real();
                 double[] im = turned.imaginary();
@@ -225,6 +214,7 @@ public final class BandTransform2d {
                     grid[1][point] = imaginary;
                 }
                 FastFourierTransformer.transformInPlace(grid, DftNormalization.STANDARD, TransformType.INVERSE);
+                double factor = 1.0 / length;
                 for (int m = 0, index = offset; m < gains.length; m++, index += stride) {
                     int bin = band.first() + m - middle & gridSize - 1;
                     target.real()[index] = factor * gains[m] * grid[0][bin];

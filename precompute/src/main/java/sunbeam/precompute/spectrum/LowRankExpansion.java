@@ -29,7 +29,7 @@ public record LowRankExpansion(
             double tolerance,
             int mostTerms) {
         // The bandwidth is 1, since |s| is at most 1.
-        PhaseNodes nodes = new PhaseNodes(minimumPhase, maximumPhase, 1);
+        PhaseNodes nodes = PhaseNodes.of(minimumPhase, maximumPhase, 1);
         // A Gram matrix would lose half of the digits: where nearly no light is diffracted, errors of 1e-9 count. The
         // triangular QR factor has few rows and the same singular values and right vectors.
         RealMatrix triangle = new QRDecomposition(kernel(HeightRule.of(heights, scale, maximumPhase), nodes)).getR();

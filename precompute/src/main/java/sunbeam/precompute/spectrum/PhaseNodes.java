@@ -7,45 +7,29 @@ import sunbeam.precompute.numerics.GaussLegendre;
  * Gauss-Legendre nodes over a range of phases, in radians. They integrate functions of limited bandwidth (radians per radian of phase), and
  * interpolate them by the barycentric formula, to a double's rounding.
  */
-public final class PhaseNodes {
+public record PhaseNodes(double minimum, double maximum, double[] nodes, double[] weights, double[] barycentric) {
     // Beyond one node per radian of phase and bandwidth; for a double's rounding also over short ranges.
     private static final int EXTRA_NODES = 28;
     // Radians; a single direction at a single wavelength has a range of 0.
     private static final double SMALLEST_RANGE = 1e-3;
 
-    private final double minimum;
-    private final double maximum;
-    private final double[] nodes;
-    private final double[] weights;
-    private final double[] barycentric;
-
-    public PhaseNodes(double minimum, double maximum, double bandwidth) {
-        this.minimum = minimum;
-        this.maximum = Math.max(maximum, minimum + SMALLEST_RANGE);
-        int count = EXTRA_NODES + (int) Math.ceil(bandwidth * (this.maximum - minimum));
-        nodes = new double[count];
-        weights = new double[count];
-        barycentric = new double[count];
-        GaussLegendre rule = GaussLegendre.of(count);
+    public static PhaseNodes of(double minimum, double maximum, double bandwidth) {
+        double end = Math.max(maximum, minimum + SMALLEST_RANGE);
+        GaussLegendre rule = GaussLegendre.of(EXTRA_NODES + (int) Math.ceil(bandwidth * (end - minimum)));
+        int count = rule.nodes().length;
+        PhaseNodes all = new PhaseNodes(minimum, end, new double[count], new double[count], new double[count]);
         for (int q = 0; q < count; q++) {
             double x = rule.nodes()[q];
-            nodes[q] = minimum + (x + 1) / 2 * (this.maximum - minimum);
-            weights[q] = rule.weights()[q] / 2;
+            all.nodes[q] = minimum + (x + 1) / 2 * (end - minimum);
+            all.weights[q] = rule.weights()[q] / 2;
             // Berrut and Trefethen 2004, section 5, for Legendre points.
-            barycentric[q] = (q % 2 == 0 ? 1 : -1) * Math.sqrt((1 - x * x) * rule.weights()[q]);
+            all.barycentric[q] = (q % 2 == 0 ? 1 : -1) * Math.sqrt((1 - x * x) * rule.weights()[q]);
         }
+        return all;
     }
 
     public int count() {
         return nodes.length;
-    }
-
-    public double minimum() {
-        return minimum;
-    }
-
-    public double maximum() {
-        return maximum;
     }
 
     public double node(int index) {

@@ -27,7 +27,7 @@ final class PowerBasis {
 
     PowerBasis(FourierTable table, double tolerance) {
         Expansion expansion = table.expansion();
-        nodes = new PhaseNodes(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
+        nodes = PhaseNodes.of(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
         PhaseOctaves octaves = new PhaseOctaves(nodes);
         BinPowers powers = new BinPowers(table, nodes);
         double[][] rows =

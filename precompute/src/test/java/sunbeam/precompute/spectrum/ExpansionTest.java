@@ -61,7 +61,7 @@ class ExpansionTest {
 
     /** Over all heights and all phases, the latter by a rule that is exact for squares. */
     private static double meanSquaredError(Expansion expansion, HeightMap map, double maximum) {
-        PhaseNodes nodes = new PhaseNodes(0, maximum, 2);
+        PhaseNodes nodes = PhaseNodes.of(0, maximum, 2);
         double[][] coefficients = new double[nodes.count()][];
         Arrays.setAll(coefficients, q -> expansion.coefficients(nodes.node(q)));
         return Arrays.stream(map.heights())
