@@ -5,7 +5,7 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
-final class LogRadialBand {
+record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions positions, double positionStep) {
     private static final int COLORS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
     // Most rays that share one blurred spectrum; their working set fits a core's cache.
@@ -31,27 +31,20 @@ final class LogRadialBand {
     private static final double MOST_ABOVE_POWER = 1.12;
     private static final double STEP_GROWTH = 1.005;
 
-    private final double low;
-    private final int rays;
-    private final int sectors;
-    private final Positions positions;
-    private final double positionStep;
-
     /** The outermost positions are at |(u, v)| {@code high}, with {@code step} between rays there. */
-    LogRadialBand(CieTable cie, double tolerance, double sigmaFrequency, double high, double step) {
-        this.low = high / 2;
-        this.rays = (int) Math.ceil(2 * Math.PI * high / step);
-        this.sectors = 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR);
+    static LogRadialBand of(CieTable cie, double tolerance, double sigmaFrequency, double high, double step) {
+        int rays = (int) Math.ceil(2 * Math.PI * high / step);
         double orderWidth = sigmaFrequency * cie.shortestWavelength() / high;
         double widestStep = WIDEST_SMOOTH * Math.pow(tolerance, STEP_EXPONENT);
         double widerStep = Math.min(MOST_WIDER * widestStep, WIDEST_OF_ORDER * orderWidth);
         double widest = cie.isSmooth() ? Math.max(widestStep, widerStep) : WIDEST_ON_FLANKS * orderWidth;
-        this.positions = Positions.widest(cie, widest, Math.min(step / high, WIDEST_STEP));
-        this.positionStep = positions.step();
+        Positions positions = Positions.widest(cie, widest, Math.min(step / high, WIDEST_STEP));
+        int sectors = 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR);
+        return new LogRadialBand(high / 2, rays, sectors, positions, positions.step());
     }
 
     /** Steps along a ray: {@code stride} wavelength steps each; a ray of the octave covers this range of ln |f|. */
-    private record Positions(WavelengthNodes wavelengths, int stride, double covered) {
+    record Positions(WavelengthNodes wavelengths, int stride, double covered) {
         /** Returns the largest step up to {@code widest}, or a slightly larger one that halves the length of the transforms. */
         static Positions widest(CieTable cie, double widest, double wavelengthStep) {
             Positions positions = of(cie, widest, wavelengthStep);
@@ -96,21 +89,8 @@ final class LogRadialBand {
         }
     }
 
-    private LogPolarConvolution convolution(WindowedSpectrum powers, double[] depths) {
-        return new LogPolarConvolution(
-                start(), positions.count(), positions.stride(), positions.wavelengths(), depths, powers::coefficients);
-    }
-
     private double start() {
         return Math.log(low) - MARGIN * positionStep;
-    }
-
-    double low() {
-        return low;
-    }
-
-    int sectors() {
-        return sectors;
     }
 
     /** For {@code sectors()}, the number of rays. */
@@ -149,7 +129,13 @@ final class LogRadialBand {
         private Tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
             this.powers = powers;
             this.slices = slices;
-            this.convolution = convolution(powers, slices.depths());
+            this.convolution = new LogPolarConvolution(
+                    start(),
+                    positions.count(),
+                    positions.stride(),
+                    positions.wavelengths(),
+                    slices.depths(),
+                    powers::coefficients);
             this.firstRay = firstRay(sector) - MARGIN;
             this.tileRays = firstRay(sector + 1) + MARGIN + 1 - firstRay;
         }

@@ -61,8 +61,8 @@ public final class RadialBaker implements ColorBaker {
         int last = (int) Math.max(0, Math.log(farthest / (2 * INNER_STEPS * rayStep)) / Math.log(2));
         this.bands = IntStream.rangeClosed(0, last)
                 .parallel()
-                .mapToObj(number ->
-                        new LogRadialBand(cie, spectrum.tolerance(), sigma, farthest / (1 << number), rayStep))
+                .mapToObj(
+                        number -> LogRadialBand.of(cie, spectrum.tolerance(), sigma, farthest / (1 << number), rayStep))
                 .toList();
         this.firstTiles = new int[bands.size() + 1];
         for (int band = 0; band < bands.size(); band++) {

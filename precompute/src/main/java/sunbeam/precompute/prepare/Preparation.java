@@ -59,18 +59,8 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
      * Fills missing samples (NaN or infinite) from their surroundings: ring by ring from the edge of each hole inwards, every sample becomes
      * the average of its known neighbors, eight at most. Linear in the number of samples.
      */
-    static final class MissingHeights {
-        private final int columns;
-        private final int rows;
-        private final double[] heights;
-
+    record MissingHeights(HeightMap map, double[] heights) {
         public record Filled(HeightMap field, int count) {}
-
-        private MissingHeights(HeightMap map) {
-            columns = map.columns();
-            rows = map.rows();
-            heights = map.heights().clone();
-        }
 
         public static Filled fill(HeightMap map) {
             int known =
@@ -82,7 +72,7 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
             if (known == 0) {
                 throw new IllegalArgumentException("all " + missing + " samples are missing");
             }
-            MissingHeights filling = new MissingHeights(map);
+            MissingHeights filling = new MissingHeights(map, map.heights().clone());
             filling.fillRings();
             return new Filled(map.with(filling.heights), missing);
         }
@@ -113,13 +103,13 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         }
 
         private int[] neighbors(int index, boolean known) {
-            int row = index / columns;
-            int column = index % columns;
+            int row = index / map.columns();
+            int column = index % map.columns();
             int[] found = new int[8];
             int length = 0;
-            for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
-                for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
-                    int neighbor = r * columns + c;
+            for (int r = Math.max(0, row - 1); r <= Math.min(map.rows() - 1, row + 1); r++) {
+                for (int c = Math.max(0, column - 1); c <= Math.min(map.columns() - 1, column + 1); c++) {
+                    int neighbor = r * map.columns() + c;
                     if (neighbor != index && Double.isFinite(heights[neighbor]) == known) {
                         found[length++] = neighbor;
                     }
