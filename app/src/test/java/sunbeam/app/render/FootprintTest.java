@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.app.gpu.InAContext;
 import sunbeam.app.gpu.Shaders;
 
-/** shaders/include/footprint.glsl beside its twin in double precision, and by the variance of its taps and level. */
+/** shaders/include/footprint.glsl by the variance and the direction of its taps and level. */
 class FootprintTest extends InAContext {
     private static final double SIGMA = 1e-3;
     private static final int LEVELS = 9;

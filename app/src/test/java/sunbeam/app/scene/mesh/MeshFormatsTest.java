@@ -139,7 +139,7 @@ class MeshFormatsTest extends MeshReading {
         }
         assertThat(triangle.triangles()).isEqualTo(1);
         assertThat(triangle.normals()).startsWith(0, -1, 0);
-        assertRefused(positions(1, square, "")).hasMessageContaining("no faces");
+        assertRefused(positions(1, square, ""), "no faces");
     }
 
     private static String positions(int mode, String numbers, String more) {
@@ -184,12 +184,12 @@ class MeshFormatsTest extends MeshReading {
         Files.createSymbolicLink(folder.resolve("link.bin"), outside);
 
         for (String uri : List.of("../outside.bin", "%2e%2e/outside.bin", outside.toString())) {
-            assertRefused(MeshFiles.gltf(SURFACE, uri)).hasMessageContaining("leads out of the mesh's own folder");
+            assertRefused(MeshFiles.gltf(SURFACE, uri), "leads out of the mesh's own folder");
         }
-        assertRefused(MeshFiles.gltf(SURFACE, "link.bin")).hasMessageContaining("link that leads out");
-        assertRefused(MeshFiles.gltf(SURFACE, "none.bin")).hasMessageContaining("is missing");
+        assertRefused(MeshFiles.gltf(SURFACE, "link.bin"), "link that leads out");
+        assertRefused(MeshFiles.gltf(SURFACE, "none.bin"), "is missing");
         for (String uri : List.of("http://127.0.0.1:9/a.bin", "file:///etc/passwd", "HTTPS:x")) {
-            assertRefused(MeshFiles.gltf(SURFACE, uri)).hasMessageContaining("nothing is fetched");
+            assertRefused(MeshFiles.gltf(SURFACE, uri), "nothing is fetched");
         }
     }
 
@@ -211,13 +211,13 @@ class MeshFormatsTest extends MeshReading {
                 good, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"", "KHR_draco");
         assertRefusedAfterReplacing(good, "\"count\":216", "\"count\":2000000000", "1 to 6000000");
         assertRefusedAfterReplacing(good, "base64,", "base64,?", "no base64");
-        assertRefused("{\"a\":").hasMessageContaining("no valid JSON");
-        assertRefused("{\"a\":" + "[".repeat(5000)).hasMessageContaining("no valid JSON");
-        assertRefused("{}").hasMessageContaining("version \"\"");
+        assertRefused("{\"a\":", "no valid JSON");
+        assertRefused("{\"a\":" + "[".repeat(5000), "no valid JSON");
+        assertRefused("{}", "version \"\"");
     }
 
     private void assertRefusedAfterReplacing(String good, String from, String to, String words) {
         assertThat(good).contains(from);
-        assertRefused(good.replace(from, to)).hasMessageContaining(words);
+        assertRefused(good.replace(from, to), words);
     }
 }

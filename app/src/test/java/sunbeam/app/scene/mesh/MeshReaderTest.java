@@ -153,32 +153,31 @@ class MeshReaderTest extends MeshReading {
 
     @Test
     void messagesNameWrongLines() {
-        assertRefused("v 0 0 0\nv 1 NaN 0\n").hasMessageContainingAll("line 2", "NaN is no finite number");
-        assertRefused("v 0 0 0\nvt 1e99 0\n").hasMessageContainingAll("line 2", "1.0E99");
-        assertRefused("vn 0 -Infinity 0\n").hasMessageContaining("line 1");
-        assertRefused("v 0 zero 0\n").hasMessageContaining("\"zero\" is no number");
-        assertRefused("v 0 0\n").hasMessageContaining("position needs 3 numbers, not 2");
-        assertRefused(SQUARE + "f 1 2\n").hasMessageContainingAll("line 5", "2 corners");
-        assertRefused(SQUARE + "f 1 2 5\n").hasMessageContainingAll("position 5", "line 5");
-        assertRefused(SQUARE + "f 1 2 0\n").hasMessageContaining("\"0\"");
-        assertRefused(SQUARE + "f 1 2 99999999999\n").hasMessageContaining("99999999999");
+        assertRefused("v 0 0 0\nv 1 NaN 0\n", "line 2", "NaN is no finite number");
+        assertRefused("v 0 0 0\nvt 1e99 0\n", "line 2", "1.0E99");
+        assertRefused("vn 0 -Infinity 0\n", "line 1");
+        assertRefused("v 0 zero 0\n", "\"zero\" is no number");
+        assertRefused("v 0 0\n", "position needs 3 numbers, not 2");
+        assertRefused(SQUARE + "f 1 2\n", "line 5", "2 corners");
+        assertRefused(SQUARE + "f 1 2 5\n", "position 5", "line 5");
+        assertRefused(SQUARE + "f 1 2 0\n", "\"0\"");
+        assertRefused(SQUARE + "f 1 2 99999999999\n", "99999999999");
         for (String corner :
                 List.of("/1", "1/", "1//", "1/1/", "1//1/1", "1/1/1/1", "-", "-0", "01", "1-", "+1", "1/x")) {
-            assertRefused(SQUARE + "f 1 2 " + corner + "\n")
-                    .hasMessageContaining("line 5: \"" + corner + "\" is no corner of a face");
+            assertRefused(SQUARE + "f 1 2 " + corner + "\n", "line 5: \"" + corner + "\" is no corner of a face");
         }
-        assertRefused(SQUARE + "f 1/1 2/1 3/1\n").hasMessageContaining("texture coordinate 1 but 0");
-        assertRefused(SQUARE + "f 1//1 2//1 3//1\n").hasMessageContaining("normal 1 but 0");
-        assertRefused(SQUARE + TEXTURE + "f 1/1 2 3/3\n").hasMessageContaining("differ in kind");
+        assertRefused(SQUARE + "f 1/1 2/1 3/1\n", "texture coordinate 1 but 0");
+        assertRefused(SQUARE + "f 1//1 2//1 3//1\n", "normal 1 but 0");
+        assertRefused(SQUARE + TEXTURE + "f 1/1 2 3/3\n", "differ in kind");
     }
 
     @Test
     void filesWithoutFacesAreRefused() {
-        assertRefused("").hasMessageContaining("no face");
-        assertRefused(SQUARE).hasMessageContaining("no face");
-        assertRefused(SQUARE + "f 1 1 2\n").hasMessageContaining("no face");
-        assertRefused("\u0089PNG\r\n\u001A\n\u0000\u0000").hasMessageContaining("no face");
-        assertRefused("x".repeat(100_000)).hasMessageContaining("65536 characters");
+        assertRefused("", "no face");
+        assertRefused(SQUARE, "no face");
+        assertRefused(SQUARE + "f 1 1 2\n", "no face");
+        assertRefused("\u0089PNG\r\n\u001A\n\u0000\u0000", "no face");
+        assertRefused("x".repeat(100_000), "65536 characters");
         assertThatThrownBy(() -> MeshSource.read(folder.resolve("none.obj"), MeshSource.Unit.M))
                 .hasMessageContaining("there is no such file");
         assertThatThrownBy(() -> MeshSource.read(folder, MeshSource.Unit.M)).hasMessageContaining("it is a folder");
@@ -200,77 +199,51 @@ class MeshReaderTest extends MeshReading {
                 .hasMessageEndingWith("large.obj: line 2000004: more than 2000000 triangles; simplify the mesh");
     }
 
+    private static String header(int vertices, String element, String list) {
+        return "ply\nformat ascii 1.0\nelement vertex " + vertices
+                + "\nproperty float x\nproperty float y\nproperty float z\nelement " + element + "\nproperty list "
+                + list
+                + "\nend_header\n";
+    }
+
     /** A strip of two triangles, an end, one of one triangle, an end. All face upwards. */
     @Test
     void stripsAreTriangles() throws IOException {
-        String header = """
-                ply
-                format ascii 1.0
-                element vertex 5
-                property float x
-                property float y
-                property float z
-                element tristrips 1
-                property list int int vertex_indices
-                end_header
-                0 0 0  1 0 0  0 1 0  1 1 0  2 2 0
-                """;
+        String header = header(5, "tristrips 1", "int int vertex_indices") + "0 0 0  1 0 0  0 1 0  1 1 0  2 2 0\n";
         Mesh mesh = read(header + "9 0 1 2 3 -1 1 4 2 -1\n").mesh();
         assertThat(mesh.triangles()).isEqualTo(3);
         for (int triangle = 0; triangle < 3; triangle++) {
             assertThat(MeshChecks.areaNormal(mesh, triangle).z).isPositive();
         }
-        assertRefused(header + "4 0 1 2 5\n").hasMessageContaining("tristrips 0: it names vertex 5");
-        assertRefused(header + "4 0 1 2 -2\n").hasMessageContaining("tristrips 0: it names vertex -2");
-        assertRefused(header + "7000000 0 1 2\n").hasMessageContaining("0 to 6000000 can be used");
-        assertRefused(header.replace("vertex_indices", "strips") + "3 0 1 2\n")
-                .hasMessageContaining("no list vertex_indices");
-        assertRefused(header + "2 0 1\n").hasMessageContaining("no faces");
+        assertRefused(header + "4 0 1 2 5\n", "tristrips 0: it names vertex 5");
+        assertRefused(header + "4 0 1 2 -2\n", "tristrips 0: it names vertex -2");
+        assertRefused(header + "7000000 0 1 2\n", "0 to 6000000 can be used");
+        assertRefused(header.replace("vertex_indices", "strips") + "3 0 1 2\n", "no list vertex_indices");
+        assertRefused(header + "2 0 1\n", "no faces");
     }
 
     @Test
     void invalidPlyIsRefusedInOneLine() {
-        String header = """
-                ply
-                format ascii 1.0
-                element vertex 3
-                property float x
-                property float y
-                property float z
-                element face 1
-                property list uchar int vertex_indices
-                end_header
-                """;
+        String header = header(3, "face 1", "uchar int vertex_indices");
         String places = "0 0 0\n1 0 0\n0 1 0\n";
-        assertRefused(header + places + "3 0 1 3\n").hasMessageContaining("face 0: it names vertex 3");
-        assertRefused(header + places + "2 0 1\n").hasMessageContaining("2 corners");
-        assertRefused(header + places + "3 0 1 0.5\n").hasMessageContaining("vertex 0.5");
-        assertRefused(header + places).hasMessageContaining("face 0: the file ends within it");
-        assertRefused(header + "0 0 0\n1 nan 0\n").hasMessageContaining("vertex 1: \"nan\" is no number");
-        assertRefused(header + "0 0 0\n1 NaN 0\n").hasMessageContaining("vertex 1: NaN is no finite number");
-        assertRefused(header.replace("face 1", "face 10000000") + places)
-                .hasMessageContaining("10000000 rows of element face; at most 2000000");
-        assertRefused(header.replace("float z", "float w") + places).hasMessageContaining("not x, y and z");
-        assertRefused(header.replace("float z", "real z") + places).hasMessageContaining("line 6");
-        assertRefused(header.replace("vertex_indices", "corners") + places)
-                .hasMessageContaining("no list vertex_indices");
-        assertRefused("ply\nformat ascii 1.0\nend_header\n").hasMessageContaining("no face");
-        assertRefused("ply\n").hasMessageContaining("line 2 of the header");
+        assertRefused(header + places + "3 0 1 3\n", "face 0: it names vertex 3");
+        assertRefused(header + places + "2 0 1\n", "2 corners");
+        assertRefused(header + places + "3 0 1 0.5\n", "vertex 0.5");
+        assertRefused(header + places, "face 0: the file ends within it");
+        assertRefused(header + "0 0 0\n1 nan 0\n", "vertex 1: \"nan\" is no number");
+        assertRefused(header + "0 0 0\n1 NaN 0\n", "vertex 1: NaN is no finite number");
+        assertRefused(
+                header.replace("face 1", "face 10000000") + places, "10000000 rows of element face; at most 2000000");
+        assertRefused(header.replace("float z", "float w") + places, "not x, y and z");
+        assertRefused(header.replace("float z", "real z") + places, "line 6");
+        assertRefused(header.replace("vertex_indices", "corners") + places, "no list vertex_indices");
+        assertRefused("ply\nformat ascii 1.0\nend_header\n", "no face");
+        assertRefused("ply\n", "line 2 of the header");
     }
 
     @Test
     void cornersOfPlyHaveTextureCoordinatesOfTheirOwn() throws IOException {
-        String text = """
-                ply
-                format ascii 1.0
-                element vertex 4
-                property float x
-                property float y
-                property float z
-                element face 1
-                property list uchar int vertex_index
-                property list uchar float texcoord
-                end_header
+        String text = header(4, "face 1", "uchar int vertex_index\nproperty list uchar float texcoord") + """
                 0 0 0
                 1 0 0
                 1 1 0

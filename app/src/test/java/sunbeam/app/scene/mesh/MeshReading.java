@@ -1,13 +1,11 @@
 package sunbeam.app.scene.mesh;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.assertj.core.api.AbstractThrowableAssert;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.precompute.files.InputException;
 
@@ -24,10 +22,11 @@ abstract class MeshReading {
         return read(content.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    final AbstractThrowableAssert<?, ? extends Throwable> assertRefused(String content) {
-        return assertThatThrownBy(() -> read(content))
+    final void assertRefused(String content, String... words) {
+        assertThatThrownBy(() -> read(content))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(folder.resolve("mesh").toString())
-                .satisfies(failure -> assertThat(failure.getMessage()).doesNotContain("\n"));
+                .hasMessageContainingAll(words)
+                .hasMessageNotContaining("\n");
     }
 }
