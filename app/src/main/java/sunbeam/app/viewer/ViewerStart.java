@@ -94,20 +94,18 @@ public final class ViewerStart {
                 viewer.get().start(pictureSize, shape::get);
             });
         } catch (InvocationTargetException failure) {
-            if (failure.getCause() instanceof AWTError || failure.getCause() instanceof LinkageError) {
-                throw unreachable(failure.getCause());
-            }
-            throw failure.getCause() instanceof RuntimeException cause
-                    ? cause
-                    : new IllegalStateException(failure.getCause());
+            throw unchecked(failure.getCause());
         } catch (AWTError | LinkageError failure) {
-            throw unreachable(failure);
+            throw unchecked(failure);
         }
         return viewer.get();
     }
 
-    /** Failure for a display that does not answer, or a Java installation without AWT's screen libraries. */
-    private static GraphicsException unreachable(Throwable failure) {
+    /** A display that does not answer, or a Java installation without AWT's screen libraries, has a message. */
+    private static RuntimeException unchecked(Throwable failure) {
+        if (!(failure instanceof AWTError || failure instanceof LinkageError)) {
+            return failure instanceof RuntimeException cause ? cause : new IllegalStateException(failure);
+        }
         String why = String.valueOf(failure.getMessage()).strip().replaceAll("\\.$", "");
         return new GraphicsException("the viewer cannot open the screen: " + why
                 + "; start it on a desktop, or set DISPLAY to an existing screen");

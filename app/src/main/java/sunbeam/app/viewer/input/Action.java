@@ -98,7 +98,7 @@ enum Action {
     private static final double STEP_RADIANS = Math.toRadians(2);
     private static final double STEP_SHARE = 0.02;
 
-    private final Group group;
+    final Group group;
     private final String description;
     private final String keys;
 
@@ -178,10 +178,6 @@ enum Action {
     private static int up(KeyStroke stroke) {
         int key = stroke.getKeyCode();
         return key == KeyEvent.VK_UP ? 1 : key == KeyEvent.VK_DOWN ? -1 : 0;
-    }
-
-    Group group() {
-        return group;
     }
 
     boolean isSwitch() {

@@ -25,26 +25,18 @@ record Help(Group group, String input, String description) {
         VIEW("View", true),
         HELP("Help", true);
 
-        private final String title;
-        private final boolean hasMenu;
+        final String title;
+        final boolean hasMenu;
 
         Group(String title, boolean hasMenu) {
             this.title = title;
             this.hasMenu = hasMenu;
         }
-
-        String title() {
-            return title;
-        }
-
-        boolean hasMenu() {
-            return hasMenu;
-        }
     }
 
     static List<Help> rows(Group group) {
         return Stream.concat(
-                        Stream.of(MouseControls.Gesture.values()).map(MouseControls.Gesture::help),
+                        Stream.of(MouseControls.Gesture.values()).map(gesture -> gesture.help),
                         Stream.of(Action.values()).map(Action::help))
                 .filter(row -> row.group == group)
                 .toList();
@@ -55,8 +47,8 @@ record Help(Group group, String input, String description) {
                 .map(group -> rows(group).stream()
                         .map(row -> "<tr><td><b>" + row.input() + "</b>&nbsp;&nbsp;</td><td>" + row.description()
                                 + "</td></tr>")
-                        .collect(Collectors.joining(
-                                "", "<tr><td colspan='2'><u>" + group.title() + "</u></td></tr>", "")))
+                        .collect(
+                                Collectors.joining("", "<tr><td colspan='2'><u>" + group.title + "</u></td></tr>", "")))
                 .collect(Collectors.joining("<tr><td>&nbsp;</td></tr>", "<html><table cellpadding='1'>", "</table>"));
         JScrollPane list = new JScrollPane(new JLabel(rows.replace("<td>", "<td style='font-weight:normal'>")));
         Dimension whole = list.getPreferredSize();

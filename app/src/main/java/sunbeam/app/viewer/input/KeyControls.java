@@ -33,13 +33,13 @@ public final class KeyControls {
         window.picture().setFocusable(true);
         Map<String, JMenu> menus = new LinkedHashMap<>();
         for (Action action : Action.values()) {
-            boolean hasMenu = action.group().hasMenu();
+            boolean hasMenu = action.group.hasMenu;
             if (hasMenu) {
-                JMenu menu = menus.computeIfAbsent(action.group().title(), title -> new JMenu(title));
+                JMenu menu = menus.computeIfAbsent(action.group.title, title -> new JMenu(title));
                 menu.add(item(viewer, action, menu));
             }
             if (action == Action.LOAD_TEXTURE) {
-                menus.get(Group.FILE.title()).add(recent(viewer));
+                menus.get(Group.FILE.title).add(recent(viewer));
             }
             JComponent owner = hasMenu ? window.getRootPane() : window.picture();
             int condition = hasMenu ? JComponent.WHEN_IN_FOCUSED_WINDOW : JComponent.WHEN_FOCUSED;

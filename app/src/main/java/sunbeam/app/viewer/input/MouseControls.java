@@ -19,8 +19,6 @@ import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.pick.SkinPoint;
 import sunbeam.app.viewer.picture.PictureView;
-import sunbeam.app.viewer.window.Player;
-import sunbeam.app.viewer.window.PointInspector;
 import sunbeam.app.viewer.window.Viewer;
 
 /** Mouse listener that applies the {@link Gesture}s to the scene. */
@@ -66,7 +64,7 @@ public final class MouseControls extends MouseAdapter {
                 (view, event) -> isDoubleClick(event),
                 MouseControls::pick);
 
-        private final Help help;
+        final Help help;
 
         @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
         private final transient BiPredicate<PictureView, MouseEvent> fits;
@@ -95,27 +93,21 @@ public final class MouseControls extends MouseAdapter {
                     && event.getClickCount() == 2
                     && SwingUtilities.isLeftMouseButton(event);
         }
-
-        Help help() {
-            return help;
-        }
     }
 
     private static final double ZOOM_STEP = 1.1;
 
+    private final Viewer viewer;
     private final PictureView view;
     private final ViewerModel model;
-    private final PointInspector inspector;
-    private final Player player;
     private Point last;
     private Optional<SkinPoint> held = Optional.empty();
     private int presses;
 
     private MouseControls(Viewer viewer) {
+        this.viewer = viewer;
         view = viewer.window().picture();
         model = viewer.model();
-        inspector = viewer.inspector();
-        player = viewer.player();
     }
 
     public static void install(Viewer viewer) {
@@ -133,7 +125,7 @@ public final class MouseControls extends MouseAdapter {
         held = Optional.empty();
         int press = ++presses;
         Point pixel = pixel(event);
-        inspector.locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
+        viewer.inspector().locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
     }
 
     @Override
@@ -188,17 +180,16 @@ public final class MouseControls extends MouseAdapter {
 
     private void pick(MouseEvent event) {
         Point pixel = pixel(event);
-        inspector.pick(pixel.x, pixel.y, event.isShiftDown());
+        viewer.inspector().pick(pixel.x, pixel.y, event.isShiftDown());
     }
 
     private void zoom(MouseEvent event) {
         held = Optional.empty();
-        double notches = ((MouseWheelEvent) event).getPreciseWheelRotation();
+        double factor = Math.pow(ZOOM_STEP, ((MouseWheelEvent) event).getPreciseWheelRotation());
         int width = view.getWidth();
         int height = view.getHeight();
         double right = (event.getX() - 0.5 * width) / height;
         double up = 0.5 - (double) event.getY() / height;
-        double factor = Math.pow(ZOOM_STEP, notches);
         model.change(scene -> Drags.zoomed(scene, factor, right, up, width, height));
     }
 
@@ -219,7 +210,7 @@ public final class MouseControls extends MouseAdapter {
 
     /** Applies a change of orientation and moves the camera so that the grabbed point stays at its pixel. */
     private void orient(UnaryOperator<Scene> change) {
-        player.stop();
+        viewer.player().stop();
         model.change(scene -> {
             Scene turned = change.apply(scene);
             if (held.isEmpty()) {

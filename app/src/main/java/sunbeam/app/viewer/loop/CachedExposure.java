@@ -36,15 +36,12 @@ final class CachedExposure {
 
     /** Returns the exposure that the scene sets, or else the cached one; empty if none is cached for this mesh, method and body. */
     OptionalDouble known(SceneData data) {
-        if (data.scene().get(SceneSettings.EXPOSURE).isPresent()) {
-            return data.scene().get(SceneSettings.EXPOSURE);
-        }
-        return looksTheSame(data, last) ? OptionalDouble.of(exposure) : OptionalDouble.empty();
+        OptionalDouble chosen = data.scene().get(SceneSettings.EXPOSURE);
+        return chosen.isPresent() || !looksTheSame(data, last) ? chosen : OptionalDouble.of(exposure);
     }
 
     double of(SceneData data, DoubleSupplier meter) {
-        OptionalDouble known = known(data);
-        return known.isPresent() ? known.getAsDouble() : store(data, meter.getAsDouble());
+        return known(data).orElseGet(() -> store(data, meter.getAsDouble()));
     }
 
     /** Caches the metered exposure, unless the scene sets its exposure; returns the metered one. */

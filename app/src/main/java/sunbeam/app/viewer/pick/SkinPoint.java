@@ -2,6 +2,7 @@ package sunbeam.app.viewer.pick;
 
 import java.awt.Point;
 import java.util.Optional;
+import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -27,17 +28,14 @@ public record SkinPoint(Scene scene, Pick pick) {
         Vector3f position = pick.position().sub(pick.center(), new Vector3f());
         turn.transform(position).add(pick.center());
         Vector3f normal = turn.transform(pick.normal(), new Vector3f());
-        Quaternionf whole = new Quaternionf()
-                .rotateAxis(
-                        (float) (other.get(SceneSettings.ROTATE_PATCH) - scene.get(SceneSettings.ROTATE_PATCH)), normal)
-                .mul(turn);
+        double rotation = other.get(SceneSettings.ROTATE_PATCH) - scene.get(SceneSettings.ROTATE_PATCH);
+        Quaternionf whole =
+                new Quaternionf().rotateAxis((float) rotation, normal).mul(turn);
         Vector3f tangent = whole.transform(pick.tangent(), new Vector3f());
         Vector3f bitangent = whole.transform(pick.bitangent(), new Vector3f());
-        Vector3f seen = other.view()
-                .camera()
-                .centerOfProjection()
-                .sub(position, new Vector3f())
-                .normalize();
+        Camera camera = other.view().camera();
+        Vector3f seen =
+                camera.centerOfProjection().sub(position, new Vector3f()).normalize();
         return new SkinPoint(
                 other,
                 new Pick(
@@ -79,14 +77,11 @@ public record SkinPoint(Scene scene, Pick pick) {
         Point pixel = pixel(width, height);
         Direction wi = light(towards);
         Direction wr = pick.wr();
+        Vector3fc place = pick.position();
         return String.join(
                 "\n",
                 Text.format("pixel      (%d, %d)", pixel.x, pixel.y),
-                Text.format(
-                        "position   (%.3g, %.3g, %.3g) m",
-                        pick.position().x(),
-                        pick.position().y(),
-                        pick.position().z()),
+                Text.format("position   (%.3g, %.3g, %.3g) m", place.x(), place.y(), place.z()),
                 "tangent    " + vector(pick.tangent()),
                 "bitangent  " + vector(pick.bitangent()),
                 "normal     " + vector(pick.normal()),

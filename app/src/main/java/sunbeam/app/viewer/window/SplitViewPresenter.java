@@ -70,11 +70,11 @@ final class SplitViewPresenter {
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
             requested = own.by(loaded);
-            divider.show(null, ownWords(), words() + ", being drawn", false);
+            divider.show(null, words(own), words(requested) + ", being drawn", false);
             viewer.loop.show(requested);
             return;
         }
-        divider.show(null, ownWords(), MethodChoice.of(scene) + " is being prepared", false);
+        divider.show(null, words(own), MethodChoice.of(scene) + " is being prepared", false);
         if (preparing != null && preparing.sharesParts(scene)) {
             return;
         }
@@ -93,12 +93,8 @@ final class SplitViewPresenter {
                 });
     }
 
-    private String ownWords() {
-        return MethodChoice.of(own.firstPart().scene()).toString();
-    }
-
-    private String words() {
-        return MethodChoice.of(requested.firstPart().scene()).toString();
+    private static String words(ViewState state) {
+        return MethodChoice.of(state.firstPart().scene()).toString();
     }
 
     boolean isRequested() {
@@ -117,8 +113,8 @@ final class SplitViewPresenter {
             previewed = System.nanoTime();
             String words = Text.format(
                     "%s, preview%s, final in about %.0f s",
-                    words(), StatusLine.scale(preview.divisor()), Math.ceil(preview.secondsToFinal()));
-            divider.show(preview.image(), ownWords(), words, false);
+                    words(requested), StatusLine.scale(preview.divisor()), Math.ceil(preview.secondsToFinal()));
+            divider.show(preview.image(), words(own), words, false);
         }
     }
 
@@ -127,14 +123,14 @@ final class SplitViewPresenter {
         if (state == requested) {
             String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone))
                     + StatusLine.remaining(previewed, shareDone);
-            divider.showTile(image, x, y, words() + done);
+            divider.showTile(image, x, y, words(requested) + done);
         }
     }
 
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void complete(ViewState state, Stage.Final picture) {
         if (state == requested) {
-            divider.show(picture.image(), ownWords(), words(), true);
+            divider.show(picture.image(), words(own), words(requested), true);
         }
     }
 }

@@ -25,6 +25,7 @@ import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 
 /** Viewer: creates and connects window, model and render thread. Used on the event thread only. */
@@ -97,11 +98,8 @@ public final class Viewer {
         journal.reached(StartJournal.Stage.WINDOW);
         window.picture().requestFocusInWindow();
         window.controls().follow();
-        loop.showBody(
-                model.scene(),
-                shape,
-                window.picture().pictureWidth(),
-                window.picture().pictureHeight());
+        PictureView picture = window.picture();
+        loop.showBody(model.scene(), shape, picture.pictureWidth(), picture.pictureHeight());
         model.load();
     }
 
@@ -155,12 +153,7 @@ public final class Viewer {
         return loop.awaitEnd(patience);
     }
 
-    /**
-     * Waits for the first final picture of a scene with color tables; returns at once for other methods. Must not be called on the event
-     * thread.
-     *
-     * @param patience longest wait in milliseconds
-     */
+    /** Waits, not on the event thread, at most some milliseconds for the first final picture of a scene with color tables, and no other. */
     public void awaitFinalByTable(long patience) throws InterruptedException {
         if (model.loaded().map(LoadedScene::isByTable).orElse(false)) {
             try {

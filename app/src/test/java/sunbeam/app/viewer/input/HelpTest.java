@@ -17,7 +17,7 @@ final class HelpTest {
     void theManualHasTheSameRowsInTheSameGroups() throws Exception {
         String manual = Files.readString(Path.of("../docs/viewer.md"));
         String table = Arrays.stream(Group.values())
-                .map(group -> "| **" + group.title() + "** | |\n"
+                .map(group -> "| **" + group.title + "** | |\n"
                         + Help.rows(group).stream()
                                 .map(row -> "| " + row.input() + " | " + row.description() + " |\n")
                                 .collect(Collectors.joining()))
