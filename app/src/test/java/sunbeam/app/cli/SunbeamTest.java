@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
@@ -210,5 +212,34 @@ final class SunbeamTest extends CommandLineFixture {
         assertThat(report(new CancelledException(), false)).isEqualTo(130);
         assertThat(report(new InterruptedException(), false)).isEqualTo(130);
         assertThat(err.toString()).isEmpty();
+    }
+
+    private String help(String commandLine) {
+        out.getBuffer().setLength(0);
+        assertThat(sunbeam(commandLine)).isZero();
+        return "\n```text\n" + out.toString().strip() + "\n```\n";
+    }
+
+    /** With {@code -Dsunbeam.update=true} the page is written anew. */
+    @Test
+    void theReferenceOfTheCommandsIsTheirHelp() throws IOException {
+        StringBuilder page = new StringBuilder("""
+                # Commands
+
+                What `./sunbeam --help` and `./sunbeam COMMAND --help-all` print. Made by
+                `./sunbeam test -Dtest=SunbeamTest -Dsunbeam.update=true`.
+                """);
+        page.append(help("--help"));
+        for (String command : ("brdf-map render view inspect color evaluate orders reflectance precompute"
+                        + " export sample figures benchmark compare mesh cache doctor")
+                .split(" ")) {
+            page.append("\n## ").append(command).append('\n').append(help(command + " --help-all"));
+        }
+        Path reference = Path.of("..", "docs", "reference", "commands.md");
+        if (Boolean.getBoolean("sunbeam.update")) {
+            Files.createDirectories(reference.getParent());
+            Files.writeString(reference, page);
+        }
+        assertThat(Files.readString(reference)).isEqualTo(page.toString());
     }
 }

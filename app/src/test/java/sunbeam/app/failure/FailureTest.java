@@ -6,13 +6,10 @@ import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.util.List;
-import java.util.concurrent.CompletionException;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.terminal.ExitCode;
-import sunbeam.app.terminal.UsageException;
 
 final class FailureTest {
-
     /** An exception without an entry would be reported as a bug. */
     @Test
     void everyExceptionOfOursHasAMeaning() {
@@ -26,13 +23,5 @@ final class FailureTest {
         for (JavaClass type : exceptions) {
             assertThat(Failure.codeOf(type.reflect())).as(type.getName()).isNotEqualTo(ExitCode.INTERNAL_ERROR);
         }
-    }
-
-    @Test
-    void aWrappedFailureSpeaksForItself() {
-        Failure failure = Failure.of(new CompletionException(new UsageException("too short; give more")));
-        assertThat(failure.code()).isEqualTo(ExitCode.USAGE);
-        assertThat(failure.message()).isEqualTo("too short; give more");
-        assertThat(failure.isBug()).isFalse();
     }
 }

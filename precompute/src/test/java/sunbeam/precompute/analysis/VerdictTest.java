@@ -8,10 +8,13 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
@@ -33,6 +36,10 @@ class VerdictTest {
         return piece(Surfaces.of(150, 150, 100e-9, heights));
     }
 
+    private static Patch repeated(HeightMap map) {
+        return new Patch("made", map, "made up", List.of());
+    }
+
     private static double sine(double position, double period) {
         return 50e-9 * Math.sin(2 * Math.PI * position / period);
     }
@@ -45,13 +52,52 @@ class VerdictTest {
         return Verdict.of(patch, GratingPeriod.of(patch), lightDegrees).sentence();
     }
 
-    /** sin theta = lambda / d, of 400 and 700 nm: 19.5 and 35.7 degrees for 1.2 um, of which the interval is a thousandth. */
-    @Test
-    void aGratingHasItsIntervalAndItsAngles() {
-        assertThat(verdict(piece((x, y) -> sine(y, 1.2e-6))))
-                .matches(
+    private static Stream<Arguments> sentences() {
+        return Stream.of(
+                // sin theta = lambda / d, of 400 and 700 nm: 19.5 and 35.7 degrees, of which the interval is a
+                // thousandth.
+                Arguments.of(
                         "A grating of 1\\.(1999|20)[0-9]* um \\(1\\.(19|20)[0-9]* to 1\\.20[0-9]*\\) across 90 degrees:"
-                                + " first-order colors at 19 to 36 degrees under light from above");
+                                + " first-order colors at 19 to 36 degrees under light from above",
+                        piece((x, y) -> sine(y, 1.2e-6))),
+                Arguments.of("A grating of 1\\.1.*", piece(Surfaces.of(512, 1, 40e-9, (x, y) -> sine(x, 1.1e-6)))),
+                Arguments.of("A grating of 1\\.1.*", piece(Surfaces.of(1, 512, 40e-9, (x, y) -> sine(y, 1.1e-6)))),
+                Arguments.of(
+                        ".*light from above has no first-order colors",
+                        piece(Surfaces.of(150, 150, 20e-9, (x, y) -> sine(x, 0.3e-6)))),
+                Arguments.of(
+                        "A grating of 1\\.[27].* across (0|90) degrees, crossed by lines of about 1\\.[27] um across (90|0)"
+                                + " degrees: .*",
+                        piece((x, y) -> sine(y, 1.2e-6) + sine(x, 1.7e-6))),
+                // Two equally strong waves, one of half the period.
+                Arguments.of("A grating of 1\\.20.*", piece((x, y) -> sine(x, 1.2e-6) + sine(x + 0.1e-6, 0.6e-6))),
+                // Every second line is a little higher: the strongest wave is an overtone.
+                Arguments.of(
+                        "A repeated patch with a period of 2 um.*",
+                        repeated(Surfaces.of(120, 40, 50e-9, (x, y) -> 0.3 * sine(x, 2e-6) + 1.6 * sine(x, 1e-6)))),
+                Arguments.of(
+                        "A repeated patch with a period of 2\\.5 um across 0 degrees: first-order colors at 9 to 16 degrees"
+                                + " under light from above",
+                        repeated(BuiltInPatches.generate("blaze"))),
+                Arguments.of("A mirror: .*", piece((x, y) -> 0)),
+                Arguments.of("No order found: a white gloss without color.*", piece(PeriodlessSurface.WHITE.draw(3))),
+                // Lines 120 nm apart have no waves of 190 nm or more, the range of visible light.
+                Arguments.of(
+                        "No order found: most of the relief is finer than light resolves.*",
+                        piece(Surfaces.of(200, 200, 20e-9, (x, y) -> 2 * Math.abs(sine(x + 0.03 * y, 0.24e-6))))),
+                // Too few samples, or too small a field, to see anything three times.
+                Arguments.of(
+                        "Too little to judge: 7 x 4 samples.*",
+                        piece(Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y)))),
+                Arguments.of(
+                        "Too little to judge: a side of 327 nm.*",
+                        piece(Surfaces.of(64, 64, 327e-9 / 64, (x, y) -> 10e-9 * Math.sin(2e7 * x + 1e7 * y)))));
+    }
+
+    @ParameterizedTest
+    @MethodSource("sentences")
+    void eachKindOfReliefHasItsSentence(String pattern, Patch patch) {
+        assertThat(verdict(patch)).matches(pattern);
     }
 
     /**
@@ -74,39 +120,6 @@ class VerdictTest {
                 .contains(", in direction 90.0 +- 0.1 degrees; seen 12.5 times");
     }
 
-    /** Every second line is a little higher. */
-    @Test
-    void theStrongestWaveOfARepeatedPatchMayBeAnOvertone() {
-        HeightMap map = Surfaces.of(
-                120,
-                40,
-                50e-9,
-                (x, y) -> 15e-9 * Math.sin(Math.PI * x / 1e-6) + 80e-9 * Math.sin(2 * Math.PI * x / 1e-6));
-        Patch patch = new Patch("made", map, "made up", List.of());
-        assertThat(verdict(patch)).startsWith("A repeated patch with a period of 2 um");
-    }
-
-    @Test
-    void aProfileOfOneRowHasItsPeriod() {
-        HeightMap row = Surfaces.of(512, 1, 40e-9, (x, y) -> sine(x, 1.1e-6));
-        HeightMap column = Surfaces.of(1, 512, 40e-9, (x, y) -> sine(y, 1.1e-6));
-        assertThat(verdict(piece(row))).startsWith("A grating of 1.1");
-        assertThat(verdict(piece(column))).startsWith("A grating of 1.1");
-    }
-
-    @Test
-    void aPeriodBelowAWavelengthHasNoColorFromAbove() {
-        HeightMap map = Surfaces.of(150, 150, 20e-9, (x, y) -> sine(x, 0.3e-6));
-        assertThat(verdict(piece(map))).endsWith("light from above has no first-order colors");
-    }
-
-    @Test
-    void flatAndNoisySurfacesHaveNoOrder() {
-        assertThat(verdict(piece((x, y) -> 0))).startsWith("A mirror: ");
-        assertThat(verdict(piece(PeriodlessSurface.WHITE.draw(3))))
-                .startsWith("No order found: a white gloss without color");
-    }
-
     /** The lines end in the middle of the scan: the part that was measured has its period. */
     @Test
     void rowsThatHoldNoMeasurementAreLeftOut() {
@@ -117,14 +130,6 @@ class VerdictTest {
         GratingPeriod period = GratingPeriod.of(piece(stopped, fault));
         assertThat(period.isSure()).isTrue();
         assertThat(1.2e-6 / Math.hypot(1, 0.2)).isBetween(period.low(), period.high());
-    }
-
-    @Test
-    void twoCrossedGratingsAreBothNamed() {
-        assertThat(verdict(piece((x, y) -> sine(y, 1.2e-6) + sine(x, 1.7e-6))))
-                .matches(
-                        "A grating of 1\\.[27].* across (0|90) degrees, crossed by lines of about 1\\.[27] um across (90|0)"
-                                + " degrees: .*");
     }
 
     /** Waves of one length in directions 60 or 90 degrees apart. */
@@ -159,19 +164,10 @@ class VerdictTest {
                     .orElseThrow();
             return Math.sqrt(Math.max(0, 0.09e-12 - squares));
         });
-        assertThat(verdict(new Patch("opal", cell, "made up", List.of())))
+        assertThat(verdict(repeated(cell)))
                 .matches(
                         "A hexagonal lattice with a constant of 0\\.(600|601|602) um, its lines 52\\d(\\.\\d+)? nm apart across"
                                 + " 30, 90 and 150 degrees: first-order colors from 50 degrees on under light from above");
-    }
-
-    /** Too few samples, or too small a field, to see anything three times. */
-    @Test
-    void tooLittleIsNotNoOrder() {
-        HeightMap few = Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y));
-        assertThat(verdict(piece(few))).startsWith("Too little to judge: 7 x 4 samples");
-        HeightMap narrow = Surfaces.of(64, 64, 327e-9 / 64, (x, y) -> 10e-9 * Math.sin(2e7 * x + 1e7 * y));
-        assertThat(verdict(piece(narrow))).startsWith("Too little to judge: a side of 327 nm");
     }
 
     /** Smoothed noise in patches of descriptors and of scans: the strongest wave is noise. */
@@ -212,21 +208,6 @@ class VerdictTest {
         }
     }
 
-    /** Two equally strong waves, one of half the period. */
-    @Test
-    void aStrongOvertoneIsNoPeriod() {
-        assertThat(verdict(piece((x, y) -> sine(x, 1.2e-6) + sine(x + 0.1e-6, 0.6e-6))))
-                .startsWith("A grating of 1.20");
-    }
-
-    /** Lines 120 nm apart have no waves of 190 nm or more, the range of visible light. */
-    @Test
-    void linesFinerThanLightAreNoGrating() {
-        HeightMap map =
-                Surfaces.of(200, 200, 20e-9, (x, y) -> 100e-9 * Math.abs(Math.sin(Math.PI * (x + 0.03 * y) / 0.12e-6)));
-        assertThat(verdict(piece(map))).startsWith("No order found: most of the relief is finer than light resolves");
-    }
-
     /** A spectral line of few periods is wide: its flanks are no second grating. */
     @ParameterizedTest
     @ValueSource(doubles = {4.3, 4.6, 5.2, 5.6, 6.3, 7.7})
@@ -260,12 +241,5 @@ class VerdictTest {
                         .mapToDouble(wave -> 5e-9 * Math.cos(wave[0] * x + wave[1] * y + wave[2]))
                         .sum());
         assertThat(verdict(piece(ring))).startsWith("No grating found: waves of about 1.1 um");
-    }
-
-    @Test
-    void builtInPatchesHaveTheirPeriod() {
-        assertThat(verdict(new Patch("blaze", BuiltInPatches.generate("blaze"), "built in", List.of())))
-                .isEqualTo("A repeated patch with a period of 2.5 um across 0 degrees: first-order colors at 9 to 16"
-                        + " degrees under light from above");
     }
 }

@@ -3,7 +3,15 @@ package sunbeam.precompute.colortable;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
@@ -12,6 +20,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 class ColorTableTest {
@@ -65,5 +74,131 @@ class ColorTableTest {
         // At the middle wavelength a level's window is that of its area.
         assertThat(table.widened(least, ColorTable.MIDDLE_WAVELENGTH).sigmaMeters())
                 .isCloseTo(table.levels().get(0).area().window().sigmaMeters(), within(1e-12));
+    }
+
+    private static final TableDesign DESIGN = new TableDesign(0.01, 11);
+
+    private static Stream<Direction> lights() {
+        return Stream.of(new Direction(0, 0, 1), Direction.ofDegrees(30, 200), Direction.ofDegrees(89.9, 45));
+    }
+
+    private static Direction view(Random random) {
+        double z = random.nextDouble();
+        double sine = Math.sqrt(1 - z * z);
+        double phi = 2 * Math.PI * random.nextDouble();
+        return new Direction(sine * Math.cos(phi), sine * Math.sin(phi), z);
+    }
+
+    @ParameterizedTest
+    @MethodSource("lights")
+    void aPlaceUnderOneLightIsThatOfItsDirection(Direction light) {
+        TableSpace space = new TableSpace.OneLight(light);
+        Random random = new Random(1);
+        for (int i = 0; i < 200; i++) {
+            DirectionPair pair = new DirectionPair(light, view(random));
+            double[] place = space.place(pair.u(), pair.v(), pair.w());
+            double[] uvw = space.uvw(place[0], place[1], 0);
+            // Newton's steps end at the rounding of doubles; w is flat there, sqrt(1e-16).
+            assertThat(uvw[0]).isCloseTo(pair.u(), within(1e-8));
+            assertThat(uvw[1]).isCloseTo(pair.v(), within(1e-8));
+            assertThat(uvw[2]).isCloseTo(pair.w(), within(1e-7));
+            assertThat(Math.hypot(place[0], place[1])).isLessThanOrEqualTo(TableSpace.OneLight.HORIZON + 1e-9);
+        }
+    }
+
+    private static TablePoints of(Direction light) {
+        return new TablePoints(VisibleRange.of(light));
+    }
+
+    private static TablePoints of(List<DirectionPair> pairs) {
+        return new TablePoints(VisibleRange.of(pairs));
+    }
+
+    private static Stream<TablePoints> points() {
+        return Stream.concat(lights().map(ColorTableTest::of), Stream.of(of(pairs(5)), of(pairs(40))));
+    }
+
+    @ParameterizedTest
+    @MethodSource("points")
+    void rangeAndMemoryAreEstimatedFromAbove(TablePoints points) {
+        VisibleRange range = points.range(DESIGN);
+        TileGrid grid = points.grid(DESIGN);
+        double rounding = 1e-6;
+        BitSet tiles = points.tiles(grid);
+        ColorBaker checking = (places, token) -> {
+            for (int i = 0; i < places.length; i += 3) {
+                assertThat((double) places[i]).isBetween(range.minimumU() - rounding, range.maximumU() + rounding);
+                assertThat((double) places[i + 1]).isBetween(range.minimumV() - rounding, range.maximumV() + rounding);
+                assertThat((double) -places[i + 2]).isBetween(range.minimumW() - rounding, range.maximumW() + rounding);
+            }
+            return places;
+        };
+        new LevelBaking(grid, NumberFormat.FLOAT).bake(tiles, checking, ColorBaker.Token.NONE);
+        assertThat(tiles.cardinality()).isPositive();
+        assertThat(points.memory(DESIGN).textureBytes())
+                .isGreaterThanOrEqualTo(AtlasPages.texels(tiles.cardinality()).bytes());
+    }
+
+    private static List<DirectionPair> pairs(int count) {
+        Random random = new Random(2);
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            pairs.add(new DirectionPair(view(random), view(random)));
+        }
+        return pairs;
+    }
+
+    @ParameterizedTest
+    @MethodSource("lights")
+    void aMapFindsItsTilesInItsOwnTableAndInThatOfAllLights(Direction light) {
+        Random random = new Random(3);
+        TileGrid own = of(light).grid(DESIGN);
+        TileGrid all = TileGrid.of(new ColorTable.Level(GaussianArea.STANDARD, 1, DESIGN, Interpolation.CUBIC, true));
+        for (TileGrid grid : List.of(own, all)) {
+            BitSet tiles = of(light).tiles(grid);
+            TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile, index) -> {
+                assertThat(tiles.get(tile)).isTrue();
+                return 0;
+            });
+            for (int i = 0; i < 2000; i++) {
+                DirectionPair pair = new DirectionPair(light, view(random));
+                table.xyz(0, pair.u(), pair.v(), pair.w());
+            }
+        }
+    }
+
+    @Test
+    void aListFindsItsTilesAndLittleElse() {
+        List<DirectionPair> pairs = pairs(100);
+        TileGrid grid = of(pairs).grid(DESIGN);
+        BitSet tiles = of(pairs).tiles(grid);
+        BitSet used = new BitSet();
+        TableLookUp table = new TableLookUp(List.of(grid), NumberFormat.FLOAT, (level, tile, index) -> {
+            used.set(tile);
+            return 0;
+        });
+        pairs.forEach(pair -> table.xyz(0, pair.u(), pair.v(), pair.w()));
+        BitSet missing = (BitSet) used.clone();
+        missing.andNot(tiles);
+        assertThat(missing.cardinality()).isZero();
+        // Of a tile's side 1 in 200 lies close to its edge.
+        assertThat(tiles.cardinality()).isLessThan(used.cardinality() * 11 / 10);
+    }
+
+    @Test
+    void listsThatAreSortedAreComparedAllOver() {
+        Direction light = Direction.ofDegrees(20, 30);
+        List<DirectionPair> pairs = new ArrayList<>();
+        for (int i = 0; i < 8000; i++) {
+            pairs.add(new DirectionPair(light, Direction.ofDegrees(i / 100.0, 0)));
+        }
+        List<DirectionPair> samples = of(pairs).samples();
+        assertThat(Set.copyOf(samples)).isEqualTo(Set.copyOf(pairs));
+        double steepest = samples.subList(0, 2000).stream()
+                .mapToDouble(pair -> pair.wr().z())
+                .min()
+                .orElseThrow();
+        // 2,000 random ones of 8,000 miss the last hundred with a probability of 1e-12.
+        assertThat(Math.toDegrees(Math.acos(steepest))).isGreaterThan(79);
     }
 }

@@ -2,7 +2,6 @@ package sunbeam.precompute.colortable;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -11,12 +10,9 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.plan.GaussianArea;
 
 /** Tiles of a level: their baking, the interpolation between their texels, and the numbers that they store. */
@@ -232,32 +228,6 @@ class LevelBakingTest {
             float[] kept = decoded(NumberFormat.HALF.encoded(new float[] {root, -root}), NumberFormat.HALF);
             assertThat(Math.abs(kept[0] / root - 1)).isLessThanOrEqualTo(0x1p-11f);
             assertThat(kept[1]).isEqualTo(-kept[0]);
-        }
-    }
-
-    // Float32 coefficients, at most six times as large as the values.
-    private static final double ROUNDING = 1e-6;
-
-    /** The spline at a sample: a sixth of each neighbor, mirrored at the ends. */
-    private static double at(float[] c, int i) {
-        int last = c.length - 1;
-        double before = c[i == 0 ? 1 : i - 1];
-        double after = c[i == last ? last - 1 : i + 1];
-        return (before + 4 * c[i] + after) / 6;
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {11, 17, 100})
-    void goesThroughAllSamples(int count) {
-        Random random = new Random(count);
-        float[] samples = new float[count];
-        for (int i = 0; i < count; i++) {
-            samples[i] = random.nextFloat();
-        }
-        float[] coefficients = samples.clone();
-        Interpolation.CUBIC.toCoefficients(coefficients, count, 1);
-        for (int i = 0; i < count; i++) {
-            assertThat(at(coefficients, i)).as("sample %d", i).isCloseTo(samples[i], within(ROUNDING));
         }
     }
 
