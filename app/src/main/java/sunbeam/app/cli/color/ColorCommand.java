@@ -148,9 +148,9 @@ public final class ColorCommand extends FileCommand {
         try (RenderContext context = RenderContext.offscreen()) {
             surfaces.forEach(surface -> surface.draw(context));
             double factor = factor(exposed, surfaces);
-            describe(settings, surfaces.get(0).patch(), choices, material, factor);
-            settings.put("renderer", context.info().renderer());
             DisplayTransform display = exposure.display(factor, choices);
+            describe(settings, surfaces.get(0).patch(), choices, material, display);
+            settings.put("renderer", context.info().renderer());
             ViewColor.Scale scale = new ViewColor.Scale(display, choices.get(TOLERANCE), cie);
             reports = surfaces.stream()
                     .map(surface -> surface.report(context, scale))
@@ -192,7 +192,11 @@ public final class ColorCommand extends FileCommand {
     }
 
     private void describe(
-            Map<String, Object> settings, Patch patch, Choices choices, RefractiveIndex material, double factor) {
+            Map<String, Object> settings,
+            Patch patch,
+            Choices choices,
+            RefractiveIndex material,
+            DisplayTransform display) {
         Choices seen = ScanLimit.of(choices, patch).choices();
         settings.put("light", light());
         settings.put("angle_step_deg", angles.step());
@@ -200,10 +204,9 @@ public final class ColorCommand extends FileCommand {
         settings.put("method", seen.get(METHOD).label());
         settings.put("options", Methods.describe(seen));
         settings.put("index", index.describe(material));
-        settings.put("exposure", factor);
-        settings.put("tone", ValueKind.name(exposure.display(factor, choices).tone()));
-        settings.put(
-                "primaries", ValueKind.name(exposure.display(factor, choices).primaries()));
+        settings.put("exposure", display.exposure());
+        settings.put("tone", ValueKind.name(display.tone()));
+        settings.put("primaries", ValueKind.name(display.primaries()));
         settings.put("tolerance", choices.get(TOLERANCE));
     }
 

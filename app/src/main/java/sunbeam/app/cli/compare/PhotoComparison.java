@@ -80,9 +80,6 @@ record PhotoComparison(
                 .forEach(i -> differences[covered[i]] = photoColors[i].difference(sceneColors[i]));
         double[] compared =
                 Arrays.stream(covered).mapToDouble(pixel -> differences[pixel]).toArray();
-        int[] unclipped = IntStream.range(0, covered.length)
-                .filter(i -> !photo.clipped()[covered[i]])
-                .toArray();
         return new PhotoComparison(
                 exposure,
                 covered.length,
@@ -91,9 +88,7 @@ record PhotoComparison(
                 Quantiles.of(compared, 0.5),
                 Quantiles.of(compared, 0.95),
                 fitted.length < 2 ? Double.NaN : new PearsonsCorrelation().correlation(photoY, sceneY),
-                HueComparison.of(
-                        Arrays.stream(unclipped).mapToObj(i -> photoColors[i]).toList(),
-                        Arrays.stream(unclipped).mapToObj(i -> sceneColors[i]).toList()),
+                HueComparison.of(List.of(colors(seen, fitted, 1)), List.of(colors(drawn, fitted, exposure))),
                 LitPixels.of(scene, display(exposure)));
     }
 

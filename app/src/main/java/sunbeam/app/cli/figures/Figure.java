@@ -1,21 +1,30 @@
 package sunbeam.app.cli.figures;
 
+import com.fasterxml.jackson.core.JsonPointer;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.DoubleNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.node.TextNode;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 
@@ -37,17 +46,23 @@ record Figure(
         List<String> patches,
         boolean compared,
         List<Picture> pictures) {
+    private static final String SCENE = ".scene.json";
+    // Image of one period with a ridge, whose share of the period is that of the thesis's slits: 30 of 150 um.
+    private static final String SLITS = "slits.png";
+    private static final int SLITS_SIDE = 50;
+    // Key of an angle in degrees by which the scene's light is turned counter-clockwise about the vertical.
+    private static final String TURN = "turn";
     /**
      * Picture to draw for each patch; optional values are null.
      *
      * @param label words for the caption that distinguish the picture from the others of the figure
      * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
      *     {stem} for its name without the ending, {scene} for the scene's file, {size} for its size, {wavelengths} for those of a response,
-     *     {slits} for {@link FigureInput#SLITS}, {window} for a width whose orders are broader than pixels. A brdf-map without {file} draws
+     *     {slits} for {@link #SLITS}, {window} for a width whose orders are broader than pixels. A brdf-map without {file} draws
      *     a disc of the chosen size
      * @param plot {@link FigurePlot} in place of a command
      * @param picture file that the command writes, with {stem}; null for {stem}.png
-     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers ({@link FigureInput})
+     * @param scene built-in scene by the key "scene", and values that replace its own, by JSON pointers
      * @param hidden true for a picture that only the check or a plot needs
      * @param numbers numbers of the thesis, by JSON pointers to Sunbeam's numbers in {stem}.json, with _nm where these are in meters (_m)
      */
@@ -122,6 +137,48 @@ record Figure(
 
         Path beside(String ending) {
             return Path.of(file.toString().replaceFirst("\\.png$", ending));
+        }
+
+        /** Writes the files that the command reads: its scene, and the patch of figures 4.5 and 4.6. */
+        void writeInput(Path folder) {
+            if (command.contains(folder.resolve(SLITS).toString())) {
+                BufferedImage slits = new BufferedImage(SLITS_SIDE, SLITS_SIDE, BufferedImage.TYPE_BYTE_GRAY);
+                Graphics2D graphics = slits.createGraphics();
+                graphics.setColor(Color.WHITE);
+                graphics.fillRect(2 * SLITS_SIDE / 5, 0, SLITS_SIDE / 5, SLITS_SIDE);
+                graphics.dispose();
+                PngWriter.write(folder.resolve(SLITS), Overwrite.REPLACE, slits, Map.of());
+            }
+            if (picture.scene() != null) {
+                AtomicFile.write(beside(SCENE), Overwrite.REPLACE, AtomicFile.StreamContent.of(scene(picture.scene())));
+            }
+        }
+
+        private static String scene(Map<String, JsonNode> values) {
+            Map<String, JsonNode> own = new LinkedHashMap<>(values);
+            String resource = "/sunbeam/scenes/" + own.remove("scene").asText() + ".json";
+            try (InputStream stream = Figure.class.getResourceAsStream(resource)) {
+                JsonNode scene = new ObjectMapper().readTree(stream);
+                turn(
+                        (ArrayNode) scene.at("/light/direction"),
+                        own.containsKey(TURN) ? own.remove(TURN).asDouble() : 0);
+                own.forEach((key, value) -> {
+                    JsonPointer pointer = JsonPointer.compile(key);
+                    ((ObjectNode) scene.at(pointer.head())).set(pointer.last().getMatchingProperty(), value);
+                });
+                return scene.toPrettyString();
+            } catch (IOException failure) {
+                throw new UncheckedIOException("cannot read " + resource, failure);
+            }
+        }
+
+        private static void turn(ArrayNode direction, double degrees) {
+            double cosine = Math.cos(Math.toRadians(degrees));
+            double sine = Math.sin(Math.toRadians(degrees));
+            double x = direction.get(0).asDouble();
+            double y = direction.get(1).asDouble();
+            direction.set(0, new DoubleNode(cosine * x - sine * y));
+            direction.set(1, new DoubleNode(sine * x + cosine * y));
         }
 
         boolean isMap() {
@@ -204,8 +261,8 @@ record Figure(
         String expanded = word.replace("{file}", file.toString())
                 .replace("{stem}", stem)
                 .replace("{window}", patch.equals("blaze") ? "16um" : "65um")
-                .replace("{scene}", stem + FigureInput.SCENE)
-                .replace("{slits}", file.resolveSibling(FigureInput.SLITS).toString());
+                .replace("{scene}", stem + SCENE)
+                .replace("{slits}", file.resolveSibling(SLITS).toString());
         for (String name : List.of("patch", "blaze", "elaphe", "xenopeltis")) {
             if (expanded.contains("{" + name + "}")) {
                 expanded = expanded.replace("{" + name + "}", source.apply(name.equals("patch") ? patch : name));

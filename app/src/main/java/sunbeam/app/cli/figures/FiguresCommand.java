@@ -148,7 +148,7 @@ public final class FiguresCommand extends FileCommand {
             drawing.picture().plot().draw(drawing, drawings);
             return ExitCode.OK.code();
         }
-        FigureInput.write(drawing, output);
+        drawing.writeInput(output);
         boolean replaced = overwrite() == Overwrite.REPLACE;
         if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
             return ExitCode.OK.code();

@@ -80,8 +80,7 @@ record InspectionSheet(Inspection inspection, HeightMap map, List<String> lines)
     private BufferedImage spectrum() {
         HeightSpectrum spectrum = inspection.spectrum();
         GratingPeriod period = inspection.period();
-        double shown = LEAST_SHOWN;
-        shown = Math.max(shown, SHOWN_PER_PERIOD * period.wave().length());
+        double shown = Math.max(LEAST_SHOWN, SHOWN_PER_PERIOD * period.wave().length());
         int reachX = (int) Math.min(spectrum.bandX().last(), Math.ceil(shown * spectrum.width()));
         int reachY = (int) Math.min(spectrum.bandY().last(), Math.ceil(shown * spectrum.height()));
         double[][] rows = new double[2 * reachY + 1][2 * reachX + 1];
