@@ -42,7 +42,6 @@ import sunbeam.app.gpu.DiscDirections;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
-import sunbeam.app.measure.errors.Certifier;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.GratingPeriod;
@@ -198,7 +197,7 @@ public final class BrdfMapCommand extends FileCommand {
             LinearPicture first = maps.get(0).picture();
             double factor = exposureRule.applyAsDouble(
                     maps.stream().map(MaterialMap.Result::picture).toList());
-            certificate = certify.certificate(count -> new Certifier(
+            certificate = certify.certificate(count -> new Certificate.Certifier(
                             firstMap.exact(),
                             pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
                             firstMap::overStandard,

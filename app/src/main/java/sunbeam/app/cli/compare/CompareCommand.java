@@ -1,5 +1,6 @@
 package sunbeam.app.cli.compare;
 
+import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -7,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -21,17 +23,25 @@ import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.HeatMap.ColorMap;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.render.LoadingScene;
 import sunbeam.app.render.PixelSamples;
+import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.DisplayTransform;
+import sunbeam.precompute.color.DisplayTransform.Tone;
 import sunbeam.precompute.files.FileNames;
 import sunbeam.precompute.text.Quoted;
 import sunbeam.precompute.units.Decimals;
@@ -46,6 +56,16 @@ import sunbeam.precompute.units.Decimals;
                 + " exit code 3. For a goniometer's table use docs/examples/compare_goniometer.py.",
         footer = {"  sunbeam compare photo.tif scene.json"})
 public final class CompareCommand extends FileCommand {
+    private static final int PANEL = 720;
+    private static final int MARGIN = 24;
+    /** Pixels to the left and right of a map's cells for axes and color bar. */
+    private static final int MAP_BESIDE = 190;
+
+    private static final int MAP_ABOVE = 130;
+    private static final int LEAST_PLOT = 420;
+    // Least upper end of the color scale, CIEDE2000: a scale that ends below visible differences would show rounding.
+    private static final double LEAST_SCALE = 1;
+
     /** Most pixels of the longer side by default; at a photograph's own size drawing would take an hour. */
     private static final int LONGER_SIDE = 1024;
 
@@ -113,8 +133,7 @@ public final class CompareCommand extends FileCommand {
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(loader, scene, drawn);
         PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
-        BufferedImage sheet =
-                ComparisonSheet.draw(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
+        BufferedImage sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
         String sizes = Quoted.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
         Map<String, String> text = Map.of(
@@ -184,5 +203,79 @@ public final class CompareCommand extends FileCommand {
     private static PictureSize fitting(int width, int height, double scale) {
         return new PictureSize(
                 (int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
+    }
+
+    /** Picture of a comparison: photograph and scene, below them a map of their difference and histograms of their hues. */
+    private static BufferedImage sheet(
+            ScenePicture photo, ScenePicture scene, PhotoComparison comparison, SceneColor background) {
+        int height = Math.max(1, PANEL * photo.height() / photo.width());
+        int plots = Math.max(LEAST_PLOT, (PANEL - MAP_BESIDE) * photo.height() / photo.width() + MAP_ABOVE);
+        Sheet sheet = new Sheet(2 * (MARGIN + PANEL))
+                .part(MARGIN, graphics -> {
+                    graphics.drawString("Photograph", MARGIN, MARGIN - 6);
+                    graphics.drawString(
+                            "The scene's mesh, at the photograph's exposure", 2 * MARGIN + PANEL, MARGIN - 6);
+                })
+                .part(height, graphics -> {
+                    graphics.setRenderingHint(
+                            RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+                    graphics.drawImage(shown(photo, 1, background), MARGIN, 0, PANEL, height, null);
+                    graphics.drawImage(
+                            shown(scene, comparison.exposure(), background),
+                            2 * MARGIN + PANEL,
+                            0,
+                            PANEL,
+                            height,
+                            null);
+                })
+                .row(difference(photo, comparison, plots), hues(comparison.hue(), plots));
+        comparison.lines().forEach(line -> sheet.text(line, Sheet.FONT));
+        return sheet.draw();
+    }
+
+    private static BufferedImage shown(ScenePicture picture, double exposure, SceneColor background) {
+        return SceneDisplay.image(picture, 1, new DisplayTransform(exposure, Tone.CLIP), background);
+    }
+
+    private static BufferedImage difference(ScenePicture photo, PhotoComparison comparison, int height) {
+        int columns = photo.width();
+        double[][] rows = new double[photo.height()][columns];
+        for (int row = 0; row < rows.length; row++) {
+            // The heat map's rows begin at the bottom.
+            System.arraycopy(comparison.differences(), (rows.length - 1 - row) * columns, rows[row], 0, columns);
+        }
+        HeatMap.Values values = new HeatMap.Values(
+                rows,
+                new double[] {0, columns},
+                new double[] {0, rows.length},
+                new HeatMap.Colors(
+                        "CIEDE2000", 0, Math.max(LEAST_SCALE, comparison.high()), Plot.Scale.LINEAR, ColorMap.VIRIDIS),
+                HeatMap.Reduction.MIDDLE);
+        return new HeatMap(
+                        new HeatMap.Frame(
+                                "Difference, to its 95th percentile",
+                                "column",
+                                "row from below",
+                                PANEL + MARGIN,
+                                height,
+                                true),
+                        values)
+                .draw();
+    }
+
+    private static BufferedImage hues(PhotoComparison.HueComparison hue, int height) {
+        double[] degrees = IntStream.range(0, hue.first().length)
+                .mapToDouble(step -> PhotoComparison.HueComparison.STEP_DEGREES * (step + 0.5))
+                .toArray();
+        return Plot.linear(
+                        "Hues of colored pixels",
+                        "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)",
+                        "share of pixels per 10 degrees",
+                        PANEL + MARGIN,
+                        height)
+                .legendBelow()
+                .line("photograph", degrees, hue.first())
+                .line("scene", degrees, hue.second())
+                .draw();
     }
 }

@@ -135,7 +135,7 @@ public final class EvaluateCommand extends FileCommand {
                 area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
         evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
-        write(files, report, evaluation.csv(), ResponsePlot.draw(evaluation, title(choices)), text(evaluation, report));
+        write(files, report, evaluation.csv(), evaluation.plot(title(choices)), text(evaluation, report));
         return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
     }
 

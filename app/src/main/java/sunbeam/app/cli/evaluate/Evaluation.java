@@ -1,5 +1,6 @@
 package sunbeam.app.cli.evaluate;
 
+import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -9,16 +10,22 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import sunbeam.app.cli.report.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
+import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.HeatMap.ColorMap;
+import sunbeam.app.files.plot.Plot;
+import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix;
+import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
 import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
@@ -39,6 +46,14 @@ record Evaluation(
         Peaks peaks,
         Optional<Ridge> ridge,
         Optional<String> noRidge) {
+    private static final int WIDTH = 1100;
+    private static final int HEIGHT = 800;
+    // Lowest response of the color scale relative to the highest.
+    private static final double SPAN = 1e-4;
+    private static final String ANGLE = "angle to the viewer theta_r / degrees";
+    private static final int PEAKS = 0xFF3020;
+    private static final int FITTED = 0x40A0FF;
+    private static final int EQUATION = 0xE868E8;
     // Least distance between orders, in standard deviations of the window's spectrum: 1 % of the mirror order's
     // amplitude is left there, and more would shift the ridge by some percent.
     private static final double APART = 3;
@@ -179,5 +194,75 @@ record Evaluation(
                                 DoubleStream.of(grid.wavelengths()[row] * NANOMETERS),
                                 Arrays.stream(response.values()[row]))
                         .toArray());
+    }
+
+    /**
+     * Plot as in the thesis's figures 4.9 to 4.11: the response, its brightest angles, and the grating equation for the period of the heights,
+     * for both ends of its interval, and for the mean period of the brightest angles.
+     */
+    BufferedImage plot(String method) {
+        return new Sheet(WIDTH)
+                .heading(patch.name() + ": " + verdict().sentence())
+                .row(picture(method + "; " + light()))
+                .draw();
+    }
+
+    private BufferedImage picture(String title) {
+        ResponseGrid grid = response.grid();
+        double[][] values = response.values();
+        double[] wavelengths = map(grid.wavelengths(), meters -> meters * 1e9);
+        double[] angles = map(grid.angles(), Math::toDegrees);
+        if (wavelengths.length == 1) {
+            String lit = Text.format("%s, %.4g nm", title, wavelengths[0]);
+            return Plot.linear(lit, ANGLE, "relative radiance rho", WIDTH, HEIGHT)
+                    .line("response", angles, values[0])
+                    .draw();
+        }
+        double largest =
+                Arrays.stream(values).flatMapToDouble(Arrays::stream).max().orElseThrow();
+        double high = largest > 0 ? largest : 1;
+        double[][] rows = new double[angles.length][values.length];
+        for (int row = 0; row < rows.length; row++) {
+            for (int column = 0; column < values.length; column++) {
+                rows[row][column] = values[column][row];
+            }
+        }
+        HeatMap map = new HeatMap(
+                new HeatMap.Frame(title, "wavelength / nm", ANGLE, WIDTH, HEIGHT, false),
+                new HeatMap.Values(
+                        rows,
+                        HeatMap.Values.around(wavelengths),
+                        HeatMap.Values.around(angles),
+                        new HeatMap.Colors(
+                                "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
+                        HeatMap.Reduction.LARGEST));
+        if (period.isSure()) {
+            boolean towardsNormal = !Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / period.period()));
+            int order = ridge.map(Ridge::order).orElse(towardsNormal ? -1 : 1);
+            map.interval(
+                    "the period, " + period.interval().replace(", 95 % interval", "; dotted: 95 % interval"),
+                    wavelengths,
+                    equation(grid, order, period.period()),
+                    equation(grid, order, period.low()),
+                    equation(grid, order, period.high()),
+                    EQUATION);
+        }
+        ridge.ifPresent(found -> {
+            double mean = found.statistics().getMean();
+            double[] fitted = equation(grid, found.order(), mean);
+            map.curve("grating equation for the peaks' mean", wavelengths, fitted, FITTED, false);
+            String name = Text.format("brightest angle at each wavelength (mean %.1f nm)", mean * 1e9);
+            double[] ridgeWavelengths = map(found.wavelengths(), meters -> meters * 1e9);
+            map.curve(name, ridgeWavelengths, map(found.angles(), Math::toDegrees), PEAKS, true);
+        });
+        return map.draw();
+    }
+
+    private static double[] equation(ResponseGrid grid, int order, double period) {
+        return map(grid.wavelengths(), wavelength -> Math.toDegrees(grid.plane().thetaR(order * wavelength / period)));
+    }
+
+    private static double[] map(double[] values, DoubleUnaryOperator function) {
+        return Arrays.stream(values).map(function).toArray();
     }
 }

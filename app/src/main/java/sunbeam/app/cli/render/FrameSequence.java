@@ -30,7 +30,6 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.measure.errors.Certificate;
-import sunbeam.app.measure.errors.SceneCertifier;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
 import sunbeam.app.render.LitPixels;
@@ -252,7 +251,7 @@ public final class FrameSequence implements AutoCloseable {
         try {
             List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
             parts.forEach(part -> exact.add(new SceneSession(context, part)));
-            Certificate certificate = new SceneCertifier(size.width(), size.height(), samples)
+            Certificate certificate = new Certificate.SceneCertifier(size.width(), size.height(), samples)
                     .certify(
                             new PartSum(sessions),
                             scene,

@@ -149,14 +149,14 @@ public final class SampleCommand extends FileCommand {
         Map<String, Object> made = metadata(setup, method, plan, part);
         try (Progress progress = environment().progress().start("Rows", rows)) {
             SampleRows sampled = new SampleRows(plan, spectrum, setup.cie(), seed, progress);
-            List<RowFile.Column> columns = channels == RowKind.XYZ
+            List<SampleRows.RowFile.Column> columns = channels == RowKind.XYZ
                     ? sampled.colorColumns()
                     : sampled.spectralColumns(method.area().window());
             long first = part.first(count);
             certificate =
                     certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
             certificate.ifPresent(stated -> made.put("error_beside_reference", ReportFields.of(stated)));
-            RowFile file = new RowFile(first, rows, columns, () -> {
+            SampleRows.RowFile file = new SampleRows.RowFile(first, rows, columns, () -> {
                 ErrorStatistics difference = sampled.differenceFromSums();
                 made.put("error_beside_sums_over_wavelengths", ReportFields.of(difference));
                 return JsonOption.text(made);
@@ -193,8 +193,8 @@ public final class SampleCommand extends FileCommand {
     }
 
     private void requireRoom(int rows, boolean hdf5) {
-        long bytes = RowFile.bytes(rows);
-        long batch = RowFile.bytes(Math.min(rows, RowFile.BATCH));
+        long bytes = SampleRows.RowFile.bytes(rows);
+        long batch = SampleRows.RowFile.bytes(Math.min(rows, SampleRows.RowFile.BATCH));
         long heap = Runtime.getRuntime().maxMemory() / HEAP_DIVISOR;
         if (batch + (hdf5 ? HDF5_COPIES * bytes : 0) > heap) {
             throw new UsageException("--count " + count + ": rows of " + ByteSize.format(bytes) + " as HDF5 take "

@@ -3,14 +3,27 @@ package sunbeam.app.measure.errors;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
+import java.util.SplittableRandom;
 import java.util.function.IntFunction;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import jrtr.Tile;
+import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.render.DrawRequest;
+import sunbeam.app.render.PartSum;
+import sunbeam.app.render.PixelSamples;
+import sunbeam.app.render.ScenePicture;
+import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.Gain;
+import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -119,5 +132,137 @@ public record Certificate(
 
     private static String limited(String what, double value, double limit) {
         return Double.isInfinite(limit) ? "" : Text.format("%s %.2g (at most %.2g)", what, value, limit);
+    }
+
+    /**
+     * Compares random pixels of a BRDF map with the exact reference. Pairs of directions are by a pixel's number, row by row from the top left;
+     * the material's reflectance is relative to that of the standard material.
+     */
+    public record Certifier(
+            ExactLight reference,
+            IntFunction<DirectionPair> pairs,
+            ToDoubleFunction<DirectionPair> material,
+            ProgressDisplay display) {
+        // At most one of this number of pixels is dark: light may be missing there, but a grating is nearly all dark.
+        private static final int PIXELS_PER_DARK = 4;
+
+        private double gain(DirectionPair pair) {
+            return Gain.relativeRadiance(pair) * material.applyAsDouble(pair);
+        }
+
+        /**
+         * Evaluates {@code count} random pixels, at most all, in parallel; at most a quarter of them are dark, unless there are too few bright
+         * ones, and all show the surface.
+         *
+         * @param picture linear XYZ of rho
+         * @param exposure factor for X, Y, Z before colors are compared
+         * @param tolerance relative error for which the picture was made
+         */
+        public Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
+            List<Comparison> all = display.map("Certificate", draw(picture, count), pixel -> compare(picture, pixel));
+            return ofPixels(
+                    all.size() + " random pixels, at most a quarter of them dark while there are others",
+                    all,
+                    exposure,
+                    Limits.of(tolerance));
+        }
+
+        private List<Integer> draw(LinearPicture picture, int count) {
+            List<Integer> bright = new ArrayList<>();
+            List<Integer> dark = new ArrayList<>();
+            for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
+                if (picture.covered(pixel)) {
+                    double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
+                    // The largest decides: a NaN or an infinite value makes a pixel bright, so that it is checked.
+                    (Comparison.largest(Comparison.xyz(picture.xyz(), pixel)) <= floor ? dark : bright).add(pixel);
+                }
+            }
+            Random random = new Random(SEED);
+            Collections.shuffle(bright, random);
+            Collections.shuffle(dark, random);
+            int reservedDark = Math.min(dark.size(), count / PIXELS_PER_DARK);
+            int brightCount = Math.min(bright.size(), count - reservedDark);
+            List<Integer> pixels = new ArrayList<>(bright.subList(0, brightCount));
+            pixels.addAll(dark.subList(0, Math.min(dark.size(), count - brightCount)));
+            return pixels;
+        }
+
+        private Comparison compare(LinearPicture picture, int pixel) {
+            DirectionPair pair = pairs.apply(pixel);
+            double gain = gain(pair);
+            double[] exact = reference.xyz(pair, ExactLight.Quadrature.INTEGRATED);
+            for (int c = 0; c < 3; c++) {
+                exact[c] *= gain;
+            }
+            return new Comparison(Comparison.xyz(picture.xyz(), pixel), exact, gain);
+        }
+    }
+
+    /**
+     * Compares pixels of a scene's picture with the mean of many points in each. Only pixels that the mesh fills are compared, since at edges
+     * the error depends only on the number of samples.
+     */
+    public record SceneCertifier(int width, int height, PixelSamples samples) {
+        /** Points along a pixel's side; 256 in all. */
+        public static final int POINTS = 16;
+
+        // Most random pixels tried per compared pixel: the mesh may fill few of them.
+        private static final int MOST_TRIES = 200;
+
+        private record Exact(Tile pixel, double[] xyz) {}
+
+        /**
+         * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by the method to be judged and by points.
+         *
+         * @param drawn renderer to be judged, of {@code scene}
+         * @param exact renderer of the same scene as {@code points}
+         * @param exposure factor for X, Y, Z before colors are compared
+         */
+        public Certificate certify(
+                PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
+            List<Exact> means = means(exact, points, count, new SplittableRandom(SEED));
+            List<double[]> pixels = drawn(
+                    drawn, scene, exposure, means.stream().map(Exact::pixel).toList());
+            // The gain is 1, that of white: Comparison's floor for dark pixels needs no other scale.
+            List<Comparison> compared = IntStream.range(0, means.size())
+                    .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
+                    .toList();
+            String places = Text.format(
+                    "%d random pixels that the mesh fills, beside the mean of %d points in each",
+                    means.size(), POINTS * POINTS);
+            return ofPixels(places, compared, exposure, Limits.ANTI_ALIASED);
+        }
+
+        private List<double[]> drawn(PartSum parts, Scene scene, double exposure, List<Tile> pixels) {
+            List<DrawRequest> requests = pixels.stream()
+                    .map(pixel -> DrawRequest.ofPixels(scene, width, height, pixel, samples))
+                    .toList();
+            return requests.stream()
+                    .map(request -> parts.draw(request, exposure).reduced(samples.side()))
+                    .map(picture -> Comparison.xyz(picture.rgba(), 0))
+                    .toList();
+        }
+
+        private List<Exact> means(PartSum exact, Scene scene, int count, SplittableRandom random) {
+            List<Exact> means = new ArrayList<>();
+            for (int i = 0; i < MOST_TRIES * count && means.size() < count; i++) {
+                Tile pixel = new Tile(random.nextInt(width), random.nextInt(height), 1, 1);
+                mean(exact, scene, pixel).ifPresent(xyz -> means.add(new Exact(pixel, xyz)));
+            }
+            return means;
+        }
+
+        /** Returns the mean of a pixel's points; empty if the mesh does not fill the pixel. */
+        private Optional<double[]> mean(PartSum exact, Scene scene, Tile pixel) {
+            if (exact.pick(pixel.x(), pixel.y(), width, height).isEmpty()) {
+                return Optional.empty();
+            }
+            ScenePicture mean = exact.draw(
+                            DrawRequest.ofPixels(scene, width, height, pixel, PixelSamples.uniform(POINTS)))
+                    .reduced(POINTS);
+            return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS)
+                    ? Optional.of(Comparison.xyz(mean.rgba(), 0))
+                    : Optional.empty();
+        }
     }
 }

@@ -176,7 +176,7 @@ final class CertificateTest {
     }
 
     private static Certificate certifyPicture(float[] xyz, int count) {
-        return new Certifier(
+        return new Certificate.Certifier(
                         REFERENCE, CertificateTest::pair, pair -> 1, new Environment(Map.of(), Path.of("")).progress())
                 .certify(new LinearPicture(WIDTH, 1, xyz), count, 1, 1e-3);
     }

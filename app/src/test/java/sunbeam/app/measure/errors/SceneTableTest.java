@@ -123,7 +123,7 @@ class SceneTableTest extends InAScene {
         Scene exact = plane(EYE, LIGHT, 20, ON_A_BODY, FullMethod.TYPE).withLight(wide);
         try (SceneSession full = session(exact);
                 SceneSession table = session(point)) {
-            SceneCertifier certifier = new SceneCertifier(24, 18, PixelSamples.uniform(1));
+            Certificate.SceneCertifier certifier = new Certificate.SceneCertifier(24, 18, PixelSamples.uniform(1));
             PartSum sum = new PartSum(List.of(full));
             PartSum tables = new PartSum(List.of(table));
             Certificate certificate = certifier.certify(tables, point.withLight(wide), sum, exact, 1, 12);
@@ -155,7 +155,7 @@ class SceneTableTest extends InAScene {
      * @param count number of pixels
      */
     private void assertTableHasTheMeanOfPoints(Function<MethodType, Scene> scene, double better, int count) {
-        SceneCertifier certifier = new SceneCertifier(24, 18, PixelSamples.uniform(1));
+        Certificate.SceneCertifier certifier = new Certificate.SceneCertifier(24, 18, PixelSamples.uniform(1));
         Scene drawn = scene.apply(TableMethod.TYPE);
         Scene exact = scene.apply(FullMethod.TYPE);
         try (SceneSession full = session(exact);
