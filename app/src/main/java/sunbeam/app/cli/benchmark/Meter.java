@@ -146,10 +146,8 @@ record Meter(RenderContext context, int size, Direction light) {
     static final class ExactViews {
         // Nearly all views of a grating are dark; the limit ends the search on a patch that is dark everywhere.
         private static final int MOST_TRIES_PER_VIEW = 30;
-
-        /** Views that are evaluated in parallel before the bright ones are counted. */
+        // Views that are evaluated in parallel before the bright ones are counted.
         private static final int BATCH = 32;
-
         private static final long SEED = 3;
 
         private final DiffractionSetup setup;

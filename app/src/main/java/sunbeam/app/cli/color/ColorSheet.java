@@ -31,7 +31,6 @@ final class ColorSheet {
     private static final int PLOT_HEIGHT = 560;
     /** Largest width of a surface's name, pixels: some 32 letters. */
     private static final int WIDEST_NAME = 270;
-
     // Sine of the largest azimuth between the light and a strip's plane at which the light is marked in the strip.
     private static final double IN_PLANE = Math.sin(Math.toRadians(1));
     private static final double TICK = 0.1;

@@ -47,8 +47,7 @@ final class SurfaceColors {
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
     private static final int MOST_DIRECTIONS = 400_000;
-
-    /** Luminance, relative to a mirror's, below which no color is stated. */
+    // Luminance, relative to a mirror's, below which no color is stated.
     private static final double FAINTEST = 1e-9;
 
     private final DiffractionSetup setup;

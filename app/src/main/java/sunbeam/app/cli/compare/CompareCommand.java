@@ -65,10 +65,8 @@ public final class CompareCommand extends FileCommand {
     private static final int LEAST_PLOT = 420;
     // Least upper end of the color scale, CIEDE2000: a scale that ends below visible differences would show rounding.
     private static final double LEAST_SCALE = 1;
-
-    /** Most pixels of the longer side by default; at a photograph's own size drawing would take an hour. */
+    // Most pixels of the longer side by default; at a photograph's own size drawing would take an hour.
     private static final int LONGER_SIDE = 1024;
-
     private static final double LARGEST_FACTOR = 1e12;
 
     @Parameters(

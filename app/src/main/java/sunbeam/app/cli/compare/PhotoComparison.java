@@ -42,10 +42,8 @@ record PhotoComparison(
     private static final double HUBER = 1.345;
     /** Ratio of the standard deviation of normal errors to the median of their absolute values. */
     private static final double DEVIATION = 1.4826;
-
-    /** Largest linear luminance of a photograph that counts as black: just above the first step of 8 bits, 3e-4. */
+    // Largest linear luminance of a photograph that counts as black: just above the first step of 8 bits, 3e-4.
     private static final double DARKEST = 4e-4;
-
     private static final int MOST_STEPS = 50;
 
     static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {

@@ -35,8 +35,7 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
     private static final int MOST_CHUNK_BYTES = 1 << 22;
     /** Value of PNG's chunk gAMA for sRGB: 1e5 divided by 2.2. */
     private static final int SRGB_GAMMA = 45_455;
-
-    /** Tolerance of this value, so that a gamma of 0.45 counts as sRGB, too. */
+    // Tolerance of this value, so that a gamma of 0.45 counts as sRGB, too.
     private static final int GAMMA_ROUNDING = 500;
 
     /** @throws InputException for damaged tags, and for a PNG whose colors are neither sRGB nor described by a profile */

@@ -239,8 +239,7 @@ record BsdfMaterial(
         private static final double DIRECTION_STEP = 1.3;
         // Samples along the square's side per texel of the grid along |(u, v)| from 0 to 2.
         private static final double SIDE = 0.65;
-
-        /** Texels of the grid between two rows at |(u, v)| = 1. */
+        // Texels of the grid between two rows at |(u, v)| = 1.
         private static final double ROW_STEP = 1.5;
         // Texels of the grid by which an order at |(u, v)| = 1 moves from one band to the next.
         private static final double BAND_STEP = 2;

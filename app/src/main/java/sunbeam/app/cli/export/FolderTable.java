@@ -25,8 +25,7 @@ record FolderTable(boolean isGlsl) implements TableWriter {
     private static final double TEXEL_BYTES = 8 * 4 / 3.0;
     // Bytes per evaluated texel in EXR: three half floats, which ZIP compresses by a third.
     private static final double EVALUATED_BYTES = 4;
-
-    /** Factor of the stored roots: without it dark ones would be subnormal half floats. */
+    // Factor of the stored roots: without it dark ones would be subnormal half floats.
     private static final float SCALE = 256;
 
     private static final String QUANTITY =

@@ -33,8 +33,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
     private static final int REFERENCE_PAIRS = 4;
     /** Limit of the exact reference's complex products: 20 s of processor time at 1e9 a second, less than a scan's table takes. */
     private static final double MOST_PRODUCTS = 2e10;
-
-    /** Limit of drawn pairs, uniform or aimed: some surfaces are dark nearly everywhere. */
+    // Limit of drawn pairs, uniform or aimed: some surfaces are dark nearly everywhere.
     private static final int MOST_TRIES = 20 * SUM_PAIRS;
 
     /**

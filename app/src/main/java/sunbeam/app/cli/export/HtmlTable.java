@@ -12,10 +12,8 @@ import sunbeam.precompute.colortable.ColorTable;
 final class HtmlTable implements TableWriter {
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
-
-    /** Lower bound of the compressed bytes per texel that directions reach. */
+    // Lower bound of the compressed bytes per texel that directions reach.
     private static final double LEAST_BYTES = 0.3;
-
     private static final int PAGE_BYTES = 20_000;
     // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;

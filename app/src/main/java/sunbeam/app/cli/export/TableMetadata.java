@@ -29,8 +29,7 @@ record TableMetadata(
     private static final double FIRST_THETA = 30;
     /** Pixels along a side of the map whose exposure is chosen. */
     private static final int MAP_SIDE = 200;
-
-    /** Full width at half maximum of a Gaussian, in standard deviations. */
+    // Full width at half maximum of a Gaussian, in standard deviations.
     private static final double WIDTHS_PER_DEVIATION = 2 * Math.sqrt(2 * Math.log(2));
 
     /** Returns the full width at half maximum, in degrees, of an order at 550 nm near the normal. */

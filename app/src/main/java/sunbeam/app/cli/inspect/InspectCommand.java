@@ -110,10 +110,8 @@ public final class InspectCommand extends FileCommand {
         private static final int PICTURE_HEIGHT = 720;
         private static final int PLOT_HEIGHT = 420;
         private static final int HISTOGRAM_BINS = 100;
-
-        /** Share of the lowest and of the highest heights that the gray scale leaves out. */
+        // Share of the lowest and of the highest heights that the gray scale leaves out.
         private static final double DUST = 0.001;
-
         private static final int PROFILE_PERIODS = 12;
         private static final double MICROMETERS = 1e6;
         private static final double NANOMETERS = 1e9;
@@ -121,8 +119,7 @@ public final class InspectCommand extends FileCommand {
         private static final double SPAN = 1e-7;
         // Least range of frequencies that is drawn, 1/m: |(u, v)| = 2 at 780 nm.
         private static final double LEAST_SHOWN = 2 / 780e-9;
-
-        /** Least range of frequencies that is drawn, relative to that of the period. */
+        // Least range of frequencies that is drawn, relative to that of the period.
         private static final double SHOWN_PER_PERIOD = 1.5;
 
         private Sheet text() {

@@ -11,8 +11,7 @@ import sunbeam.precompute.units.Angles;
 public final class LightOptions extends SettingOptions {
     // Largest angle to the normal, radians: closer to the horizon the irradiance is too small to divide by.
     private static final double LARGEST_THETA = Math.toRadians(89.9);
-
-    /** Largest azimuth, a hundred turns, in radians: more is a mistake of the user. */
+    // Largest azimuth, a hundred turns, in radians: more is a mistake of the user.
     private static final double LARGEST_PHI = Math.toRadians(36_000);
 
     /** Angle between light and normal, radians. */

@@ -153,13 +153,10 @@ public final class PrecomputeCommand extends FileCommand {
         private static final int GAP = 12;
         private static final int PLOT_WIDTH = 640;
         private static final double MICROMETERS = 1e6;
-
-        /** Smallest magnitude that differs from 0 in an image, relative to the largest real or imaginary part. */
+        // Smallest magnitude that differs from 0 in an image, relative to the largest real or imaginary part.
         private static final double SPAN = 1e-4;
-
-        /** Magnitude below which an extreme is a rounding error, relative to the largest one of its power. */
+        // Magnitude below which an extreme is a rounding error, relative to the largest one of its power.
         private static final double ROUNDING = 1e-12;
-
         private static final int RED = 1;
         private static final int GREEN = 2;
 

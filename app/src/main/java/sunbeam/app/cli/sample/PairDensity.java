@@ -24,8 +24,7 @@ final class PairDensity {
     private static final double STEP = 2 * REACH / SIDE;
     // 2^64 by the golden ratio: modulo 2^64, any number of its multiples is evenly distributed (Kronecker sequence).
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
-
-    /** Factor from 53 random bits to a number in the unit interval. */
+    // Factor from 53 random bits to a number in the unit interval.
     private static final double UNIT = 0x1p-53;
 
     private final double[] sums = new double[SIDE * SIDE];

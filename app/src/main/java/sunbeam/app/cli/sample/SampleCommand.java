@@ -56,7 +56,6 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
         footer = {"  sunbeam sample blaze --count 1000000 --output rows.npz"})
 public final class SampleCommand extends FileCommand {
     private static final long MOST_ROWS = 1_000_000_000;
-
     private static final int MOST_OF_FILE = 100_000_000;
     // Divisor of the heap: rows may take half of it; tables need the rest.
     private static final int HEAP_DIVISOR = 2;

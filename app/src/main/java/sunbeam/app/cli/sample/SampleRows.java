@@ -34,8 +34,7 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 /** Random rows: a light and a view with their color, or a wavelength and its power. A row depends only on the seed and its number. */
 final class SampleRows {
     private static final int CHANNELS = 3;
-
-    /** Number of first rows of a file whose colors are compared with direct sums over wavelengths. */
+    // Number of first rows of a file whose colors are compared with direct sums over wavelengths.
     private static final int CHECKED_ROWS = 500;
     // Values of |w|, relative to the largest possible, at which each cell of the (u, v) plane is evaluated for its
     // weight.
@@ -190,8 +189,7 @@ final class SampleRows {
 
         // Rows of an HDF5 chunk: 768 KB for a column of width 3.
         private static final int CHUNK_ROWS = 1 << 16;
-
-        /** Numbers per row: two directions of three; X, Y, Z or wavelength, power and BRDF; density. */
+        // Numbers per row: two directions of three; X, Y, Z or wavelength, power and BRDF; density.
         private static final int NUMBERS_OF_ROW = 10;
 
         record Column(String name, int width, Values values) {
