@@ -12,7 +12,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -170,10 +169,10 @@ public final class BrdfMapCommand extends FileCommand {
         PrintWriter out = out(picture, linear);
         Optional<Path> linearFile = Optional.ofNullable(linear);
         String identity = resume.identity(patches);
-        OptionalInt finished = resume.finished(identity, picture, linearFile, err);
+        Optional<Integer> finished = resume.finished(identity, picture, linearFile, err);
         if (finished.isPresent()) {
             Stream.concat(Stream.of(picture), linearFile.stream()).forEach(out::println);
-            return finished.getAsInt();
+            return finished.get();
         }
         AtomicFile.checkWritable(picture, overwrite(resume.named(output, picture)));
         AtomicFile.checkWritable(linear, overwrite());
@@ -197,12 +196,15 @@ public final class BrdfMapCommand extends FileCommand {
             LinearPicture first = maps.get(0).picture();
             double factor = exposureRule.applyAsDouble(
                     maps.stream().map(MaterialMap.Result::picture).toList());
-            certificate = certify.certificate(count -> new Certificate.Certifier(
-                            firstMap.exact(),
-                            pixel -> new DiscDirections(size, towards).at(pixel).turned(-asked.get(ROTATE_PATCH)),
-                            firstMap::overStandard,
-                            environment().progress())
-                    .certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
+            certificate = certify.count()
+                    .map(count -> new Certificate.Certifier(
+                                    firstMap.exact(),
+                                    pixel -> new DiscDirections(size, towards)
+                                            .at(pixel)
+                                            .turned(-asked.get(ROTATE_PATCH)),
+                                    firstMap::overStandard,
+                                    environment().progress())
+                            .certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             doubt = DoubtfulPicture.judge(

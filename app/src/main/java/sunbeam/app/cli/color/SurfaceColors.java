@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.cli.options.LightOptions;
@@ -57,7 +56,7 @@ final class SurfaceColors {
     private final GratingPeriod period;
     private final double turn;
     private final double azimuthDegrees;
-    private final OptionalDouble lightAzimuthDegrees;
+    private final Optional<Double> lightAzimuthDegrees;
     private final double theta;
     private final List<ViewColor.View> views = new ArrayList<>();
     private final List<double[]> colors = new ArrayList<>();
@@ -98,9 +97,7 @@ final class SurfaceColors {
         turn = light.get(ROTATE_PATCH);
         period = GratingPeriod.of(setup.patch()).turned(turn);
         azimuthDegrees = Math.toDegrees(period.hasWave() ? period.azimuth() : turn);
-        lightAzimuthDegrees = light.has(LightOptions.PHI_I)
-                ? OptionalDouble.of(Math.toDegrees(light.get(LightOptions.PHI_I)))
-                : OptionalDouble.empty();
+        lightAzimuthDegrees = light.find(LightOptions.PHI_I).map(Math::toDegrees);
         for (boolean along : new boolean[] {true, false}) {
             for (double degrees : angles.values()) {
                 views.add(view(along, degrees));

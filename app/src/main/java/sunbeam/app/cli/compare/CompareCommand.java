@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -130,7 +130,7 @@ public final class CompareCommand extends FileCommand {
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         Photograph.Linear linear = photograph.reduced(drawn.width(), drawn.height());
         ScenePicture picture = draw(loader, scene, drawn);
-        PhotoComparison comparison = PhotoComparison.of(linear, picture, given());
+        PhotoComparison comparison = PhotoComparison.of(linear, picture, Optional.ofNullable(factor));
         BufferedImage sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
         String sizes = Quoted.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
@@ -155,10 +155,6 @@ public final class CompareCommand extends FileCommand {
             return ExitCode.TOLERANCE_MISSED.code();
         }
         return ExitCode.OK.code();
-    }
-
-    private OptionalDouble given() {
-        return factor == null ? OptionalDouble.empty() : OptionalDouble.of(factor);
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
 import sunbeam.app.render.LitPixels;
@@ -46,7 +46,7 @@ record PhotoComparison(
     private static final double DARKEST = 4e-4;
     private static final int MOST_STEPS = 50;
 
-    static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, OptionalDouble given) {
+    static PhotoComparison of(Photograph.Linear photo, ScenePicture scene, Optional<Double> given) {
         float[] seen = photo.picture().rgba();
         float[] drawn = scene.rgba();
         int[] covered = IntStream.range(0, photo.clipped().length)

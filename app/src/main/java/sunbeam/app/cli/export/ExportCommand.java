@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalInt;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -169,12 +169,7 @@ public final class ExportCommand extends FileCommand {
                 setup,
                 choices,
                 read,
-                GridErrors.of(
-                        setup,
-                        baker,
-                        read,
-                        writer.errorWeights(setup.cie()),
-                        samples == null ? OptionalInt.empty() : OptionalInt.of(samples)),
+                GridErrors.of(setup, baker, read, writer.errorWeights(setup.cie()), Optional.ofNullable(samples)),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
         List<Path> written = format.write(output, overwrite(), writer.files(grid, baker, metadata));
         PrintWriter out = out(output);

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
@@ -43,7 +43,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
      * @param samples number of pairs for the reference; if empty, up to 4 within {@link #MOST_PRODUCTS}, at least 1
      */
     static GridErrors of(
-            DiffractionSetup setup, GridBaker gridBaker, ColorGrid read, CieTable weights, OptionalInt samples) {
+            DiffractionSetup setup, GridBaker gridBaker, ColorGrid read, CieTable weights, Optional<Integer> samples) {
         boolean isLight = weights.equals(setup.cie());
         GaussianArea area = read.level().area();
         ColorGrid grid = isLight ? read : gridBaker.under(weights, read);
@@ -66,14 +66,14 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
             List<DirectionPair> aimed,
             List<DirectionPair> uniform,
             ToDoubleFunction<DirectionPair> products,
-            OptionalInt count) {
+            Optional<Integer> count) {
         List<DirectionPair> inTurn = new ArrayList<>();
         for (int i = 0; i < Math.max(aimed.size(), uniform.size()); i++) {
             inTurn.addAll(aimed.subList(Math.min(i, aimed.size()), Math.min(i + 1, aimed.size())));
             inTurn.addAll(uniform.subList(Math.min(i, uniform.size()), Math.min(i + 1, uniform.size())));
         }
         if (count.isPresent()) {
-            return inTurn.stream().limit(count.getAsInt()).toList();
+            return inTurn.stream().limit(count.get()).toList();
         }
         int chosen = 0;
         double sum = 0;

@@ -10,8 +10,6 @@ import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
-import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Option;
 import sunbeam.app.measure.errors.Certificate;
@@ -51,17 +49,11 @@ public final class CertifyOption {
     private Integer certify;
 
     /** Returns the number of samples to compare; empty without the option. Refuses numbers out of range. */
-    public OptionalInt count() {
-        if (certify == null) {
-            return OptionalInt.empty();
+    public Optional<Integer> count() {
+        if (certify != null) {
+            UsageException.requireWithin("--certify", certify, 1, MOST_SAMPLES);
         }
-        UsageException.requireWithin("--certify", certify, 1, MOST_SAMPLES);
-        return OptionalInt.of(certify);
-    }
-
-    public Optional<Certificate> certificate(IntFunction<Certificate> evaluate) {
-        OptionalInt count = count();
-        return count.isPresent() ? Optional.of(evaluate.apply(count.getAsInt())) : Optional.empty();
+        return Optional.ofNullable(certify);
     }
 
     /** Refuses methods that cannot be compared: the reference itself, and those whose colors are not relative to a mirror's. */

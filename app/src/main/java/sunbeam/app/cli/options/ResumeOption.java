@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -132,9 +131,9 @@ public final class ResumeOption {
      * Returns the exit code of the earlier run that wrote these files, the linear one by the hash in the picture's text. Empty without
      * {@code --resume}, if a file is missing, or if it was made with other options.
      */
-    public OptionalInt finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
+    public Optional<Integer> finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
         if (!resume) {
-            return OptionalInt.empty();
+            return Optional.empty();
         }
         Optional<Integer> code = PngText.find(picture, identity)
                 .filter(text -> linear.isEmpty()
@@ -142,11 +141,10 @@ public final class ResumeOption {
                 .map(text -> text.getOrDefault(EXIT_CODE, ""))
                 .filter(number -> number.matches("\\d{1,3}"))
                 .map(Integer::valueOf);
-        if (code.isEmpty()) {
-            return OptionalInt.empty();
-        }
-        err.println(Messages.note(picture + " was made with the same options: kept"));
-        err.flush();
-        return OptionalInt.of(code.get());
+        code.ifPresent(kept -> {
+            err.println(Messages.note(picture + " was made with the same options: kept"));
+            err.flush();
+        });
+        return code;
     }
 }

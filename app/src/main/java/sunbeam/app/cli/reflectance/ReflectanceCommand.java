@@ -135,8 +135,9 @@ public final class ReflectanceCommand extends FileCommand {
         ShaderTables tables = setup.tables(plan, use, GpuBaker::of);
         methodOptions.printTrial(tables.trial(), err);
         List<double[]> results = evaluator.evaluate(tables);
-        Optional<Certificate> certificate = certify.certificate(
-                count -> evaluator.certify(setup.exact(method), results, count, choices.get(MethodSettings.TOLERANCE)));
+        Optional<Certificate> certificate = certify.count()
+                .map(count ->
+                        evaluator.certify(setup.exact(method), results, count, choices.get(MethodSettings.TOLERANCE)));
         write(list, ensemble, evaluator.divided(divisor, evaluator.indexed(material, setup.cie(), results)));
         report.put("plan", plan.summary());
         certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));

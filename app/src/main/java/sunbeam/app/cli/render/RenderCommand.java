@@ -170,10 +170,9 @@ public final class RenderCommand extends FileCommand {
             if (!json.isGiven()) {
                 json.print(out, report, written);
             }
-            ExitCode certified = certify.count().isPresent()
-                    ? frames.certify(
-                            context, environment(), scene, certify.count().getAsInt(), report, json.text(out), err)
-                    : ExitCode.OK;
+            ExitCode certified = certify.count()
+                    .map(count -> frames.certify(context, environment(), scene, count, report, json.text(out), err))
+                    .orElse(ExitCode.OK);
             if (json.isGiven()) {
                 json.print(out, report, written);
             }

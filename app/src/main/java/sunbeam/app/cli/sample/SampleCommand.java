@@ -153,7 +153,7 @@ public final class SampleCommand extends FileCommand {
                     : sampled.spectralColumns(method.area().window());
             long first = part.first(count);
             certificate =
-                    certify.certificate(places -> certified(sampled, setup.exact(method), first, rows, places, method));
+                    certify.count().map(places -> certified(sampled, setup.exact(method), first, rows, places, method));
             certificate.ifPresent(stated -> made.put("error_beside_reference", ReportFields.of(stated)));
             SampleRows.RowFile file = new SampleRows.RowFile(first, rows, columns, () -> {
                 ErrorStatistics difference = sampled.differenceFromSums();

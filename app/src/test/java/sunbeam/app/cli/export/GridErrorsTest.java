@@ -3,7 +3,7 @@ package sunbeam.app.cli.export;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.optics.Direction;
@@ -15,24 +15,23 @@ final class GridErrorsTest {
 
     @Test
     void aCheapSurfaceIsComparedAtFourPairsHalfOfThemOnOrders() {
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e6, OptionalInt.empty()))
+        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e6, Optional.empty()))
                 .containsExactly(AIMED.get(0), UNIFORM.get(0), AIMED.get(1), UNIFORM.get(1));
     }
 
     @Test
     void aScanIsComparedAtAsManyPairsAsTwentySecondsAllow() {
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 9.5e9, OptionalInt.empty()))
+        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 9.5e9, Optional.empty()))
                 .hasSize(2);
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e12, OptionalInt.empty()))
+        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e12, Optional.empty()))
                 .hasSize(1);
     }
 
     @Test
     void aGivenNumberOfPairsIsComparedAtAnyCost() {
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e12, OptionalInt.of(6)))
+        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e12, Optional.of(6)))
                 .hasSize(6);
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1, OptionalInt.of(0)))
-                .isEmpty();
+        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1, Optional.of(0))).isEmpty();
     }
 
     private static List<DirectionPair> pairs(double phiDegrees) {
