@@ -45,12 +45,11 @@ import sunbeam.precompute.text.Text;
 @Command(
         name = "benchmark",
         header = "Measure error and time of the methods.",
-        description =
-                "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a BRDF map, relative to the"
-                        + " thesis's shader (full --preset thesis) in the same run, since an absolute time on a shared machine means"
-                        + " nothing; and the time and memory that its tables need. With --method, or an option that belongs to one,"
-                        + " that method alone. Prints tables (Markdown); with --output writes them as a page, with plots and all numbers"
-                        + " beside it.",
+        description = "Measure each method's error of X, Y, Z against the exact reference and its time per pixel of a"
+                + " BRDF map, relative to the thesis's shader (full --preset thesis) in the same run, since an"
+                + " absolute time on a shared machine means nothing; and the time and memory that its tables need."
+                + " With --method, or an option that belongs to one, that method alone. Prints tables (Markdown); with"
+                + " --output writes them as a page, with plots and all numbers beside it.",
         footer = {"  sunbeam benchmark --output speed.md", "  sunbeam benchmark --patch scan.gwy --method table"})
 public final class BenchmarkCommand extends FileCommand {
     private static final List<String> PATCHES = List.of("blaze", "elaphe-like");

@@ -61,9 +61,8 @@ import sunbeam.precompute.units.Angles;
         name = "brdf-map",
         header = "Draw the BRDF map of a surface as a PNG.",
         description = "Draw the BRDF map of a surface: the color that each direction of the hemisphere sees when light"
-                + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y,"
-                + " sqrt(1 - x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the"
-                + " center.",
+                + " comes from one direction. The pixel at (x, y) of the unit disc shows the direction (x, y, sqrt(1 -"
+                + " x^2 - y^2)), +x right, +y up; the specular reflection of light from the normal lies in the center.",
         footer = {
             "  sunbeam brdf-map blaze --theta-i 30",
             "  sunbeam brdf-map scan.png --width 65um --max-height 375nm --size 1024"
@@ -111,18 +110,16 @@ public final class BrdfMapCommand extends FileCommand {
             negatable = true,
             defaultValue = "true",
             fallbackValue = "true",
-            description =
-                    "Draw around and over the map what a reader needs (default): the horizon, rings every 15 degrees from the"
-                            + " normal, the directions of light and mirror, and a caption with patch, light, coherence length and"
-                            + " exposure. --no-annotate leaves the disc alone, --size pixels wide.")
+            description = "Draw around and over the map what a reader needs (default): the horizon, rings every 15"
+                    + " degrees from the normal, the directions of light and mirror, and a caption with patch, light,"
+                    + " coherence length and exposure. --no-annotate leaves the disc alone, --size pixels wide.")
     private boolean annotate;
 
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description =
-                    "The picture, sRGB; it carries its parameters as text. Of several patches: the folder. Default: a"
-                            + " name made of the patch.")
+            description = "The picture, sRGB; it carries its parameters as text. Of several patches: the folder."
+                    + " Default: a name made of the patch.")
     private Path output;
 
     @Mixin

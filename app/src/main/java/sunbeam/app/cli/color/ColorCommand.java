@@ -95,9 +95,8 @@ public final class ColorCommand extends FileCommand {
     @Option(
             names = "--output",
             paramLabel = "FILE.png",
-            description =
-                    "The picture; FILE.csv and FILE.json are written beside it. Of several patches: the folder. Default: a"
-                            + " name made of the patch.")
+            description = "The picture; FILE.csv and FILE.json are written beside it. Of several patches: the folder."
+                    + " Default: a name made of the patch.")
     private Path output;
 
     @Option(

@@ -72,9 +72,8 @@ public final class CompareCommand extends FileCommand {
     @Parameters(
             index = "0",
             paramLabel = "PHOTO",
-            description =
-                    "PNG, JPEG or TIFF of 8 or 16 bits and at most 160 million pixels, upright by its Exif orientation; colors by"
-                            + " its ICC profile, sRGB without one. Transparent pixels are left out.")
+            description = "PNG, JPEG or TIFF of 8 or 16 bits and at most 160 million pixels, upright by its Exif"
+                    + " orientation; colors by its ICC profile, sRGB without one. Transparent pixels are left out.")
     private Path photo;
 
     @Parameters(
@@ -94,9 +93,8 @@ public final class CompareCommand extends FileCommand {
             names = "--size",
             paramLabel = "WxH",
             converter = PictureSize.Converter.class,
-            description =
-                    "Size to which the photograph is reduced, and of the drawn scene, with the photograph's ratio of sides."
-                            + " Default: the photograph's size, with a longer side of 1024 pixels at most.")
+            description = "Size to which the photograph is reduced, and of the drawn scene, with the photograph's"
+                    + " ratio of sides. Default: the photograph's size, with a longer side of 1024 pixels at most.")
     private PictureSize size;
 
     @Option(

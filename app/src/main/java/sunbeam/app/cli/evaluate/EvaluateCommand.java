@@ -61,11 +61,10 @@ import sunbeam.precompute.shader.ShaderTables;
 @Command(
         name = "evaluate",
         header = "Compare the light that a patch diffracts with the grating equation.",
-        description =
-                "Compare the light that a patch diffracts with the grating equation: tell the period of the heights,"
-                        + " compute the response over wavelengths and angles in the plane of incidence, and follow the ridge of the"
-                        + " first order. Writes the response (.csv), the figures (.json) and a plot (.png). Methods table and gem"
-                        + " compute colors only and are refused. See docs/evaluation.md.",
+        description = "Compare the light that a patch diffracts with the grating equation: tell the period of the"
+                + " heights, compute the response over wavelengths and angles in the plane of incidence, and follow"
+                + " the ridge of the first order. Writes the response (.csv), the figures (.json) and a plot (.png)."
+                + " Methods table and gem compute colors only and are refused. See docs/evaluation.md.",
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends FileCommand {
     private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");

@@ -74,9 +74,8 @@ public final class GratingOptions extends SettingOptions {
             paramLabel = "MIN:MAX:STEP",
             converter = Range.Converter.class,
             defaultValue = "380:780:2",
-            description =
-                    "Wavelengths in nm, within 380..780; of one alone the plot is the response over the angle. Default:"
-                            + " ${DEFAULT-VALUE}.")
+            description = "Wavelengths in nm, within 380..780; of one alone the plot is the response over the angle."
+                    + " Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;
 
     public GratingOptions() {

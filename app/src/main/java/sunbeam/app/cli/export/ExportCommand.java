@@ -49,11 +49,10 @@ import sunbeam.precompute.text.Text;
 @Command(
         name = "export",
         header = "Write a surface's table of colors for other programs.",
-        description =
-                "Write the colors C(u, v, w) that a surface diffracts (mean over all positions of the coherence window), for"
-                        + " every light and view, as a table for other programs. It is the finest table within --size; if need be"
-                        + " its light has a shorter coherence length, so that orders are wider. Each output states"
-                        + " its content and its error against the exact reference. See docs/export.md.",
+        description = "Write the colors C(u, v, w) that a surface diffracts (mean over all positions of the coherence"
+                + " window), for every light and view, as a table for other programs. It is the finest table within"
+                + " --size; if need be its light has a shorter coherence length, so that orders are wider. Each output"
+                + " states its content and its error against the exact reference. See docs/export.md.",
         footer = {
             "  sunbeam export blaze --format html --output page.html",
             "  sunbeam export scan.gwy --format npz --output colors.npz --size 50MB"

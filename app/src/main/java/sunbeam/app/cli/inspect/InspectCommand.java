@@ -40,9 +40,8 @@ import sunbeam.precompute.units.Lengths;
 @Command(
         name = "inspect",
         header = "Look at a height map: verdict, relief, slopes, period.",
-        description =
-                "Look at a patch before rendering it: first what it is in one sentence, then size, relief, roughness,"
-                        + " slopes and its period; as text and as one picture with histogram and power spectrum.",
+        description = "Look at a patch before rendering it: first what it is in one sentence, then size, relief,"
+                + " roughness, slopes and its period; as text and as one picture with histogram and power spectrum.",
         footer = {
             "  sunbeam inspect scan.gwy",
             "  sunbeam inspect folder --output report",

@@ -36,10 +36,9 @@ import sunbeam.precompute.setting.Setting;
 @Command(
         name = "mesh",
         header = "Generate or check a mesh.",
-        description =
-                "Generate a mesh, or check one, and write it with normals and with texture coordinates whose u gives the"
-                        + " direction of the nanostructure: as OBJ or PLY, meters, z up; or as binary glTF, y up, with"
-                        + " tangents, and with the body's colors and the scales' normals as pictures.",
+        description = "Generate a mesh, or check one, and write it with normals and with texture coordinates whose u"
+                + " gives the direction of the nanostructure: as OBJ or PLY, meters, z up; or as binary glTF, y up,"
+                + " with tangents, and with the body's colors and the scales' normals as pictures.",
         footer = {
             "  sunbeam mesh snake --output snake.glb",
             "  sunbeam mesh beetle.ply --mesh-unit mm --output beetle.obj"

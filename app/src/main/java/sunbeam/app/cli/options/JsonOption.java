@@ -16,10 +16,9 @@ import sunbeam.app.files.output.StandardOutput;
 public final class JsonOption {
     @Option(
             names = "--json",
-            description =
-                    "Print the report as one JSON object, for programs; lengths are in meters (_m), angles in degrees"
-                            + " (_deg), times in seconds (_s). Fields may be added in later versions, but keep their names and units"
-                            + " (docs/reference/report.schema.json).")
+            description = "Print the report as one JSON object, for programs; lengths are in meters (_m), angles in"
+                    + " degrees (_deg), times in seconds (_s). Fields may be added in later versions, but keep their"
+                    + " names and units (docs/reference/report.schema.json).")
     private boolean asked;
 
     public boolean isGiven() {

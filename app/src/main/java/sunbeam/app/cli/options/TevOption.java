@@ -9,9 +9,8 @@ import sunbeam.app.files.output.TevClient;
 public final class TevOption {
     @Option(
             names = "--tev",
-            description =
-                    "Also send the linear colors (Rec. 709 and alpha, before exposure) to the viewer tev, which has to run on this"
-                            + " machine (port 14158): scenes tile by tile, maps when they are drawn.")
+            description = "Also send the linear colors (Rec. 709 and alpha, before exposure) to the viewer tev, which"
+                    + " has to run on this machine (port 14158): scenes tile by tile, maps when they are drawn.")
     private boolean asked;
 
     /** Returns the connection to tev, which must run; empty without the option. */

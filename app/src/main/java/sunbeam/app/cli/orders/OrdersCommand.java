@@ -46,12 +46,11 @@ import sunbeam.precompute.units.Lengths;
 @Command(
         name = "orders",
         header = "Tell how much light goes into each diffraction order.",
-        description =
-                "Tell how much light a grating, a lattice or a scan with a period sends into each diffraction order:"
-                        + " numbers, direction and efficiency, the share of the incident light, over wavelength and angle of"
-                        + " incidence. Writes them as .csv and .json, and a plot (.png) with their sum beside the reflectance of a"
-                        + " flat mirror. The efficiency of a scan is the light around the order, with its 95 %% interval. A patch"
-                        + " without a period: exit code 4. See docs/evaluation.md.",
+        description = "Tell how much light a grating, a lattice or a scan with a period sends into each diffraction"
+                + " order: numbers, direction and efficiency, the share of the incident light, over wavelength and"
+                + " angle of incidence. Writes them as .csv and .json, and a plot (.png) with their sum beside the"
+                + " reflectance of a flat mirror. The efficiency of a scan is the light around the order, with its 95"
+                + " %% interval. A patch without a period: exit code 4. See docs/evaluation.md.",
         footer = {"  sunbeam orders blaze --theta-i 0:60:10", "  sunbeam orders scan.gwy --theta-i 30 --index 0.97+6.5i"
         })
 public final class OrdersCommand extends FileCommand {
@@ -84,9 +83,8 @@ public final class OrdersCommand extends FileCommand {
             paramLabel = "ANGLES",
             converter = Range.Converter.class,
             defaultValue = "0",
-            description =
-                    "Angle of the light to the normal in degrees, or angles MIN:MAX:STEP, within 0 to 89.9. Default:"
-                            + " ${DEFAULT-VALUE}.")
+            description = "Angle of the light to the normal in degrees, or angles MIN:MAX:STEP, within 0 to 89.9."
+                    + " Default: ${DEFAULT-VALUE}.")
     private Range thetas;
 
     @Option(

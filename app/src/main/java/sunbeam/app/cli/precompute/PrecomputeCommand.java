@@ -42,10 +42,9 @@ import sunbeam.precompute.text.Text;
 @Command(
         name = "precompute",
         header = "Write the Fourier tables of a patch as HDF5.",
-        description =
-                "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the expansion"
-                        + " of exp(i k w h), complex float32, cropped to what any pair of directions can see. The file says what"
-                        + " its numbers mean; see docs/conventions.md.",
+        description = "Write the Fourier tables of a patch to one HDF5 file: the DFT of every term T_n(h) of the"
+                + " expansion of exp(i k w h), complex float32, cropped to what any pair of directions can see. The"
+                + " file says what its numbers mean; see docs/conventions.md.",
         footer = {"  sunbeam precompute blaze --output blaze.h5"})
 public final class PrecomputeCommand extends FileCommand {
     private static final int MOST_POWER = 99;
@@ -62,9 +61,8 @@ public final class PrecomputeCommand extends FileCommand {
     @Option(
             names = "--picture",
             paramLabel = "FILE.png",
-            description =
-                    "Write no table, but draw the DFT of powers (i h)^n of the heights, in micrometers above the lowest: real"
-                            + " parts red, imaginary parts green; and their extreme values over n.")
+            description = "Write no table, but draw the DFT of powers (i h)^n of the heights, in micrometers above the"
+                    + " lowest: real parts red, imaginary parts green; and their extreme values over n.")
     private Path picture;
 
     @Option(

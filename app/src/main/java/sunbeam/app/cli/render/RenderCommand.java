@@ -77,9 +77,8 @@ public final class RenderCommand extends FileCommand {
     @Option(
             names = "--linear",
             paramLabel = "FILE",
-            description =
-                    "Also write the linear colors before exposure: FILE.npy, float32, height x width x 3, row 0 on top,"
-                            + " CIE XYZ, NaN where the mesh is not; or FILE.exr, Rec. 709 and alpha.")
+            description = "Also write the linear colors before exposure: FILE.npy, float32, height x width x 3, row 0"
+                    + " on top, CIE XYZ, NaN where the mesh is not; or FILE.exr, Rec. 709 and alpha.")
     private Path linear;
 
     @Mixin
@@ -96,10 +95,9 @@ public final class RenderCommand extends FileCommand {
     @Option(
             names = "--supersample",
             paramLabel = "N",
-            description =
-                    "Each pixel is the mean of N x N samples, 1 to 8. Default by method table: 4 samples, or where these"
-                            + " differ 4 x 4, more in pictures of less than 640 x 360 pixels; 1 by other methods."
-                            + " --certify measures the anti-aliasing.")
+            description = "Each pixel is the mean of N x N samples, 1 to 8. Default by method table: 4 samples, or"
+                    + " where these differ 4 x 4, more in pictures of less than 640 x 360 pixels; 1 by other methods."
+                    + " --certify measures the anti-aliasing.")
     private Integer supersample;
 
     @Mixin

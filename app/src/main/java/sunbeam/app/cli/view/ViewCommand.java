@@ -18,11 +18,10 @@ import sunbeam.app.viewer.ViewerStart;
         name = "view",
         header = "Open the interactive viewer.",
         description = "Show a scene in a window: drag to turn the model, drag with the right button to move the light."
-                + " A moving scene is drawn with coarse colors or in few pixels, depending on the method; at rest it is refined to"
-                + " the picture that 'render' writes."
-                + " A scene that names no method is drawn by table at tolerance 0.01, whose colors are made the first time and kept;"
-                + " plan.method full in its file, or full in the panel, draws without them."
-                + " F1 lists the mouse and the keys; see also docs/viewer.md.",
+                + " A moving scene is drawn with coarse colors or in few pixels, depending on the method; at rest it"
+                + " is refined to the picture that 'render' writes. A scene that names no method is drawn by table at"
+                + " tolerance 0.01, whose colors are made the first time and kept; plan.method full in its file, or"
+                + " full in the panel, draws without them. F1 lists the mouse and the keys; see also docs/viewer.md.",
         footer = {"  sunbeam view elaphe"})
 public final class ViewCommand extends ReportingCommand {
     private static final double SHORTEST_MEASUREMENT = 1;
@@ -38,11 +37,10 @@ public final class ViewCommand extends ReportingCommand {
     @Option(
             names = "--measure",
             paramLabel = "SECONDS",
-            description =
-                    "Measure the viewer: wait for the final picture if the method is table, drag the light to and fro, then the"
-                            + " model, for 1 to 600 seconds each, print the times of the start's steps, frames per second, the time"
-                            + " from input to screen and the difference of the last frame from the final picture, and close. Leave"
-                            + " mouse and keyboard alone meanwhile.")
+            description = "Measure the viewer: wait for the final picture if the method is table, drag the light to"
+                    + " and fro, then the model, for 1 to 600 seconds each, print the times of the start's steps,"
+                    + " frames per second, the time from input to screen and the difference of the last frame from the"
+                    + " final picture, and close. Leave mouse and keyboard alone meanwhile.")
     private Double measure;
 
     @Option(
