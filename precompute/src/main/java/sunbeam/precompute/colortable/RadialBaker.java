@@ -25,7 +25,6 @@ public final class RadialBaker implements ColorBaker {
     /** Step between rays, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
 
-    private static final int SAMPLES_PER_TASK = 1 << 14;
     /** Distance in sigma_f beyond which bins are left out: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right. */
     private static final double FINE_REACH = 4.8;
     /** The same for averages over a pixel: exp(-reach^2) = 2e-5. */
@@ -92,7 +91,10 @@ public final class RadialBaker implements ColorBaker {
     }
 
     private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, ColorBaker.Token token) {
-        int[] tiles = tiles(uvw);
+        int[] tiles = IntStream.range(0, uvw.length / COLORS)
+                .parallel()
+                .map(sample -> tile(uvw[COLORS * sample], uvw[COLORS * sample + 1]))
+                .toArray();
         int middle = firstTiles[bands.size()];
         int[] ends = new int[middle + 1];
         for (int tile : tiles) {
@@ -151,22 +153,6 @@ public final class RadialBaker implements ColorBaker {
         if (failure.get() != null) {
             throw failure.get();
         }
-    }
-
-    private int[] tiles(float[] uvw) {
-        int[] tiles = new int[uvw.length / COLORS];
-        int tasks = (tiles.length + SAMPLES_PER_TASK - 1) / SAMPLES_PER_TASK;
-        IntStream.range(0, tasks).parallel().forEach(task -> {
-            int first = task * SAMPLES_PER_TASK;
-            int end = Math.min(tiles.length, first + SAMPLES_PER_TASK);
-            for (int i = first; i < end; i++) {
-                float u = uvw[COLORS * i];
-                float v = uvw[COLORS * i + 1];
-                boolean same = i > first && u == uvw[COLORS * i - COLORS] && v == uvw[COLORS * i - COLORS + 1];
-                tiles[i] = same ? tiles[i - 1] : tile(u, v);
-            }
-        });
-        return tiles;
     }
 
     private int tile(double u, double v) {
