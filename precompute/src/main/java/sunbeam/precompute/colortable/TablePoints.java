@@ -56,23 +56,12 @@ public record TablePoints(VisibleRange visible) {
         double margin = 2 * TileGrid.STORED_SIDE * design.step();
         if (light().isPresent()) {
             TableSpace space = new TableSpace.OneLight(light().get());
-            return new VisibleRange(
-                    visible.minimumU(),
-                    visible.maximumU(),
-                    visible.minimumV(),
-                    visible.maximumV(),
-                    -space.uvw(TableSpace.OneLight.HORIZON + margin, 0, 0)[2],
-                    visible.maximumW());
+            double least = -space.uvw(TableSpace.OneLight.HORIZON + margin, 0, 0)[2];
+            return visible.with(0, least, visible.maximumW());
         }
         // Refinement makes slices closer, so that they stay within this range.
         double slices = (TableDesign.TAPS + 1) * design.sliceStep();
-        return new VisibleRange(
-                visible.minimumU() - margin,
-                visible.maximumU() + margin,
-                visible.minimumV() - margin,
-                visible.maximumV() + margin,
-                Math.max(0, visible.minimumW() - slices),
-                Math.min(2, visible.maximumW() + slices));
+        return visible.with(margin, Math.max(0, visible.minimumW() - slices), Math.min(2, visible.maximumW() + slices));
     }
 
     public double farthest() {

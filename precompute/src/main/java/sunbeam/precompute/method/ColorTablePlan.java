@@ -139,12 +139,8 @@ public record ColorTablePlan(
                 .map(level -> level.interpolation().key())
                 .distinct()
                 .collect(Collectors.joining(" "));
-        return String.join(
-                "|",
-                "levelled table",
-                table.toString(),
-                filters,
-                finest.identity().get());
+        return "levelled table|" + table + "|" + filters + "|"
+                + finest.identity().get();
     }
 
     /** One texel per level: u of its first coefficient (v is equal), texels per unit of u, tiles across, scale of its power. */

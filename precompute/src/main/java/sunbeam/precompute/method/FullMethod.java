@@ -60,7 +60,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
                 Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()),
                 EnumSet.allOf(MethodUse.class),
-                () -> String.join("|", "full", surface.key(), plan.key(), fresnel.toString()),
+                () -> "full|" + surface.key() + "|" + plan.key() + "|" + fresnel,
                 (use, sources) ->
                         fresnel.applyTo(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }

@@ -92,7 +92,7 @@ public record GemMethod(
                 new MemoryNeed(0, List.of()),
                 // The formula has no power at a single wavelength.
                 EnumSet.of(MethodUse.COLOR),
-                () -> String.join("|", "gem", Double.toString(period), toString()),
+                () -> "gem|" + period + "|" + this,
                 (use, sources) -> tables(period, count));
     }
 

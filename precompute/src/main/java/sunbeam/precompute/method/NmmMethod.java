@@ -86,8 +86,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()).and(ownLayout(weighted)),
                 EnumSet.allOf(MethodUse.class),
-                () -> String.join(
-                        "|", "nmm", Boolean.toString(weighted), surface.key(), plan.key(), fresnel.toString()),
+                () -> "nmm|" + weighted + "|" + surface.key() + "|" + plan.key() + "|" + fresnel,
                 (use, sources) ->
                         tables(surface, plan, plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
     }

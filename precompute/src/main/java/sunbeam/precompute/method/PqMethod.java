@@ -168,16 +168,8 @@ public record PqMethod(
                     Optional.empty(),
                     memory(),
                     EnumSet.allOf(MethodUse.class),
-                    () -> String.join(
-                            "|",
-                            "pq",
-                            surface.key(),
-                            expansion.key(),
-                            range.toString(),
-                            method.interpolation.toString(),
-                            replicas.toString(),
-                            Integer.toString(wavelengths.count()),
-                            method.fresnel.toString()),
+                    () -> "pq|" + surface.key() + "|" + expansion.key() + "|" + range + "|" + method.interpolation + "|"
+                            + replicas + "|" + wavelengths.count() + "|" + method.fresnel,
                     (use, sources) -> tables());
         }
 

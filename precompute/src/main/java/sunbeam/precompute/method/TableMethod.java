@@ -126,14 +126,9 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     Optional.empty(),
                     memory,
                     EnumSet.of(MethodUse.COLOR),
-                    () -> String.join(
-                            "|",
-                            "validated table 6",
-                            String.valueOf(method.tolerance()),
-                            coarsest.toString(),
-                            points.key(),
-                            Interpolation.CUBIC.key(),
-                            source.identity().get()),
+                    () -> "validated table 6|" + method.tolerance() + "|" + coarsest + "|" + points.key() + "|"
+                            + Interpolation.CUBIC.key() + "|"
+                            + source.identity().get(),
                     this::tables);
         }
 

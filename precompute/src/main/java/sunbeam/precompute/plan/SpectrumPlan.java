@@ -67,14 +67,7 @@ public record SpectrumPlan(
 
     /** Returns a text that determines the tables of one patch; different numbers have different texts. */
     public String key() {
-        return String.join(
-                "|",
-                expansion.key(),
-                bandX.toString(),
-                bandY.toString(),
-                range.toString(),
-                area.toString(),
-                sampling.toString());
+        return expansion.key() + "|" + bandX + "|" + bandY + "|" + range + "|" + area + "|" + sampling;
     }
 
     public String summary() {

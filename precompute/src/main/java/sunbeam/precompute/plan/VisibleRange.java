@@ -58,6 +58,12 @@ public record VisibleRange(
                 u.getMin(), u.getMax(), v.getMin(), v.getMax(), w.getMin(), w.getMax(), Optional.empty(), pairs);
     }
 
+    /** Returns the range with a margin in u and v, and other limits of |w|. */
+    public VisibleRange with(double margin, double leastW, double largestW) {
+        return new VisibleRange(
+                minimumU - margin, maximumU + margin, minimumV - margin, maximumV + margin, leastW, largestW);
+    }
+
     /** True if single points can occur alone, as in maps and lists, so that a table may hold only those. */
     public boolean hasPoints() {
         return light.isPresent() || !pairs.isEmpty();

@@ -60,12 +60,6 @@ public interface Expansion {
     double error();
 
     default String key() {
-        return String.join(
-                "|",
-                ValueKind.name(kind()),
-                Integer.toString(terms()),
-                scale().toString(),
-                Double.toString(minimumPhase()),
-                Double.toString(maximumPhase()));
+        return ValueKind.name(kind()) + "|" + terms() + "|" + scale() + "|" + minimumPhase() + "|" + maximumPhase();
     }
 }

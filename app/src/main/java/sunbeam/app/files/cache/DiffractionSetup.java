@@ -201,12 +201,8 @@ public record DiffractionSetup(
     }
 
     private static String tilesKey(ColorTablePlan plan) {
-        return String.join(
-                "|",
-                "tiles " + ShaderTablesFile.VERSION,
-                plan.plan().key(MethodUse.COLOR),
-                String.valueOf(plan.tolerance()),
-                plan.spectrum().map(SpectrumPlan::key).orElse(""));
+        return "tiles " + ShaderTablesFile.VERSION + "|" + plan.plan().key(MethodUse.COLOR) + "|" + plan.tolerance()
+                + "|" + plan.spectrum().map(SpectrumPlan::key).orElse("");
     }
 
     private CachedTiles openTiles(Path file, String key, ColorTablePlan plan) {
