@@ -64,8 +64,8 @@ public final class OrderSpectrum {
         bandY = visibleBins(map.rows(), height);
         HeightLevels levels = HeightLevels.of(map);
         scale = HeightScale.midRange(levels);
-        Expansion expansion = LowRankExpansion.within(
-                levels, scale, 0, scale.phase(CieTable.MINIMUM_WAVELENGTH, LARGEST_W), TOLERANCE);
+        Expansion expansion = LowRankExpansion.of(
+                levels, scale, 0, scale.phase(CieTable.MINIMUM_WAVELENGTH, LARGEST_W), TOLERANCE, Integer.MAX_VALUE);
         coefficients = CoefficientTable.sampled(expansion);
         values = values(FourierTable.of(levels, expansion, bandX, bandY, terms -> {}));
     }

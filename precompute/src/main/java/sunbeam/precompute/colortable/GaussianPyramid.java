@@ -147,44 +147,36 @@ public final class GaussianPyramid {
     }
 
     /** Interpolates {@link #stride} terms per plane, in planes {@code first .. end - 1}, at a frequency in cycles per meter. */
-    void at(double x, double y, int first, int end, float[] terms) {
+    void at(double frequencyX, double frequencyY, int first, int end, float[] terms) {
         for (int i = first; i < end; i++) {
             Plane plane = planes.get(i);
-            double column = node(x, plane);
-            double row = node(y, plane);
+            float[] powers = plane.powers;
+            double column = node(frequencyX, plane);
+            double row = node(frequencyY, plane);
             int width = plane.side() * stride;
-            int firstRow = (int) (row - 0.5);
-            int at = (firstRow * plane.side() + (int) (column - 0.5)) * stride;
-            add(
-                    plane.powers,
-                    at,
-                    width,
-                    (float) (column - (int) (column + 0.5)),
-                    (float) (row - (int) (row + 0.5)),
-                    terms,
-                    (i - first) * stride);
+            // Weights of nine nodes, by the offsets, -0.5 to 0.5, from the middle one.
+            float x = (float) (column - (int) (column + 0.5));
+            float y = (float) (row - (int) (row + 0.5));
+            float x0 = 0.5f * (0.5f - x) * (0.5f - x);
+            float x1 = 0.75f - x * x;
+            float x2 = 1 - x0 - x1;
+            float y0 = 0.5f * (0.5f - y) * (0.5f - y);
+            float y1 = 0.75f - y * y;
+            float y2 = 1 - y0 - y1;
+            int above = ((int) (row - 0.5) * plane.side() + (int) (column - 0.5)) * stride;
+            int to = (i - first) * stride;
+            for (int m = 0; m < stride; m++, above++) {
+                int middle = above + width;
+                int below = middle + width;
+                terms[to + m] = y0
+                                * (x0 * powers[above] + x1 * powers[above + stride] + x2 * powers[above + 2 * stride])
+                        + y1 * (x0 * powers[middle] + x1 * powers[middle + stride] + x2 * powers[middle + 2 * stride])
+                        + y2 * (x0 * powers[below] + x1 * powers[below + stride] + x2 * powers[below + 2 * stride]);
+            }
         }
     }
 
     private static double node(double frequency, Plane plane) {
         return Math.max(1, Math.min(plane.side() - NODES + 1, frequency / plane.spacing + plane.half));
-    }
-
-    /** Interpolates between nine nodes, by the offset, -0.5 to 0.5, from the middle one. */
-    private void add(float[] powers, int first, int width, float x, float y, float[] terms, int to) {
-        float x0 = 0.5f * (0.5f - x) * (0.5f - x);
-        float x1 = 0.75f - x * x;
-        float x2 = 1 - x0 - x1;
-        float y0 = 0.5f * (0.5f - y) * (0.5f - y);
-        float y1 = 0.75f - y * y;
-        float y2 = 1 - y0 - y1;
-        for (int m = 0; m < stride; m++) {
-            int above = first + m;
-            int middle = above + width;
-            int below = middle + width;
-            terms[to + m] = y0 * (x0 * powers[above] + x1 * powers[above + stride] + x2 * powers[above + 2 * stride])
-                    + y1 * (x0 * powers[middle] + x1 * powers[middle + stride] + x2 * powers[middle + 2 * stride])
-                    + y2 * (x0 * powers[below] + x1 * powers[below + stride] + x2 * powers[below + 2 * stride]);
-        }
     }
 }

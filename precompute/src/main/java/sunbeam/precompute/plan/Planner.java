@@ -94,21 +94,15 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
+        Optional<Integer> terms = thesis ? Optional.of(choices.terms().orElse(THESIS_TERMS)) : choices.terms();
+        double tolerance = terms.isPresent() ? -1 : budget.expansion();
         if (kind == Expansion.Kind.LOWRANK) {
             PlanChecks.requireExpandable(scale, maximum);
+            return LowRankExpansion.of(heights, scale, minimum, maximum, tolerance, terms.orElse(Integer.MAX_VALUE));
         }
-        if (choices.terms().isPresent() || thesis) {
-            int terms = choices.terms().orElse(THESIS_TERMS);
-            return switch (kind) {
-                case TAYLOR -> PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms, maximum));
-                case LOWRANK -> LowRankExpansion.ofTerms(heights, scale, minimum, maximum, terms);
-            };
-        }
-        double tolerance = budget.expansion();
-        return switch (kind) {
-            case TAYLOR -> PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), budget.tolerance());
-            case LOWRANK -> LowRankExpansion.within(heights, scale, minimum, maximum, tolerance);
-        };
+        return terms.isPresent()
+                ? PlanChecks.withinFloatRange(new TaylorExpansion(scale, terms.get(), maximum))
+                : PlanChecks.accurate(TaylorExpansion.within(scale, maximum, tolerance), budget.tolerance());
     }
 
     private record Samplings(

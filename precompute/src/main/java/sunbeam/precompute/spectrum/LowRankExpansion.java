@@ -21,7 +21,8 @@ public record LowRankExpansion(
     // Relative to the largest coefficient of all terms: a hundredth of a double's rounding.
     private static final double SMALLEST_SIGNIFICANT = 1e-18;
 
-    private static LowRankExpansion of(
+    /** Returns the fewest terms, at most {@code mostTerms}, whose rms error over heights and phases is within a tolerance. */
+    public static LowRankExpansion of(
             HeightLevels heights,
             HeightScale scale,
             double minimumPhase,
@@ -56,17 +57,6 @@ public record LowRankExpansion(
                 errors[terms],
                 functions,
                 Arrays.stream(series).map(one -> Arrays.copyOf(one, length)).toArray(double[][]::new));
-    }
-
-    /** Returns the fewest terms whose root mean square error over heights and phases is within a tolerance. */
-    public static LowRankExpansion within(
-            HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, double tolerance) {
-        return of(heights, scale, minimumPhase, maximumPhase, tolerance, Integer.MAX_VALUE);
-    }
-
-    public static LowRankExpansion ofTerms(
-            HeightLevels heights, HeightScale scale, double minimumPhase, double maximumPhase, int terms) {
-        return of(heights, scale, minimumPhase, maximumPhase, Double.NEGATIVE_INFINITY, terms);
     }
 
     /** Real and imaginary parts of exp(-i zeta s) are separate rows, so that the functions of the phase are real. */

@@ -51,7 +51,7 @@ class ExpansionTest {
         HeightScale scale = HeightScale.midRange(heights);
         double maximum = scale.phase(SHORTEST_WAVELENGTH, 2);
         for (double tolerance : new double[] {1e-3, 1e-6}) {
-            LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0, maximum, tolerance);
+            LowRankExpansion expansion = LowRankExpansion.of(heights, scale, 0, maximum, tolerance, Integer.MAX_VALUE);
             double square = meanSquaredError(expansion, map, maximum);
             assertThat(expansion.error()).isLessThanOrEqualTo(tolerance);
             // Both sum some thousand squares of differences of numbers near 1.
@@ -95,7 +95,8 @@ class ExpansionTest {
         HeightLevels heights =
                 HeightLevels.of(Surfaces.of(SIDE, SIDE, 2e-6, (x, y) -> 20e-6 * Math.floor(x / 16.5e-6)));
         HeightScale scale = HeightScale.midRange(heights);
-        Expansion expansion = LowRankExpansion.within(heights, scale, 0, scale.phase(SHORTEST_WAVELENGTH, 2), 1e-6);
+        Expansion expansion =
+                LowRankExpansion.of(heights, scale, 0, scale.phase(SHORTEST_WAVELENGTH, 2), 1e-6, Integer.MAX_VALUE);
         CoefficientTable table = CoefficientTable.sampled(expansion);
         // Coefficients of these two levels are at most 2.
         double rounding = 2 * 0.5 * Math.ulp((float) expansion.maximumPhase());

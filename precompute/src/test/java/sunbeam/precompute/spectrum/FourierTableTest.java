@@ -84,7 +84,7 @@ class FourierTableTest {
         HeightLevels heights = HeightLevels.of(map);
         HeightScale scale = HeightScale.mean(heights);
         Expansion expansion = lowRank
-                ? LowRankExpansion.ofTerms(heights, scale, 0, MAXIMUM_PHASE, terms)
+                ? LowRankExpansion.of(heights, scale, 0, MAXIMUM_PHASE, -1, terms)
                 : new TaylorExpansion(scale, terms, MAXIMUM_PHASE);
         Band band = Band.of(-3, 4);
         FourierTable table = FourierTable.of(heights, expansion, band, band, done -> {});
@@ -129,7 +129,7 @@ class FourierTableTest {
     void filesDescribeTheirTableCompletely() {
         HeightLevels heights = HeightLevels.of(Surfaces.random(12, 10, 50e-9, 300e-9, 1));
         HeightScale scale = HeightScale.midRange(heights);
-        LowRankExpansion expansion = LowRankExpansion.within(heights, scale, 0, 5, 1e-3);
+        LowRankExpansion expansion = LowRankExpansion.of(heights, scale, 0, 5, 1e-3, Integer.MAX_VALUE);
         FourierTable table = FourierTable.of(heights, expansion, Band.of(-2, 3), Band.of(-4, 1), done -> {});
         Path file = folder.resolve("table.h5");
 
