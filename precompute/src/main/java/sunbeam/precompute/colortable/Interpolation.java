@@ -6,42 +6,13 @@ import sunbeam.precompute.numerics.SplineFilter;
 /** Filter between texels, of square roots of X, Y and Z: ringing beside a peak would hide powers of 1e-6, but not roots of 1e-3. */
 public enum Interpolation {
     /** Cubic B-splines (Unser, see {@link SplineFilter}): 16 coefficients per look-up. */
-    CUBIC("cubicXyz", 0, LevelBaking.MARGIN) {
-        @Override
-        void toCoefficients(float[] plane, int rows, int columns) {
-            SplineFilter.alongColumns(plane, rows, columns, SplineFilter.CUBIC);
-        }
-
-        @Override
-        double[] weights(double t) {
-            double s = 1 - t;
-            return new double[] {
-                s * s * s / 6, 2.0 / 3 - 0.5 * t * t * (2 - t), 2.0 / 3 - 0.5 * s * s * (2 - s), t * t * t / 6
-            };
-        }
-    },
+    CUBIC("cubicXyz", 0, LevelBaking.MARGIN),
     /**
      * Linear interpolation with knots shifted by a fifth of a texel (T. Blu, P. Thevenaz and M. Unser, "Linear interpolation revitalized",
      * IEEE Transactions on Image Processing 13 (2004)): the closest piecewise linear fit, where lines between samples would err 2.4 times
      * as much. 4 coefficients per look-up.
      */
-    SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0) {
-        @Override
-        void toCoefficients(float[] plane, int rows, int columns) {
-            float pole = (float) (-shift() / (1 - shift()));
-            float gain = (float) (1 / (1 - shift()));
-            for (int at = columns; at < rows * columns; at += columns) {
-                for (int i = 0; i < columns; i++) {
-                    plane[at + i] = gain * plane[at + i] + pole * plane[at - columns + i];
-                }
-            }
-        }
-
-        @Override
-        double[] weights(double t) {
-            return new double[] {0, 1 - t, t, 0};
-        }
-    };
+    SHIFTED_LINES("linearXyz", 0.5 * (1 - 1 / Math.sqrt(3)), 0);
 
     // A spline's prefilter needs at least 11 samples.
     private static final int KEY_SAMPLES = 16;
@@ -77,8 +48,27 @@ public enum Interpolation {
     }
 
     /** Prefilters {@code rows * columns} samples along columns, in place; splines need at least 11 rows. */
-    abstract void toCoefficients(float[] plane, int rows, int columns);
+    void toCoefficients(float[] plane, int rows, int columns) {
+        if (this == CUBIC) {
+            SplineFilter.alongColumns(plane, rows, columns, SplineFilter.CUBIC);
+            return;
+        }
+        float pole = (float) (-shift / (1 - shift));
+        float gain = (float) (1 / (1 - shift));
+        for (int at = columns; at < rows * columns; at += columns) {
+            for (int i = 0; i < columns; i++) {
+                plane[at + i] = gain * plane[at + i] + pole * plane[at - columns + i];
+            }
+        }
+    }
 
     /** Returns the weights of four coefficients at t, 0..1, from the second to the third. */
-    abstract double[] weights(double t);
+    double[] weights(double t) {
+        double s = 1 - t;
+        return this == CUBIC
+                ? new double[] {
+                    s * s * s / 6, 2.0 / 3 - 0.5 * t * t * (2 - t), 2.0 / 3 - 0.5 * s * s * (2 - s), t * t * t / 6
+                }
+                : new double[] {0, s, t, 0};
+    }
 }
