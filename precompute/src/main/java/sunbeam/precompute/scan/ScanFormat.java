@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** File format of scans, found by content, with a name for messages. */
-public record ScanFormat(String name, Check check, Opener opener) {
+public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanChannel>> opener) {
     private static final ScanFormat PICTURE =
             new ScanFormat("image", PictureReader::recognizes, PictureReader::channels);
 
@@ -30,30 +30,24 @@ public record ScanFormat(String name, Check check, Opener opener) {
             new ScanFormat("Park Systems TIFF", TiffTagReaders::isPark, TiffTagReaders::park),
             new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave));
 
-    /** Fast test; throws no exception for any content. */
+    /** Fast test without exceptions for any content, or reader of a header, whose samples can be read while the file is open. */
     @FunctionalInterface
-    public interface Check {
-        boolean recognizes(ScanBytes file) throws IOException;
+    public interface Reading<T> {
+        T read(ScanBytes file) throws IOException;
     }
 
-    @FunctionalInterface
-    public interface Opener {
-        /** Reads the header; samples can be read while the file is open. Throws ScanException if the file cannot be used. */
-        List<ScanChannel> channels(ScanBytes file) throws IOException;
-    }
-
-    private static ScanFormat of(String name, Opener opener, String... magics) {
+    private static ScanFormat of(String name, Reading<List<ScanChannel>> opener, String... magics) {
         return new ScanFormat(name, file -> file.startsWith(magics), opener);
     }
 
     public ChannelList open(ScanBytes file) throws IOException {
-        return new ChannelList(opener.channels(file));
+        return new ChannelList(opener.read(file));
     }
 
     /** Finds a reader by content; the mark is the user's choice for texts. */
     public static Optional<ScanFormat> find(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
         for (ScanFormat reader : ALL) {
-            if (reader.check().recognizes(file)) {
+            if (reader.check.read(file)) {
                 return Optional.of(reader);
             }
         }
@@ -61,7 +55,7 @@ public record ScanFormat(String name, Check check, Opener opener) {
         if (text.recognizes(file)) {
             return Optional.of(new ScanFormat("text", text::recognizes, text::channels));
         }
-        return PICTURE.check().recognizes(file) ? Optional.of(PICTURE) : Optional.empty();
+        return PICTURE.check.read(file) ? Optional.of(PICTURE) : Optional.empty();
     }
 
     public boolean isPicture() {

@@ -119,14 +119,9 @@ final class TextHeaderReaders {
             throw new ScanException("stores samples as " + mode + ", " + sign + "; export it in another format");
         }
         boolean little = section.text("SaveOrder", "Intel").equals("Intel");
+        ByteOrder order = little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
         SampleType type = SampleType.signed(bits);
-        Samples samples = Samples.of(
-                file,
-                offset,
-                section.count("Points"),
-                section.count("Lines"),
-                type,
-                little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        Samples samples = Samples.of(file, offset, section.count("Points"), section.count("Lines"), type, order);
         String unit = section.text("Dim0Unit", "");
         if (section.text("Dim1Unit", "").equals(unit)) {
             double range = section.number("Dim2Range");

@@ -38,13 +38,9 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         TextFile.Facts facts = text.facts();
         TextNumbers numbers = text.numbers();
         boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
-        if (!matrix && numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT) {
-            Optional<ScanChannel> points = points(text, numbers);
-            if (points.isPresent()) {
-                return List.of(points.get());
-            }
-        }
-        return List.of(matrix(facts, numbers));
+        boolean three = numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT;
+        Optional<ScanChannel> points = three && !matrix ? points(text, numbers) : Optional.empty();
+        return List.of(points.orElseGet(() -> matrix(facts, numbers)));
     }
 
     private static ScanChannel matrix(TextFile.Facts facts, TextNumbers numbers) {
@@ -171,16 +167,12 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         static Optional<PointGrid> of(double[] x, double[] y, double[] z) {
             Optional<Axis> columns = Axis.of(x);
             Optional<Axis> rows = columns.isEmpty() ? Optional.empty() : Axis.of(y);
-            if (rows.isEmpty()) {
+            if (rows.isEmpty() || (long) columns.get().count * rows.get().count > x.length / MOST_MISSING) {
                 return Optional.empty();
             }
             Axis axisX = columns.get();
             Axis axisY = rows.get();
-            long cells = (long) axisX.count * axisY.count;
-            if (cells > x.length / MOST_MISSING) {
-                return Optional.empty();
-            }
-            double[] heights = new double[(int) cells];
+            double[] heights = new double[axisX.count * axisY.count];
             boolean[] taken = new boolean[heights.length];
             Arrays.fill(heights, Double.NaN);
             for (int i = 0; i < x.length; i++) {

@@ -60,7 +60,8 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
                 return reader;
             }
         }
-        throw wrong(file, "is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
+        throw new InputException(
+                what + " " + file + " is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
     }
 
     private BufferedImage read(Path file, ImageReader reader, ImageInputStream stream, long heapBytes)
@@ -74,9 +75,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
             Optional<String> missing = warnings.stream()
                     .filter(warning -> MISSING.matcher(warning).find())
                     .findFirst();
-            if (missing.isPresent()) {
-                throw wrong(file, "is damaged (" + missing.get() + "); export it again");
-            }
+            refuseIf(missing.isPresent(), file, "is damaged (" + missing.orElse("") + "); export it again");
             return image;
         } catch (InputException refused) {
             throw refused;
@@ -88,46 +87,32 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
         }
     }
 
-    private InputException wrong(Path file, String problem) {
-        return new InputException(what + " " + file + " " + problem);
+    private void refuseIf(boolean condition, Path file, String problem) {
+        InputException.refuseIf(condition, what + " " + file + " " + problem);
     }
 
     private void requireSize(Path file, ImageReader reader, long heapBytes) throws IOException {
         int width = reader.getWidth(0);
         int height = reader.getHeight(0);
-        if (width < 1 || height < 1 || width > largestSide || height > largestSide) {
-            throw wrong(
-                    file,
-                    "has " + width + " x " + height + " pixels; make it at most " + largestSide + " x " + largestSide);
-        }
-        if ((long) width * height > mostPixels) {
-            throw wrong(
-                    file,
-                    "has " + width + " x " + height + " pixels; make it smaller, " + mostPixels / 1_000_000
-                            + " million at most");
-        }
+        String size = "has " + width + " x " + height + " pixels";
+        boolean fits = width > 0 && height > 0 && width <= largestSide && height <= largestSide;
+        refuseIf(!fits, file, size + "; make it at most " + largestSide + " x " + largestSide);
+        String most = mostPixels / 1_000_000 + " million at most";
+        refuseIf((long) width * height > mostPixels, file, size + "; make it smaller, " + most);
         // A tile, which takes memory, may be larger than the picture.
+        String tile = reader.getTileWidth(0) + " x " + reader.getTileHeight(0) + " pixels";
         long pixels = Math.max((long) width * height, (long) reader.getTileWidth(0) * reader.getTileHeight(0));
-        if (pixels > mostPixels) {
-            throw wrong(
-                    file,
-                    "has tiles of " + reader.getTileWidth(0) + " x " + reader.getTileHeight(0)
-                            + " pixels; save it without tiles");
-        }
+        refuseIf(pixels > mostPixels, file, "has tiles of " + tile + "; save it without tiles");
         Iterator<ImageTypeSpecifier> types = reader.getImageTypes(0);
-        if (!types.hasNext()) {
-            throw wrong(file, "has pixels of an unknown kind; convert it to PNG or JPEG");
-        }
+        refuseIf(!types.hasNext(), file, "has pixels of an unknown kind; convert it to PNG or JPEG");
         SampleModel model = types.next().getSampleModel();
         long bytesPerPixel =
                 (long) model.getNumDataElements() * DataBuffer.getDataTypeSize(model.getDataType()) / Byte.SIZE
                         + workingBytes;
-        if (pixels > heapBytes / bytesPerPixel) {
-            throw wrong(
-                    file,
-                    "has " + width + " x " + height
-                            + " pixels, too many for Java's memory; make it smaller, or give more with"
-                            + " SUNBEAM_JAVA_OPTIONS=-Xmx" + 2 * (heapBytes >> 20) + "m");
-        }
+        refuseIf(
+                pixels > heapBytes / bytesPerPixel,
+                file,
+                size + ", too many for Java's memory; make it smaller, or give more with SUNBEAM_JAVA_OPTIONS=-Xmx"
+                        + 2 * (heapBytes >> 20) + "m");
     }
 }

@@ -4,7 +4,6 @@ import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -81,30 +80,23 @@ public final class PngText {
     }
 
     private static void addEntry(Map<String, String> text, String type, byte[] data) {
-        int keywordEnd = indexOfZero(data, 0);
-        String keyword = string(data, 0, keywordEnd, StandardCharsets.ISO_8859_1);
+        String latin = new String(data, StandardCharsets.ISO_8859_1);
+        int keywordEnd = end(latin, 0);
+        String keyword = latin.substring(0, keywordEnd);
         if (type.equals("tEXt")) {
-            text.put(keyword, string(data, keywordEnd + 1, data.length, StandardCharsets.ISO_8859_1));
+            text.put(keyword, latin.substring(keywordEnd + 1));
             return;
         }
         // iTXt: keyword, 0, compression flag, compression method, language, 0, translated keyword, 0, text.
         InputException.refuseIf(
                 keywordEnd + 1 >= data.length || data[keywordEnd + 1] != 0, "the text '" + keyword + "' is compressed");
-        int languageEnd = indexOfZero(data, keywordEnd + 3);
-        int translatedEnd = indexOfZero(data, languageEnd + 1);
-        text.put(keyword, string(data, translatedEnd + 1, data.length, StandardCharsets.UTF_8));
+        int start = end(latin, end(latin, keywordEnd + 3) + 1) + 1;
+        text.put(keyword, new String(data, start, data.length - start, StandardCharsets.UTF_8));
     }
 
-    private static int indexOfZero(byte[] data, int from) {
-        for (int index = from; index < data.length; index++) {
-            if (data[index] == 0) {
-                return index;
-            }
-        }
-        throw new InputException("its text has no end of a keyword");
-    }
-
-    private static String string(byte[] data, int from, int to, Charset charset) {
-        return new String(data, from, to - from, charset);
+    private static int end(String text, int from) {
+        int end = text.indexOf(0, from);
+        InputException.refuseIf(end < 0, "its text has no end of a keyword");
+        return end;
     }
 }

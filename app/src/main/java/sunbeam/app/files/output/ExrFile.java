@@ -15,24 +15,14 @@ import java.util.zip.Deflater;
  *
  * @param channels one letter each, in the order of the samples: against the alphabet, in which the file has them
  */
-public record ExrFile(int width, int height, String channels, Type type, Samples samples, String comments) {
+public record ExrFile(int width, int height, String channels, int type, Samples samples, String comments) {
     private static final int MAGIC = 20000630;
     private static final int VERSION = 2;
     private static final int ZIP = 3;
     private static final int BLOCK_LINES = 16;
-
-    enum Type {
-        HALF(1, Short.BYTES),
-        FLOAT(2, Float.BYTES);
-
-        private final int number;
-        private final int bytes;
-
-        Type(int number, int bytes) {
-            this.number = number;
-            this.bytes = bytes;
-        }
-    }
+    // Types of samples; their bytes are twice these numbers.
+    private static final int HALF = 1;
+    private static final int FLOAT = 2;
 
     /** Row by row from the top, the channels of a pixel side by side. */
     interface Samples {
@@ -41,12 +31,12 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
 
     /** Returns a file of red, green and blue as bits of half floats, row by row from the top. */
     public static ExrFile ofHalves(int width, int height, short[] rgb, String comments) {
-        return new ExrFile(width, height, "RGB", Type.HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
+        return new ExrFile(width, height, "RGB", HALF, (index, bytes) -> bytes.putShort(rgb[index]), comments);
     }
 
     /** Returns a file of red, green, blue and alpha, row by row from the top. */
     public static ExrFile ofFloats(int width, int height, float[] rgba, String comments) {
-        return new ExrFile(width, height, "RGBA", Type.FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
+        return new ExrFile(width, height, "RGBA", FLOAT, (index, bytes) -> bytes.putFloat(rgba[index]), comments);
     }
 
     public void write(OutputStream stream) throws IOException {
@@ -74,7 +64,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
         ByteArrayOutputStream list = new ByteArrayOutputStream();
         for (int channel = channels.length() - 1; channel >= 0; channel--) {
             list.write(text(channels.substring(channel, channel + 1)));
-            list.write(ints(type.number, 0, 1, 1));
+            list.write(ints(type, 0, 1, 1));
         }
         list.write(0);
         attribute(header, "channels", "chlist", list.toByteArray());
@@ -103,7 +93,7 @@ public record ExrFile(int width, int height, String channels, Type type, Samples
     private byte[] block(int from, int to) {
         int count = channels.length();
         ByteBuffer lines =
-                ByteBuffer.allocate((to - from) * width * count * type.bytes).order(ByteOrder.LITTLE_ENDIAN);
+                ByteBuffer.allocate((to - from) * width * count * 2 * type).order(ByteOrder.LITTLE_ENDIAN);
         for (int line = from; line < to; line++) {
             for (int channel = count - 1; channel >= 0; channel--) {
                 for (int x = 0; x < width; x++) {

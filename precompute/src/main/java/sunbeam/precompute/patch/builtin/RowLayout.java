@@ -46,13 +46,9 @@ record RowLayout(
             for (int i = 0; i < places; i++) {
                 line[i] += starts[row];
             }
-            placed[row] = FingerRow.of(
-                    centers[row],
-                    normals(centers[row].length, tipSpread, noise),
-                    normals(centers[row].length, heightSpread, noise),
-                    line,
-                    side,
-                    shape);
+            double[] tips = normals(centers[row].length, tipSpread, noise);
+            double[] lifts = normals(centers[row].length, heightSpread, noise);
+            placed[row] = FingerRow.of(centers[row], tips, lifts, line, side, shape);
         }
         return placed;
     }
