@@ -136,11 +136,11 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
 
     /** Scales by the file's values, completed by choices, which may repeat but not contradict them. */
     private static HeightMap scaled(Path file, ScanChannel channel, Choices choices) throws IOException {
-        Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices, file);
-        Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices, file);
+        Optional<Double> width = agreed(WIDTH, channel.extent().width(), choices.find(WIDTH), file);
+        Optional<Double> height = agreed(HEIGHT, channel.extent().height(), choices.find(HEIGHT), file);
         Optional<Double> chosen = choices.find(HEIGHT_UNIT).flatMap(Extent::metersPer);
         Optional<Double> unit = agreed(HEIGHT_UNIT, channel.metersPerUnit(), chosen, file);
-        Optional<Double> fullScale = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices, file);
+        Optional<Double> fullScale = agreed(MAX_HEIGHT, channel.metersPerUnit(), choices.find(MAX_HEIGHT), file);
         boolean fromFullScale = channel.unit().equals(ScanChannel.FULL_SCALE);
         requireOne(choices, fromFullScale);
         Optional<Double> metersPerUnit = unit.or(() -> fullScale);
@@ -159,20 +159,11 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                             + Lengths.format(Plausibility.LARGEST_RELIEF) + " (is the unit right?)");
         }
         Setting<?> from = choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT;
-        HeightMap map = new HeightMap(
-                channel.columns(),
-                channel.rows(),
-                pitchX,
-                pitchY,
-                channel.samples().scale(metersPerUnit.get(), 0).read());
-        Plausibility.requireRelief(
-                map, channel.metersPerUnit().isPresent() ? Optional.empty() : Optional.of(from), file);
+        double[] heights = channel.samples().scale(metersPerUnit.get(), 0).read();
+        HeightMap map = new HeightMap(channel.columns(), channel.rows(), pitchX, pitchY, heights);
+        boolean scaled = channel.metersPerUnit().isEmpty();
+        Plausibility.requireRelief(map, scaled ? Optional.of(from) : Optional.empty(), file);
         return map;
-    }
-
-    private static Optional<Double> agreed(
-            Setting<Double> setting, Optional<Double> known, Choices choices, Path file) {
-        return agreed(setting, known, choices.find(setting), file);
     }
 
     private static Optional<Double> agreed(
@@ -207,11 +198,10 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
         String what = "is missing: " + file + lacks + "; add for example ";
         String heights = (fromFullScale ? " 375nm" : " nm") + (fromFullScale ? ", or name a descriptor (.json)" : "");
         String sides = fromFullScale ? " 65um" : " 20um";
-        if (!width) {
-            return new SettingException(ofHeights, what, ofHeights, heights);
-        }
-        return unit
-                ? new SettingException(WIDTH, what, WIDTH, sides + " and ", ofHeights, heights)
-                : new SettingException(WIDTH, what, WIDTH, sides);
+        return !width
+                ? new SettingException(ofHeights, what, ofHeights, heights)
+                : unit
+                        ? new SettingException(WIDTH, what, WIDTH, sides + " and ", ofHeights, heights)
+                        : new SettingException(WIDTH, what, WIDTH, sides);
     }
 }

@@ -70,16 +70,10 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
         Plausibility.pitch(prepared.surface()).ifPresent(warnings::add);
         // Before blending, which bends the border.
         ModelError.of(prepared.scan()).warning().ifPresent(warnings::add);
-        return new Patch(
-                name,
-                prepared.surface(),
-                prepared.scan(),
-                read.source() + ", " + String.join(", ", prepared.steps()),
-                read.channels(),
-                read.notes(),
-                warnings,
-                faults,
-                repetition);
+        String source = read.source() + ", " + String.join(", ", prepared.steps());
+        HeightMap surface = prepared.surface();
+        HeightMap scan = prepared.scan();
+        return new Patch(name, surface, scan, source, read.channels(), read.notes(), warnings, faults, repetition);
     }
 
     private Patch.Repetition repetition(HeightMap measured) {

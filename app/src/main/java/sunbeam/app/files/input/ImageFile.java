@@ -60,8 +60,7 @@ public record ImageFile(String what, int largestSide, int mostPixels, int workin
                 return reader;
             }
         }
-        throw new InputException(
-                what + " " + file + " is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
+        throw new InputException(what + " " + file + " is no PNG, JPEG, BMP, GIF or TIFF; convert it to PNG or JPEG");
     }
 
     private BufferedImage read(Path file, ImageReader reader, ImageInputStream stream, long heapBytes)

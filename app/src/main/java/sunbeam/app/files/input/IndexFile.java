@@ -38,15 +38,12 @@ public final class IndexFile {
         NavigableMap<Double, Double> real = new TreeMap<>();
         NavigableMap<Double, Double> imaginary = new TreeMap<>();
         List<String> header = List.of();
-        int number = 0;
-        for (String line : lines) {
-            number++;
-            List<String> fields = List.of(line.strip().split("\\s*,\\s*", -1));
-            if (line.isBlank()) {
-                continue;
-            }
-            if (fields.get(0).equals("wl")) {
-                header = fields;
+        for (int number = 1; number <= lines.size(); number++) {
+            String line = lines.get(number - 1).strip();
+            List<String> fields = List.of(line.split("\\s*,\\s*", -1));
+            boolean isHeader = fields.get(0).equals("wl");
+            header = isHeader ? fields : header;
+            if (isHeader || line.isEmpty()) {
                 continue;
             }
             if (header.size() < 2 || fields.size() != header.size()) {
@@ -91,11 +88,7 @@ public final class IndexFile {
     }
 
     private static double number(int line, String field) {
-        double value = Decimals.parse(field).orElse(Double.NaN);
-        if (Double.isNaN(value)) {
-            throw unusable(line, "'" + field + "' is not a number");
-        }
-        return value;
+        return Decimals.parse(field).orElseThrow(() -> unusable(line, "'" + field + "' is not a number"));
     }
 
     private static InputException unusable(int line, String problem) {

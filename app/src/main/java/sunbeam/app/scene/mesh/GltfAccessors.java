@@ -70,18 +70,15 @@ final class GltfAccessors {
     /** Returns at most three times {@link RawMesh.Builder#MOST_ELEMENTS}, the corners of as many triangles. */
     int count(Integer index) {
         Integer count = accessor(index).getCount();
-        if (count == null || count > MOST_ELEMENTS) {
-            throw wrong(
-                    index, "has " + count + " elements; 1 to " + MOST_ELEMENTS + " can be used, so simplify the mesh");
-        }
+        String most = "; 1 to " + MOST_ELEMENTS + " can be used, so simplify the mesh";
+        refuseIf(count == null || count > MOST_ELEMENTS, index, "has " + count + " elements" + most);
         return count;
     }
 
     double[] read(Integer index, int components) throws IOException {
         Accessor accessor = accessor(index);
-        if (!Integer.valueOf(components).equals(COMPONENTS.get(String.valueOf(accessor.getType())))) {
-            throw wrong(index, "has not " + components + " numbers each; export it again");
-        }
+        Integer known = COMPONENTS.getOrDefault(String.valueOf(accessor.getType()), 0);
+        refuseIf(known != components, index, "has not " + components + " numbers each; export it again");
         int count = count(index);
         double[] values = accessor.getBufferView() == null
                 ? new double[components * count]
@@ -99,16 +96,16 @@ final class GltfAccessors {
         AccessorSparseValues contents = sparse.getValues();
         Integer count = sparse.getCount();
         int elements = values.length / components;
-        if (count == null || count < 1 || count > elements || places == null || contents == null) {
-            throw wrong(index, "has sparse values that cannot be understood; export it again");
-        }
+        boolean whole = count != null && count > 0 && count <= elements && places != null && contents != null;
+        refuseIf(!whole, index, "has sparse values that cannot be understood; export it again");
         Place place = new Place(places.getComponentType(), places.getBufferView(), places.getByteOffset());
         double[] at = numbers(index, place, 1, count);
         Place content = new Place(accessor.getComponentType(), contents.getBufferView(), contents.getByteOffset());
         double[] numbers = numbers(index, content, components, count);
         for (int i = 0; i < count; i++) {
             if (!(at[i] >= 0 && at[i] < elements)) {
-                throw wrong(index, "has a sparse value for element " + (long) at[i] + "; export it again");
+                throw new InputException(
+                        "accessor " + index + " has a sparse value for element " + (long) at[i] + "; export it again");
             }
             System.arraycopy(numbers, components * i, values, components * (int) at[i], components);
         }
@@ -126,10 +123,7 @@ final class GltfAccessors {
             case GL_UNSIGNED_SHORT -> 65535;
             default -> 0;
         };
-        if (one == 0) {
-            return;
-        }
-        for (int i = 0; i < values.length; i++) {
+        for (int i = 0; one > 0 && i < values.length; i++) {
             values[i] = Math.max(-1, values[i] / one);
         }
     }
@@ -143,12 +137,9 @@ final class GltfAccessors {
         int bytes = type == null ? 0 : type.size() * components;
         int stride = view.getByteStride() == null ? bytes : view.getByteStride();
         long end = first + (long) stride * (count - 1) + bytes;
-        if (bytes == 0 || first < 0 || stride < bytes || end > all.limit()) {
-            throw wrong(
-                    index,
-                    "needs " + end + " bytes of a buffer view that has " + all.limit()
-                            + "; copy it again with its files");
-        }
+        boolean fits = bytes > 0 && first >= 0 && stride >= bytes && end <= all.limit();
+        String room = "needs " + end + " bytes of a buffer view that has " + all.limit();
+        refuseIf(!fits, index, room + "; copy it again with its files");
         double[] numbers = new double[components * count];
         for (int i = 0; i < numbers.length; i++) {
             numbers[i] = type.decode(all, first + i / components * stride + i % components * type.size());
@@ -160,8 +151,8 @@ final class GltfAccessors {
         return entry(gltf.getAccessors(), index, "accessor");
     }
 
-    private InputException wrong(Integer index, String what) {
-        return new InputException("accessor " + index + " " + what);
+    private static void refuseIf(boolean condition, Integer index, String what) {
+        InputException.refuseIf(condition, "accessor " + index + " " + what);
     }
 
     /** Returns an entry of a list of the document; "what" names its kind in messages. */
