@@ -21,6 +21,7 @@ import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
 import static sunbeam.app.scene.SceneSettings.TONE;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -160,12 +161,9 @@ public record Scene(
     public List<Scene> perLight() {
         Scene underKey = withFillLights(List.of());
         Scene underFill = underKey.with(SHADOWS, false);
-        List<Scene> scenes = Stream.concat(
-                        drawn(light).stream().map(underKey::withLight),
-                        fillLights.stream()
-                                .flatMap(fill -> drawn(fill).stream())
-                                .map(underFill::withLight))
-                .toList();
+        List<Scene> scenes = new ArrayList<>();
+        drawn(light).forEach(one -> scenes.add(underKey.withLight(one)));
+        fillLights.forEach(fill -> drawn(fill).forEach(one -> scenes.add(underFill.withLight(one))));
         return scenes.size() == 1 ? List.of(this) : scenes;
     }
 

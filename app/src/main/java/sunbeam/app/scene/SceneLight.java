@@ -1,8 +1,7 @@
 package sunbeam.app.scene;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 
@@ -54,16 +53,12 @@ public record SceneLight(Vector3fc towards, double intensity, double angularDiam
         Vector3f across = towards.cross(
                 Math.abs(towards.x()) < 0.5 ? new Vector3f(1, 0, 0) : new Vector3f(0, 1, 0), new Vector3f());
         across.normalize((float) (RING_DISTANCE * middle.deviation()));
-        return Stream.concat(
-                        Stream.of(middle),
-                        IntStream.range(0, RING)
-                                .mapToObj(i -> across.rotateAxis(
-                                        (float) (2 * Math.PI * i / RING),
-                                        towards.x(),
-                                        towards.y(),
-                                        towards.z(),
-                                        new Vector3f()))
-                                .map(aside -> middle.pointing(aside.add(towards))))
-                .toList();
+        List<SceneLight> lights = new ArrayList<>(List.of(middle));
+        for (int i = 0; i < RING; i++) {
+            float angle = (float) (2 * Math.PI * i / RING);
+            Vector3f aside = across.rotateAxis(angle, towards.x(), towards.y(), towards.z(), new Vector3f());
+            lights.add(middle.pointing(aside.add(towards)));
+        }
+        return lights;
     }
 }

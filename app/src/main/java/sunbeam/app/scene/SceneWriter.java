@@ -52,11 +52,8 @@ public final class SceneWriter {
      */
     public static void write(Path target, Overwrite overwrite, Scene scene) {
         Path folder = target.toAbsolutePath().normalize().getParent();
-        AtomicFile.write(
-                target,
-                overwrite,
-                AtomicFile.StreamContent.of(
-                        text(scene, scene.method().chosen(), name -> relative(folder, name)) + "\n"));
+        String text = text(scene, scene.method().chosen(), name -> relative(folder, name)) + "\n";
+        AtomicFile.write(target, overwrite, AtomicFile.StreamContent.of(text));
     }
 
     /** Returns JSON with absolute file names; equal for equal scenes. */

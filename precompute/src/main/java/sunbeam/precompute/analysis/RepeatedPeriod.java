@@ -78,12 +78,8 @@ final class RepeatedPeriod {
         }
         int x = jx / number * fundamental;
         int y = jy / number * fundamental;
-        return new Family(
-                strongest.times((double) fundamental / number),
-                x,
-                y,
-                overtones(x, y).sum(),
-                spectrum.at(jx, jy));
+        SpatialFrequency wave = strongest.times((double) fundamental / number);
+        return new Family(wave, x, y, overtones(x, y).sum(), spectrum.at(jx, jy));
     }
 
     private DoubleStream overtones(int jx, int jy) {

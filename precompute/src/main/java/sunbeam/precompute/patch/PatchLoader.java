@@ -59,13 +59,10 @@ public final class PatchLoader {
             return fromBuiltIn(name, builtIn(name, request, cache), request);
         }
         Path file = existing(request.patch());
+        PatchAssembler.Kind kind = request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY;
         return name.toLowerCase(Locale.ROOT).endsWith(".json")
                 ? fromDescriptor(PatchDescriptor.read(file), request)
-                : fromFile(
-                        file,
-                        file,
-                        request.choices(),
-                        request.raw() ? PatchAssembler.Kind.DESCRIBED : PatchAssembler.Kind.GIVEN_DIRECTLY);
+                : fromFile(file, file, request.choices(), kind);
     }
 
     private static Path existing(String given) {
@@ -82,13 +79,9 @@ public final class PatchLoader {
     }
 
     private static SettingException unusable(String problem) {
-        return new SettingException(
-                PATCH,
-                problem + "give a built-in patch (" + String.join(", ", BuiltInPatches.names())
-                        + "), a scan, a descriptor (.json) or an image with ",
-                WIDTH,
-                " and ",
-                MAX_HEIGHT);
+        String remedy = "give a built-in patch (" + String.join(", ", BuiltInPatches.names())
+                + "), a scan, a descriptor (.json) or an image with ";
+        return new SettingException(PATCH, problem + remedy, WIDTH, " and ", MAX_HEIGHT);
     }
 
     /** Only heights with the default leveling are cached. */

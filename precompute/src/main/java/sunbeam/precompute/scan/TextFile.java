@@ -166,14 +166,11 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
             }
             Optional<Double> width = Header.Quantity.of(values.get(1)).flatMap(some -> some.meters(""));
             Optional<Double> height = Header.Quantity.of(values.get(2)).flatMap(some -> some.meters(""));
-            return width.isPresent() && height.isPresent()
-                    ? Optional.of(new Facts(
-                            values.get(0),
-                            Optional.empty(),
-                            Optional.empty(),
-                            new Extent(width, height, 1),
-                            values.get(3)))
-                    : Optional.empty();
+            if (width.isEmpty() || height.isEmpty()) {
+                return Optional.empty();
+            }
+            Extent extent = new Extent(width, height, 1);
+            return Optional.of(new Facts(values.get(0), Optional.empty(), Optional.empty(), extent, values.get(3)));
         }
 
         private static Optional<String> first(Header header, List<String> names) {

@@ -65,13 +65,11 @@ final class TiffTagReaders {
         boolean linear = page.text(slot + SCALING).equals("LinearScaling");
         double factor = linear ? page.number(slot + MULTIPLIER, 0) : 1;
         double offset = linear ? page.number(slot + OFFSET, 0) : 0;
-        return new ScanChannel(
-                title.isEmpty() ? page.text(CHANNEL) : title,
-                page.number(RETRACE, 0) != 0,
-                page.samples(0).flipRows().scale(factor, offset),
-                extent,
-                // Samples without a scaling are steps of a converter.
-                linear ? page.text(slot + UNIT) : "steps");
+        String name = title.isEmpty() ? page.text(CHANNEL) : title;
+        // Samples without a scaling are steps of a converter.
+        String unit = linear ? page.text(slot + UNIT) : "steps";
+        boolean retrace = page.number(RETRACE, 0) != 0;
+        return new ScanChannel(name, retrace, page.samples(0).flipRows().scale(factor, offset), extent, unit);
     }
 
     private static int slot(TiffPage page) throws IOException {

@@ -32,14 +32,11 @@ public final class Decimals {
             return commaRemedy(text);
         }
         OptionalDouble percent = parse(written.substring(0, written.length() - 1));
-        return percent.isEmpty()
-                ? ""
-                : "; write "
-                        + new BigDecimal(Double.toString(percent.getAsDouble()))
-                                .movePointLeft(2)
-                                .stripTrailingZeros()
-                                .toPlainString()
-                        + " for that many percent";
+        if (percent.isEmpty()) {
+            return "";
+        }
+        BigDecimal share = new BigDecimal(Double.toString(percent.getAsDouble())).movePointLeft(2);
+        return "; write " + share.stripTrailingZeros().toPlainString() + " for that many percent";
     }
 
     /** Formats a number: whole numbers without a point, powers of ten as 1e-5. */

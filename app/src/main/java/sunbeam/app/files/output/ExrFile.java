@@ -104,12 +104,9 @@ public record ExrFile(int width, int height, String channels, int type, Samples 
         byte[] raw = lines.array();
         byte[] packed = packed(raw);
         byte[] shorter = packed.length < raw.length ? packed : raw;
-        return ByteBuffer.allocate(2 * Integer.BYTES + shorter.length)
-                .order(ByteOrder.LITTLE_ENDIAN)
-                .putInt(from)
-                .putInt(shorter.length)
-                .put(shorter)
-                .array();
+        ByteBuffer block =
+                ByteBuffer.allocate(2 * Integer.BYTES + shorter.length).order(ByteOrder.LITTLE_ENDIAN);
+        return block.putInt(from).putInt(shorter.length).put(shorter).array();
     }
 
     /** Bytes at even, then at odd positions, as differences plus 128, deflated. */

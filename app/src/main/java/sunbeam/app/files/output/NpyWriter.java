@@ -56,14 +56,8 @@ public final class NpyWriter {
         int length = PREFIX_BYTES + dictionary.length() + 1;
         int padding = (ALIGNMENT - length % ALIGNMENT) % ALIGNMENT;
         byte[] text = (dictionary + " ".repeat(padding) + "\n").getBytes(StandardCharsets.US_ASCII);
-        return ByteBuffer.allocate(PREFIX_BYTES + text.length)
-                .order(ByteOrder.LITTLE_ENDIAN)
-                .put((byte) 0x93)
-                .put("NUMPY".getBytes(StandardCharsets.US_ASCII))
-                .put((byte) 1)
-                .put((byte) 0)
-                .putShort((short) text.length)
-                .put(text)
-                .array();
+        ByteBuffer header = ByteBuffer.allocate(PREFIX_BYTES + text.length).order(ByteOrder.LITTLE_ENDIAN);
+        header.put("\u0093NUMPY\1\0".getBytes(StandardCharsets.ISO_8859_1));
+        return header.putShort((short) text.length).put(text).array();
     }
 }

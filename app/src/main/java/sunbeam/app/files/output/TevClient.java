@@ -84,12 +84,8 @@ public final class TevClient implements AutoCloseable {
     private static ByteBuffer packet(int operation, int flag, String name, int values) {
         byte[] nameBytes = string(name);
         int room = Math.addExact(nameBytes.length + LARGEST_OVERHEAD_BYTES, Math.multiplyExact(Float.BYTES, values));
-        return ByteBuffer.allocate(room)
-                .order(ByteOrder.LITTLE_ENDIAN)
-                .putInt(0)
-                .put((byte) operation)
-                .put((byte) flag)
-                .put(nameBytes);
+        ByteBuffer packet = ByteBuffer.allocate(room).order(ByteOrder.LITTLE_ENDIAN);
+        return packet.putInt(0).put((byte) operation).put((byte) flag).put(nameBytes);
     }
 
     private static void putChannels(ByteBuffer packet) {

@@ -35,15 +35,11 @@ public final class BuiltInMeshes {
 
     /** Faces up; u along x, v along y. */
     static Mesh plane(double side, int cells) {
-        return new Mesh.Builder()
-                .grid(
-                        cells,
-                        cells,
-                        (u, v) -> new Mesh.Builder.Point(
-                                new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0),
-                                new Vector3d(0, 0, 1),
-                                new Vector3d(1, 0, 0)))
-                .build(false);
+        Mesh.Builder builder = new Mesh.Builder().grid(cells, cells, (u, v) -> {
+            Vector3d place = new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0);
+            return new Mesh.Builder.Point(place, new Vector3d(0, 0, 1), new Vector3d(1, 0, 0));
+        });
+        return builder.build(false);
     }
 
     /**

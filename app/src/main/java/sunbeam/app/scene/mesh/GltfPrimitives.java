@@ -178,12 +178,9 @@ final class GltfPrimitives {
                 throw damaged();
             }
             // Counter-clockwise in the picture, as in the extension's first example; its formula has the other sign.
-            return new TextureCoordinates(
-                    number,
-                    new Matrix3x2d()
-                            .translate(pair(transform, "offset", new Vector2d()))
-                            .rotate(-radians.doubleValue())
-                            .scale(pair(transform, "scale", new Vector2d(1))));
+            Matrix3x2d matrix = new Matrix3x2d().translate(pair(transform, "offset", new Vector2d()));
+            matrix.rotate(-radians.doubleValue()).scale(pair(transform, "scale", new Vector2d(1)));
+            return new TextureCoordinates(number, matrix);
         }
 
         private static TextureInfo firstTexture(Material material) {

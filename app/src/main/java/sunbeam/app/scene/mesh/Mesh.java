@@ -120,13 +120,9 @@ public record Mesh(
         }
 
         Mesh build(boolean closed) {
-            return new Mesh(
-                    positions.toArray(),
-                    normals.toArray(),
-                    tangents.toArray(),
-                    textureCoordinates.toArray(),
-                    indices.build().toArray(),
-                    closed);
+            float[] uv = textureCoordinates.toArray();
+            int[] corners = indices.build().toArray();
+            return new Mesh(positions.toArray(), normals.toArray(), tangents.toArray(), uv, corners, closed);
         }
     }
 

@@ -230,12 +230,9 @@ public record RawMesh(
         }
 
         RawMesh build() {
-            return new RawMesh(
-                    positions.getElements(),
-                    textureCoordinates.toArray(),
-                    normals.toArray(),
-                    tangents.toArray(),
-                    corners.build().toArray());
+            float[] uv = textureCoordinates.toArray();
+            int[] all = corners.build().toArray();
+            return new RawMesh(positions.getElements(), uv, normals.toArray(), tangents.toArray(), all);
         }
     }
 }

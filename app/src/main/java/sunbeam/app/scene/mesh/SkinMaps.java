@@ -4,6 +4,7 @@ import static sunbeam.app.scene.texture.ScaleRelief.HEAD_SHARE;
 
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -34,11 +35,8 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
 
     static SkinMaps of(Body body, int width, int height) {
         boolean isSmooth = body.scales() == Scales.NONE;
-        SkinMaps maps = new SkinMaps(
-                new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB),
-                isSmooth
-                        ? Optional.empty()
-                        : Optional.of(new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)));
+        Supplier<BufferedImage> picture = () -> new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        SkinMaps maps = new SkinMaps(picture.get(), isSmooth ? Optional.empty() : Optional.of(picture.get()));
         double reliefsPerU =
                 isSmooth ? 0 : SnakeBody.scalesPerUnit(body.scales().rows()) / ScaleRelief.SCALES_ALONG;
         IntStream.range(0, height).parallel().forEach(row -> {

@@ -21,17 +21,12 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     public static final int GROUND_SIDE = 160;
 
     public static SkyVisibility of(Mesh mesh, BlobCache cache) {
-        String checksum = new Checksum()
-                .add(mesh.positions())
-                .add(mesh.normals())
-                .add(mesh.indices())
-                .hex();
-        int bytes = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
-        FloatBuffer all = ByteBuffer.wrap(cache.get(
-                        "sky over mesh " + checksum,
-                        bytes,
-                        () -> new DepthMaps(mesh).visibility().toBytes(bytes)))
-                .asFloatBuffer();
+        Checksum checksum = new Checksum().add(mesh.positions()).add(mesh.normals());
+        String name = "sky over mesh " + checksum.add(mesh.indices()).hex();
+        int size = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
+        byte[] bytes =
+                cache.get(name, size, () -> new DepthMaps(mesh).visibility().toBytes(size));
+        FloatBuffer all = ByteBuffer.wrap(bytes).asFloatBuffer();
         SkyVisibility visibility = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
         all.get(visibility.ofVertices).get(visibility.ofGround);
         return visibility;

@@ -35,13 +35,9 @@ public record Body(
 
     /** Loads the textures, with one patch everywhere; throws InputException if a file cannot be used. */
     public static Body load(String texture, Scales scales, String orientationMap, BlobCache cache) {
-        return new Body(
-                BodyTexture.load(texture, cache),
-                scales,
-                ScaleRelief.of(scales, cache),
-                directions(orientationMap),
-                patches(NONE, Set.of()),
-                WHITE);
+        BodyTexture colors = BodyTexture.load(texture, cache);
+        BodyTexture relief = ScaleRelief.of(scales, cache);
+        return new Body(colors, scales, relief, directions(orientationMap), patches(NONE, Set.of()), WHITE);
     }
 
     public Body with(BodyTexture map, int color) {

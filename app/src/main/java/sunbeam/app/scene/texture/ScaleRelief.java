@@ -73,13 +73,9 @@ public final class ScaleRelief {
             return BodyTexture.ofTexel(128, 128, 0, code(1 / LIGHTEST));
         }
         ScaleRelief relief = new ScaleRelief(scales);
-        return new BodyTexture(
-                TEXELS,
-                TEXELS + HEAD_ROWS,
-                cache.get(
-                        "relief of head and " + scales.rows() + " rows of scales",
-                        4 * TEXELS * (TEXELS + HEAD_ROWS),
-                        relief::texels));
+        int rows = TEXELS + HEAD_ROWS;
+        String name = "relief of head and " + scales.rows() + " rows of scales";
+        return new BodyTexture(TEXELS, rows, cache.get(name, 4 * TEXELS * rows, relief::texels));
     }
 
     private byte[] texels() {
