@@ -154,8 +154,7 @@ public final class RenderContext implements AutoCloseable {
         program.requireUsableBy(device);
         target.requireUsableBy(device);
         target.requireInside(tile);
-        program.bind(gl, textures, target);
-        program.use(gl);
+        program.use(gl, textures, target);
         target.bindForDrawing(gl, tile);
         gl.glDisable(GL3.GL_BLEND);
         gl.glColorMask(true, true, true, true);

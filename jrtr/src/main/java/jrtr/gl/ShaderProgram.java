@@ -85,12 +85,9 @@ public final class ShaderProgram extends Resource {
         throw fragment.failure("linking " + vertex.name() + " with " + fragment.name(), log);
     }
 
-    void use(GL3 gl) {
-        gl.glUseProgram(name);
-    }
-
-    void bind(GL3 gl, Map<String, Texture> textures, FloatTarget target) {
+    void use(GL3 gl, Map<String, Texture> textures, FloatTarget target) {
         uniforms.bind(gl, device(), textures, target);
+        gl.glUseProgram(name);
     }
 
     /** @param value GLSL's name of the types, for messages */

@@ -1,8 +1,6 @@
 package jrtr.glsl;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
@@ -17,7 +15,7 @@ import jrtr.ShaderSource;
  * cost the same.
  *
  * <p>Only lines that declare one {@code int}, {@code float}, vector or square matrix are moved. Arrays, samplers and uniforms beyond the
- * driver's limit of varyings stay uniforms. In the fragment shader, the names of the others are macros for the inputs.
+ * driver's limit of varyings stay uniforms. In the fragment shader, all words that name a moved uniform get a suffix.
  */
 public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     private static final String SUFFIX = "_perDraw";
@@ -37,10 +35,6 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
             char last = type.charAt(type.length() - 1);
             int size = Character.isDigit(last) ? last - '0' : 1;
             return type.startsWith("mat") ? size * size : size;
-        }
-
-        String input() {
-            return "flat in " + type + " " + name + SUFFIX + ";\n#define " + name + " " + name + SUFFIX + "\n";
         }
 
         String output() {
@@ -80,19 +74,17 @@ public record FlatUniforms(ShaderSource vertex, ShaderSource fragment) {
     }
 
     private static ShaderSource withInputs(ShaderSource fragment, Map<String, Uniform> moved) {
-        StringBuilder text = new StringBuilder();
-        List<ShaderSource.Line> origins = new ArrayList<>();
-        List<String> lines = fragment.text().lines().toList();
-        for (int i = 0; i < lines.size(); i++) {
-            ShaderSource.Line origin = fragment.origins().get(i);
-            Optional<Uniform> uniform = Uniform.in(lines.get(i)).filter(found -> moved.containsKey(found.name()));
-            text.append(uniform.isPresent() ? uniform.get().input() : lines.get(i) + "\n");
-            origins.add(origin);
-            if (uniform.isPresent()) {
-                origins.add(origin);
-            }
+        String text = fragment.text()
+                .lines()
+                .map(line -> Uniform.in(line)
+                        .filter(found -> moved.containsKey(found.name()))
+                        .map(found -> "flat in " + found.type() + " " + found.name() + ";")
+                        .orElse(line))
+                .collect(Collectors.joining("\n", "", "\n"));
+        if (!moved.isEmpty()) {
+            text = text.replaceAll("\\b(" + String.join("|", moved.keySet()) + ")\\b", "$1" + SUFFIX);
         }
-        return new ShaderSource(fragment.name(), text.toString(), origins);
+        return new ShaderSource(fragment.name(), text, fragment.origins());
     }
 
     private static ShaderSource withOutputs(ShaderSource vertex, Map<String, Uniform> moved) {

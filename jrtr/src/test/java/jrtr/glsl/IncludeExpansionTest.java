@@ -159,18 +159,20 @@ class IncludeExpansionTest {
     }
 
     @Test
-    void uniformsBecomeFlatInputsOfTheSameName() {
+    void uniformsBecomeFlatInputs() {
         FlatUniforms flat = FlatUniforms.of(
                 VERTEX,
-                sourceOf("a.frag", "uniform vec3 light = vec3(1.0, 0.0, 0.0);", "uniform int count;", "main"),
+                sourceOf(
+                        "a.frag",
+                        "uniform vec3 light = vec3(1.0, 0.0, 0.0);",
+                        "uniform int count;",
+                        "main(light, lights)"),
                 60);
 
         assertThat(flat.fragment().text()).isEqualTo("""
                         flat in vec3 light_perDraw;
-                        #define light light_perDraw
                         flat in int count_perDraw;
-                        #define count count_perDraw
-                        main
+                        main(light_perDraw, lights)
                         """);
         assertThat(flat.vertex().text()).isEqualTo("""
                         #version 330 core
@@ -187,7 +189,7 @@ class IncludeExpansionTest {
         FlatUniforms flat = FlatUniforms.of(VERTEX, sourceOf("a.frag", "uniform float x;", "wrong"), 60);
 
         assertThat(flat.fragment().origins().stream().map(ShaderSource.Line::number))
-                .containsExactly(1, 1, 2);
+                .containsExactly(1, 2);
         assertThat(flat.vertex().origins()).isEqualTo(VERTEX.origins());
     }
 

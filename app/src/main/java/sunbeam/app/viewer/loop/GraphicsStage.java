@@ -27,6 +27,7 @@ import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.viewer.model.Background;
 import sunbeam.precompute.optics.Direction;
 
 /** Renderer of viewer states by OpenGL: owns the context, both methods' sessions and the drawing of the BRDF map. */
@@ -40,30 +41,18 @@ public final class GraphicsStage implements Stage {
     // Sample stride of the comparison's first picture. Nothing moves then, and a newer state interrupts it.
     private static final int COMPARISON_STRIDE = 8;
 
-    private final RenderContext context;
-    private final MapStage map;
+    private final RenderContext context = RenderContext.offscreen();
+    private final MapStage map = new MapStage(context);
     // One thread, since a color source may be bound to the thread that created it.
-    private final ExecutorService baking = Executors.newSingleThreadExecutor(work -> {
-        Thread thread = new Thread(work, "colors");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ExecutorService baking = Executors.newSingleThreadExecutor(Background.threads("colors"));
     private final CachedExposure exposures = new CachedExposure();
-    private final StageSessions own;
-    private final StageSessions other;
-    private StageSessions current;
+    private final StageSessions own = new StageSessions(context);
+    private final StageSessions other = new StageSessions(context);
+    private StageSessions current = own;
     private int stride;
     private OptionalDouble metered = OptionalDouble.empty();
     private ViewState state;
     private boolean isMoving;
-
-    public GraphicsStage() {
-        context = RenderContext.offscreen();
-        map = new MapStage(context);
-        own = new StageSessions(context);
-        other = new StageSessions(context);
-        current = own;
-    }
 
     @Override
     public ContextInfo info() {

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer.window;
 
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -54,13 +55,10 @@ final class SplitViewPresenter {
         if (own == null) {
             return;
         }
-        Scene scene = own.firstPart().scene();
-        window.controls()
-                .compared(scene)
-                .map(other -> other.keepingSurroundings()
-                        .with(Choices.at(ControlOrigin.INSTANCE)
-                                .with(SceneSettings.EXPOSURE, OptionalDouble.of(exposure))))
-                .ifPresent(this::draw);
+        Choices sameExposure =
+                Choices.at(ControlOrigin.INSTANCE).with(SceneSettings.EXPOSURE, OptionalDouble.of(exposure));
+        Optional<Scene> compared = window.controls().compared(own.firstPart().scene());
+        compared.ifPresent(scene -> draw(scene.keepingSurroundings().with(sameExposure)));
     }
 
     @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
