@@ -10,14 +10,8 @@ import java.util.function.Supplier;
  * parallel. The pool is not the common one, which on two processors has one thread. Threads outside of that pool that run parallel
  * streams share one of its queues. In Java 17 they wait for each other in a loop that takes a whole processor.
  */
-public final class BackgroundTask<T> {
+public record BackgroundTask<T>(CompletableFuture<T> future) {
     private static final ForkJoinPool POOL = new ForkJoinPool();
-
-    private final CompletableFuture<T> future;
-
-    private BackgroundTask(CompletableFuture<T> future) {
-        this.future = future;
-    }
 
     public static <T> BackgroundTask<T> start(Supplier<T> work) {
         return new BackgroundTask<>(CompletableFuture.supplyAsync(work, POOL));

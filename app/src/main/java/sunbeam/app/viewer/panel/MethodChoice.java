@@ -15,7 +15,7 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
 
 /** Entry of the method list: a method that can draw meshes, in one of its forms that look different (interpolation or preset). */
-public final class MethodChoice {
+public record MethodChoice(String label, Choices own) {
     public static final List<MethodChoice> ALL = Methods.ALL.stream()
             .filter(SceneMethod::draws)
             .flatMap(type -> forms(type).stream())
@@ -24,14 +24,6 @@ public final class MethodChoice {
     /** Methods without color tables, which can be drawn beside the scene's own method. */
     static final List<MethodChoice> COMPARED =
             ALL.stream().filter(choice -> choice.type().equals(FullMethod.TYPE)).toList();
-
-    private final String label;
-    private final Choices own;
-
-    private MethodChoice(String label, Choices own) {
-        this.label = label;
-        this.own = own;
-    }
 
     private static List<MethodChoice> forms(MethodType type) {
         Choices plain = Choices.at(ControlOrigin.INSTANCE).with(Methods.METHOD, type);

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
@@ -56,20 +57,21 @@ public final class FileActions {
         PICTURE("picture", "png");
 
         private final String words;
-
-        @SuppressWarnings("ImmutableEnumChecker") // a private copy
-        private final List<String> endings;
+        private final String endings;
 
         Kind(String words, String endings) {
             this.words = words;
-            this.endings = List.of(endings.split(" ", -1));
+            this.endings = endings;
+        }
+
+        private List<String> endings() {
+            return List.of(endings.split(" ", -1));
         }
 
         FileNameExtensionFilter filter() {
-            return new FileNameExtensionFilter(
-                    words + " (." + String.join(", .", endings.subList(0, Math.min(4, endings.size())))
-                            + (endings.size() > 4 ? ", ..." : "") + ")",
-                    endings.toArray(String[]::new));
+            String first = endings().stream().limit(4).collect(Collectors.joining(", ."));
+            String more = endings().size() > 4 ? ", ..." : "";
+            return new FileNameExtensionFilter(words + " (." + first + more + ")", endings.split(" ", -1));
         }
     }
 
@@ -226,7 +228,9 @@ public final class FileActions {
         Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
         folder = file.getParent();
         String name = file.getFileName().toString();
-        Path target = saves && !name.contains(".") ? file.resolveSibling(name + "." + kind.endings.get(0)) : file;
+        Path target = saves && !name.contains(".")
+                ? file.resolveSibling(name + "." + kind.endings().get(0))
+                : file;
         String question = target.getFileName() + " exists. Replace it?";
         boolean mayUse =
                 !saves || !Files.exists(target) || confirms(question, "Replace file", JOptionPane.QUESTION_MESSAGE);

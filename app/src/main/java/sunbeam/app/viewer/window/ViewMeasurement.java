@@ -35,18 +35,10 @@ public final class ViewMeasurement {
 
     private static final long LONGEST_WAIT_NANOSECONDS = 180_000_000_000L;
 
-    private enum Drag {
-        LIGHT("moving the light", MouseEvent.BUTTON3),
-        MODEL("turning the model", MouseEvent.BUTTON1);
+    private static final List<Drag> DRAGS = List.of(
+            new Drag("moving the light", MouseEvent.BUTTON3), new Drag("turning the model", MouseEvent.BUTTON1));
 
-        private final String title;
-        private final int button;
-
-        Drag(String title, int button) {
-            this.title = title;
-            this.button = button;
-        }
-    }
+    private record Drag(String title, int button) {}
 
     private final Viewer viewer;
     private final Drag drag;
@@ -83,7 +75,7 @@ public final class ViewMeasurement {
      */
     public static String of(Viewer viewer, double seconds) throws InterruptedException {
         List<String> lines = new ArrayList<>();
-        for (Drag drag : Drag.values()) {
+        for (Drag drag : DRAGS) {
             ViewMeasurement measurement = new ViewMeasurement(viewer, drag, seconds);
             SwingUtilities.invokeLater(measurement::begin);
             measurement.done.await();
