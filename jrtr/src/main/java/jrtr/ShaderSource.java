@@ -19,12 +19,7 @@ public record ShaderSource(String name, String text, List<Line> origins) {
             Pattern.compile("(?:ERROR|WARNING): \\d+:(?<line>\\d+): (?<message>.*)"));
     private static final Pattern WARNING = Pattern.compile("(?i)\\bwarning\\b.*:");
 
-    /**
-     * Line of a shader file before include expansion.
-     *
-     * @param file name of the shader file, or {@code <defines>} for the generated prologue
-     * @param number counted from 1
-     */
+    /** Line of a shader file, or of the generated {@code <defines>}, before include expansion; numbers count from 1. */
     public record Line(String file, int number, String text) {
         public String describe(String message) {
             return file + ":" + number + ": " + message + (text.isBlank() ? "" : ": `" + text.strip() + "`");

@@ -3,12 +3,7 @@ package jrtr;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * A rectangle of pixels of an image, of at least one pixel.
- *
- * @param x columns to its left, at least 0
- * @param y rows above it, at least 0
- */
+/** A rectangle of at least one pixel of an image, x columns from its left and y rows from its top. */
 public record Tile(int x, int y, int width, int height) {
 
     public Tile {
@@ -31,12 +26,7 @@ public record Tile(int x, int y, int width, int height) {
         return divide(side, side);
     }
 
-    /**
-     * Returns tiles that cover this one exactly once, row by row from the top left.
-     *
-     * @param columns width of each tile, at least 1; those at the right are cut
-     * @param rows height of each tile, at least 1; those at the bottom are cut
-     */
+    /** Returns tiles that cover this one exactly once, row by row from the top left; those at the right and the bottom are cut. */
     public List<Tile> divide(int columns, int rows) {
         if (columns < 1 || rows < 1) {
             throw new IllegalArgumentException("tile side " + Math.min(columns, rows) + " is below 1");

@@ -39,11 +39,7 @@ public final class FloatTexture extends Texture {
         LINEAR
     }
 
-    /**
-     * Shape of a float texture: texels per row, rows and layers, each at least 1.
-     *
-     * @param array whether the sampler is a {@code sampler2DArray}; otherwise it is a {@code sampler2D}, and there is one layer
-     */
+    /** Shape, each side at least 1. An array is read by a {@code sampler2DArray}, others, of one layer, by a {@code sampler2D}. */
     public record Spec(int width, int height, int layers, boolean array, Format format, Filter filter) {
         public Spec {
             if (width < 1 || height < 1 || layers < 1 || (!array && layers != 1)) {
@@ -112,11 +108,7 @@ public final class FloatTexture extends Texture {
         upload(layer, texels.slice(), GL3.GL_FLOAT);
     }
 
-    /**
-     * Uploads one layer as {@link #uploadLayer(int, FloatBuffer)}, from bit patterns of IEEE 754 binary16 floats.
-     *
-     * @throws IllegalArgumentException also if the texture has floats of 32 bits
-     */
+    /** As {@link #uploadLayer(int, FloatBuffer)}, from bit patterns of IEEE 754 binary16 floats, for a texture of those. */
     public void uploadLayer(int layer, ShortBuffer texels) {
         if (spec.format().bytesPerChannel != Short.BYTES) {
             throw new IllegalArgumentException("texture '" + label() + "' has floats of 32 bits, not of 16");

@@ -49,11 +49,7 @@ public final class RenderContext implements AutoCloseable {
         return device.info();
     }
 
-    /**
-     * Compiles a shader for {@link #drawFullScreen}, without inputs.
-     *
-     * @throws GraphicsException if compilation fails, with file and line
-     */
+    /** Compiles a shader for {@link #drawFullScreen}, without inputs. A failure names file and line. */
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
         if (!info().software()) {
             return ShaderProgram.create(device, fullScreenVertices, fragment);
@@ -63,11 +59,7 @@ public final class RenderContext implements AutoCloseable {
         return ShaderProgram.create(device, flat.vertex(), flat.fragment());
     }
 
-    /**
-     * Compiles a shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl.
-     *
-     * @throws GraphicsException if compilation fails, with file and line
-     */
+    /** Compiles a shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl. A failure names file and line. */
     public ShaderProgram createMeshProgram(ShaderSource fragment) {
         return ShaderProgram.create(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
     }
@@ -80,11 +72,7 @@ public final class RenderContext implements AutoCloseable {
         return FloatTexture.create(device, label, spec);
     }
 
-    /**
-     * Uploads a picture with mipmaps.
-     *
-     * @param rgba 4 x width x height bytes, red first, row 0 the picture's top
-     */
+    /** Uploads a picture with mipmaps: 4 x width x height bytes, red first, row 0 the picture's top. */
     public ImageTexture createImageTexture(
             String label, int width, int height, byte[] rgba, ImageTexture.Encoding encoding) {
         return ImageTexture.create(device, label, width, height, rgba, encoding);
@@ -106,21 +94,15 @@ public final class RenderContext implements AutoCloseable {
     }
 
     /**
-     * Runs the fragment shader as {@link #drawFullScreen} does, but only for pixels whose depth is less than 1. Software renderers skip the
-     * shader for all other pixels, but would run it to the end for fragments that it discards.
-     *
-     * @param target target with depth, which does not change
+     * Runs the fragment shader as {@link #drawFullScreen} does, but only for pixels whose depth is less than 1; the depth does not change.
+     * Software renderers skip the shader for all other pixels, but would run it to the end for fragments that it discards.
      */
     public void drawCovered(ShaderProgram program, Map<String, Texture> textures, FloatTarget target, Tile tile) {
         target.requireDepth();
         fullScreen(program, textures, target, tile, DepthTest.COVERED);
     }
 
-    /**
-     * Draws triangles to the tile as {@link #drawFullScreen} does, with depth test.
-     *
-     * @param target target with depth
-     */
+    /** Draws triangles to the tile as {@link #drawFullScreen} does, with depth test; the target has depth. */
     public void draw(
             ShaderProgram program,
             Map<String, Texture> textures,
@@ -187,11 +169,7 @@ public final class RenderContext implements AutoCloseable {
         device.close();
     }
 
-    /**
-     * Names and versions of the driver and the device that render.
-     *
-     * @param renderer the device, such as {@code llvmpipe (LLVM 15.0.6, 256 bits)}
-     */
+    /** Driver and device; the renderer is, for example, {@code llvmpipe (LLVM 15.0.6, 256 bits)}. */
     public record ContextInfo(
             String vendor,
             String renderer,

@@ -73,12 +73,7 @@ public final class ProgressDisplay {
         return this;
     }
 
-    /**
-     * Starts to show a task.
-     *
-     * @param label name of the task, for example {@code rendering}
-     * @param total number of steps, at least 0
-     */
+    /** Starts a task such as {@code rendering} with a number of steps, at least 0. */
     public Progress start(String label, long total) {
         return silent ? new Progress() : new Progress(label, total, new Line());
     }

@@ -65,11 +65,8 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Checks before a long computation that the target can be written: the folder takes a file, the disk has room for a block, no file is
-     * in the way.
-     *
-     * @param target name given by the user, or null if Sunbeam will choose it, which is not checked
-     * @throws OutputException if the target cannot be written
+     * Throws {@link OutputException} unless the target can be written: the folder takes a file, the disk has room for a block, no file is
+     * in the way. A target of null, a name that Sunbeam will choose, is not checked.
      */
     public static void checkWritable(Path target, Overwrite overwrite) {
         if (target == null) {
@@ -102,9 +99,8 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Writes the whole target through a buffered stream.
+     * Writes the whole target through a buffered stream; returns its path as {@link #commit} does.
      *
-     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
      * @throws OutputException also for an {@link IOException} of the content
      */
     public static Path write(Path target, Overwrite overwrite, StreamContent content) {
@@ -122,11 +118,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Starts an output file.
-     *
-     * @throws OutputException if the target is a folder, exists and may not be replaced, or its folder is missing or takes no file
-     */
+    /** Throws {@link OutputException} if the target is a folder, may not be replaced, or its folder is missing or takes no file. */
     public static AtomicFile create(Path target, Overwrite overwrite) {
         OutputFolder.checkTarget(target, overwrite);
         AtomicFile file = new AtomicFile(target, overwrite);
@@ -159,11 +151,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Writes the content, which does not appear before {@link #commit}.
-     *
-     * @throws OutputException if the file cannot be written, or the content throws an {@link IOException}
-     */
+    /** Writes the content, which does not appear before {@link #commit}. Throws {@link OutputException} if it cannot be written. */
     public void fill(StreamContent content) {
         fillFile(path -> {
             try (OutputStream stream = new BufferedOutputStream(open(), BUFFER_BYTES)) {
@@ -200,11 +188,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Makes the content appear under the target's name.
+     * Makes the content appear under the target's name; returns its path, which may have a number with {@link Overwrite#NUMBER}.
      *
-     * @return the file's path, which may have a number with {@link Overwrite#NUMBER}
      * @throws OutputException if that fails, for example because a file has appeared under the name meanwhile
-     * @throws CancelledException if the process is being ended
      */
     public Path commit() {
         try {

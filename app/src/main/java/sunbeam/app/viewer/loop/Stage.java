@@ -35,11 +35,7 @@ public interface Stage extends AutoCloseable {
     /** Draws the first scene's body, before its patches and method are loaded; then nothing else has been drawn. */
     BufferedImage body(Scene scene, SceneShape shape, int width, int height);
 
-    /**
-     * Switches to a state; if that fails, the old state stays.
-     *
-     * @param arrived called, on any thread, when {@link #takeTiles} has new tiles
-     */
+    /** Switches to a state; if that fails, the old one stays. {@code arrived} is called, on any thread, when there are new tiles. */
     void update(ViewState next, Runnable arrived);
 
     /** Sets whether something moves; then drawing has priority over baking. */
@@ -70,10 +66,8 @@ public interface Stage extends AutoCloseable {
     Optional<Final> refine(BooleanSupplier interrupted, PartListener drawn);
 
     /**
-     * Draws or queues the BRDF map of the state if the map is visible; replaces an unfinished map.
-     *
-     * @param isFinal false for a small preview only; it is omitted if it would delay the picture
-     * @param drawn receives each map and true if it is final, on any thread; with color tables, after this method returns
+     * Draws or queues the BRDF map of the state if the map is visible; replaces an unfinished map. A preview is omitted if it would delay
+     * the picture. {@code drawn} receives each map and true if it is final, on any thread; with color tables, after this method returns.
      */
     void map(ViewState state, boolean isFinal, BooleanSupplier interrupted, BiConsumer<BufferedImage, Boolean> drawn);
 

@@ -74,12 +74,7 @@ public final class Drags {
         return shifted(scene, across(scene.view(), right, up, width, height).mul(1 - allowed), allowed);
     }
 
-    /**
-     * Shifts eye and target sideways, so that the picture follows the mouse.
-     *
-     * @param right drag in picture heights, like {@code up}
-     * @param width of the picture, in any unit that the height has, too
-     */
+    /** Shifts eye and target sideways by a drag in picture heights, so that the picture follows the mouse. */
     public static Scene panned(Scene scene, double right, double up, int width, int height) {
         return shifted(scene, across(scene.view(), -right, -up, width, height));
     }

@@ -9,11 +9,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;
 
-/**
- * Scene with mesh, heights and tables in memory.
- *
- * @param parts one element for each patch and each Fresnel component of the patch's reflection
- */
+/** Scene in memory, with a part for each patch and each Fresnel component of the patch's reflection. */
 public record LoadedScene(List<SceneData> parts) {
 
     /** May take seconds. */
@@ -21,12 +17,7 @@ public record LoadedScene(List<SceneData> parts) {
         return prepared(loader.parts(scene, shape));
     }
 
-    /**
-     * Reuses equal parts of the previous scene. May take seconds.
-     *
-     * @param previous null for none
-     * @param progress receives the completed share, 0 to 1
-     */
+    /** Reuses equal parts of the previous scene, or null; reports the completed share, 0 to 1. May take seconds. */
     public static LoadedScene load(SceneLoader loader, Scene scene, LoadedScene previous, DoubleConsumer progress) {
         if (previous == null) {
             return load(loader, scene, BackgroundTask.start(() -> loader.shape(scene)));

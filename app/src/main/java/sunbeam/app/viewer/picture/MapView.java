@@ -207,11 +207,7 @@ public final class MapView extends JComponent {
         private static final List<Color> COLORS =
                 List.of(new Color(0x5080ff), new Color(0x30d030), new Color(0xff4030));
 
-        /**
-         * Returns the direction of an order as (x, y) of a unit vector; empty if it is below the horizon.
-         *
-         * @param wavelength in meters
-         */
+        /** Returns an order's direction as (x, y) of a unit vector, for a wavelength in meters; empty if it is below the horizon. */
         public Optional<Point2D> direction(int order, double wavelength) {
             double x = -light.x() - order * wavelength * wave.x();
             double y = -light.y() - order * wavelength * wave.y();
@@ -219,9 +215,7 @@ public final class MapView extends JComponent {
         }
 
         /**
-         * Paints the marks on the BRDF map, a disc of diameter {@code side} whose left edge is at {@code left}, in pixels.
-         *
-         * @param withMirror whether order 0 is marked, which all gratings share
+         * Paints the marks on the BRDF map, a disc with the given left edge and diameter in pixels; order 0 is the same for all gratings.
          */
         void paint(Graphics2D graphics, Labels labels, boolean withMirror, double left, double side) {
             double apart = 0.5 * side * GREEN * wave.length();

@@ -68,11 +68,7 @@ public final class ViewMeasurement {
         this.nanoseconds = (long) (seconds * 1e9);
     }
 
-    /**
-     * Drags the light and then the model in a viewer with a loaded scene; returns one line for each. Not on the event thread.
-     *
-     * @param seconds measured time of each drag, after the warm-up
-     */
+    /** Drags the light and then the model, some seconds each after the warm-up; returns a line for each. Not on the event thread. */
     public static String of(Viewer viewer, double seconds) throws InterruptedException {
         List<String> lines = new ArrayList<>();
         for (Drag drag : DRAGS) {

@@ -141,11 +141,8 @@ public final class Viewer {
     }
 
     /**
-     * Waits, not on the event thread, until the window is closed, then for running saves and for the end of OpenGL. A save that waits for a
-     * final picture is dropped.
-     *
-     * @param patience longest wait for saves, and again for OpenGL, in milliseconds
-     * @return true if OpenGL has ended
+     * Waits, not on the event thread, until the window is closed, then, some milliseconds each, for running saves and for the end of
+     * OpenGL; returns true if that has ended. A save that waits for a final picture is dropped.
      */
     public boolean awaitEnd(long patience) throws InterruptedException {
         closed.await();
