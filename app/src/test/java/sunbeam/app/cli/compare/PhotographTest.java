@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -16,9 +17,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -28,9 +31,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.files.InputException;
 
 class PhotographTest {
-    private static final int GRAY = 0;
-    private static final int RGB = 2;
-    private static final int RGBA = 6;
+    private static final int GRAY = 1;
+    private static final int RGB = 3;
+    private static final int RGBA = 4;
     // Samples have 16 bits.
     private static final Offset<Float> EXACT = within(1e-5f);
 
@@ -66,34 +69,37 @@ class PhotographTest {
         return bytes.toByteArray();
     }
 
-    /** Returns a PNG of 16 bits with an additional chunk. */
-    private byte[] png(int columns, int kind, byte[] chunk, int... samples) throws IOException {
-        int channels = kind == GRAY ? 1 : kind == RGB ? 3 : 4;
-        int rows = samples.length / channels / columns;
-        ByteBuffer pixels = ByteBuffer.allocate(rows + 2 * samples.length);
-        for (int i = 0; i < samples.length; i++) {
-            if (i % (channels * columns) == 0) {
-                pixels.put((byte) 0);
-            }
-            pixels.putShort((short) samples[i]);
-        }
-        return png(columns, rows, 16, kind, chunk, pixels.array());
+    /** Writes a PNG of 16 bits with an additional chunk, and returns its bytes. */
+    private byte[] png(int columns, int channels, byte[] chunk, int... samples) throws IOException {
+        ImageTypeSpecifier type = ImageTypeSpecifier.createInterleaved(
+                ColorSpace.getInstance(channels == GRAY ? ColorSpace.CS_GRAY : ColorSpace.CS_sRGB),
+                IntStream.range(0, channels).toArray(),
+                DataBuffer.TYPE_USHORT,
+                channels == RGBA,
+                false);
+        BufferedImage image = type.createBufferedImage(columns, samples.length / channels / columns);
+        image.getRaster().setPixels(0, 0, columns, image.getHeight(), samples);
+        // Signature and IHDR have 33 bytes.
+        return write(inserted(written(image, "png"), 33, chunk));
     }
 
-    private byte[] png(int columns, int rows, int bits, int kind, byte[] chunk, byte[] pixels) throws IOException {
-        byte[] header = ByteBuffer.allocate(13)
-                .putInt(columns)
-                .putInt(rows)
-                .put(new byte[] {(byte) bits, (byte) kind, 0, 0, 0})
-                .array();
+    private byte[] write(byte[] bytes) throws IOException {
+        Files.write(file, bytes);
+        return bytes;
+    }
+
+    private static byte[] written(BufferedImage image, String format) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        bytes.writeBytes(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
-        bytes.writeBytes(chunk("IHDR", header));
-        bytes.writeBytes(chunk);
-        bytes.writeBytes(chunk("IDAT", deflated(pixels)));
-        bytes.writeBytes(chunk("IEND", new byte[0]));
-        Files.write(file, bytes.toByteArray());
+        ImageIO.write(image, format, bytes);
         return bytes.toByteArray();
+    }
+
+    private static byte[] inserted(byte[] bytes, int at, byte[] more) {
+        return ByteBuffer.allocate(bytes.length + more.length)
+                .put(bytes, 0, at)
+                .put(more)
+                .put(bytes, at, bytes.length - at)
+                .array();
     }
 
     private Photograph.Linear whole() {
@@ -157,20 +163,14 @@ class PhotographTest {
 
     @Test
     void aJpegsExifDataAreFound() throws IOException {
-        BufferedImage image = new BufferedImage(32, 16, BufferedImage.TYPE_INT_RGB);
-        ByteArrayOutputStream jpeg = new ByteArrayOutputStream();
-        ImageIO.write(image, "jpeg", jpeg);
         byte[] exif = exif(6);
-        byte[] plain = jpeg.toByteArray();
-        byte[] tagged = ByteBuffer.allocate(plain.length + 10 + exif.length)
-                .put(plain, 0, 2)
+        byte[] segment = ByteBuffer.allocate(10 + exif.length)
                 .putShort((short) 0xffe1)
                 .putShort((short) (8 + exif.length))
                 .put("Exif\0\0".getBytes(StandardCharsets.ISO_8859_1))
                 .put(exif)
-                .put(plain, 2, plain.length - 2)
                 .array();
-        Files.write(file, tagged);
+        write(inserted(written(new BufferedImage(32, 16, BufferedImage.TYPE_INT_RGB), "jpeg"), 2, segment));
         assertThat(Photograph.read(file).height()).isEqualTo(32);
     }
 
@@ -260,27 +260,21 @@ class PhotographTest {
     /** Java's TIFF decoder silently drops a damaged profile. */
     @Test
     void aTiffsDamagedProfileIsRefused() throws IOException {
-        int[][] entries = {
-            {256, 3, 1, 1},
-            {257, 3, 1, 1},
-            {258, 3, 1, 8},
-            {259, 3, 1, 1},
-            {262, 3, 1, 1},
-            {273, 4, 1, 8},
-            {277, 3, 1, 1},
-            {278, 3, 1, 1},
-            {279, 4, 1, 1},
-            {34675, 7, 100, 150}
-        };
+        // Tag, type, count and value.
+        String entries = """
+                256 3 1 1, 257 3 1 1, 258 3 1 8, 259 3 1 1, 262 3 1 1, 273 4 1 8, 277 3 1 1, 278 3 1 1, 279 4 1 1,
+                34675 7 100 150""";
         ByteBuffer tiff = ByteBuffer.allocate(250).order(ByteOrder.LITTLE_ENDIAN);
-        tiff.put(new byte[] {'I', 'I', 42, 0, 10, 0, 0, 0, 77, 0}).putShort((short) entries.length);
-        for (int[] entry : entries) {
-            tiff.putShort((short) entry[0]).putShort((short) entry[1]).putInt(entry[2]);
-            tiff.putInt(entry[3]);
+        tiff.put(new byte[] {'I', 'I', 42, 0, 10, 0, 0, 0, 77, 0, 10, 0});
+        for (String entry : entries.split(",\\s*", -1)) {
+            int[] n = Arrays.stream(entry.split(" ", -1))
+                    .mapToInt(Integer::parseInt)
+                    .toArray();
+            tiff.putShort((short) n[0]).putShort((short) n[1]).putInt(n[2]).putInt(n[3]);
         }
-        Files.write(file, tiff.array());
+        write(tiff.array());
         assertRefused("color profile that is damaged or does not fit");
-        Files.write(file, tiff.putShort(10, (short) (entries.length - 1)).array());
+        write(tiff.putShort(10, (short) 9).array());
         assertThat(whole().picture().rgba()[3]).as("without the last entry").isOne();
     }
 
@@ -296,7 +290,7 @@ class PhotographTest {
     /** 2 MB with one bit per pixel would take minutes. */
     @Test
     void tooManyPixelsAreRefusedBeforeTheyAreDecoded() throws IOException {
-        png(16_384, 16_384, 1, GRAY, new byte[0], new byte[16_384 * 2049]);
+        write(written(new BufferedImage(16_384, 16_384, BufferedImage.TYPE_BYTE_BINARY), "png"));
         assertRefused("16384 x 16384 pixels; make it smaller, 160 million at most");
     }
 
@@ -324,9 +318,8 @@ class PhotographTest {
     /** Java's decoder fills the missing part of a JPEG with gray and only warns. */
     @Test
     void aJpegThatEndsTooEarlyIsRefused() throws IOException {
-        ByteArrayOutputStream whole = new ByteArrayOutputStream();
-        ImageIO.write(new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB), "jpeg", whole);
-        Files.write(file, Arrays.copyOf(whole.toByteArray(), whole.size() - 20));
+        byte[] whole = written(new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB), "jpeg");
+        write(Arrays.copyOf(whole, whole.length - 20));
         assertRefused("is damaged (Truncated");
     }
 
@@ -346,7 +339,7 @@ class PhotographTest {
             byte[] bad = good.clone();
             // Do not damage the signature and the size.
             bad[24 + random.nextInt(bad.length - 24)] ^= (byte) (1 << random.nextInt(8));
-            Files.write(file, bad);
+            write(bad);
             try {
                 assertThat(whole().picture().rgba()).hasSize(8);
             } catch (InputException complaint) {
