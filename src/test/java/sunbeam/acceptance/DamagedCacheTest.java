@@ -7,8 +7,11 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** A damaged table in the cache is detected, reported in one line and made again, and the map is right. */
 class DamagedCacheTest extends InOneWorkplace {
@@ -25,28 +28,22 @@ class DamagedCacheTest extends InOneWorkplace {
         goodMap = Files.readAllBytes(workplace.resolve("first.npy"));
     }
 
-    @Test
-    void aTruncatedTable() throws Exception {
-        assertMadeAgain(
-                Arrays.copyOf(goodTable, goodTable.length / 2),
-                "truncated: " + goodTable.length / 2 + " bytes left of " + goodTable.length);
-    }
-
-    @Test
-    void aTableWithAFlippedBit() throws Exception {
+    private static Stream<Arguments> damages() {
+        int half = goodTable.length / 2;
         byte[] flipped = goodTable.clone();
-        flipped[flipped.length / 2] ^= 0x10;
-        assertMadeAgain(flipped, "its checksum does not fit: the file was altered or damaged");
-    }
-
-    @Test
-    void aTableOfAnotherVersion() throws Exception {
+        flipped[half] ^= 0x10;
         // The number after the signature of eight bytes.
         byte[] other = ByteBuffer.wrap(goodTable.clone()).putInt(8, 99).array();
-        assertMadeAgain(other, "tables of version 99, this Sunbeam reads version ");
+        return Stream.of(
+                Arguments.of(
+                        Arrays.copyOf(goodTable, half), "truncated: " + half + " bytes left of " + goodTable.length),
+                Arguments.of(flipped, "its checksum does not fit: the file was altered or damaged"),
+                Arguments.of(other, "tables of version 99, this Sunbeam reads version "));
     }
 
-    private static void assertMadeAgain(byte[] damaged, String reason) throws Exception {
+    @ParameterizedTest
+    @MethodSource("damages")
+    void aDamagedTableIsMadeAgain(byte[] damaged, String reason) throws Exception {
         Files.write(table, damaged);
 
         SunbeamResult result = map("again");

@@ -56,6 +56,16 @@ public abstract class CommandLineFixture {
         return Stream.concat(Arrays.stream(first), Arrays.stream(more)).toArray(String[]::new);
     }
 
+    /** Returns the rows of a file of comma-separated numbers, without its head. */
+    protected final double[][] rows(String name) throws IOException {
+        return Files.readAllLines(folder.resolve(name)).stream()
+                .skip(1)
+                .map(line -> Arrays.stream(line.split(",", -1))
+                        .mapToDouble(Double::parseDouble)
+                        .toArray())
+                .toArray(double[][]::new);
+    }
+
     /** Returns the float32 at the end of a NumPy file. */
     protected final float[] floats(String name, int count) throws IOException {
         byte[] bytes = Files.readAllBytes(folder.resolve(name));

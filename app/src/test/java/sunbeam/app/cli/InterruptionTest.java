@@ -8,17 +8,25 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.Main;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.ShutdownHook.CancelledException;
 
-/** Interrupts real processes by the signal that Ctrl-C sends. */
+/** Processes of their own, also interrupted by the signal that Ctrl-C sends. */
 final class InterruptionTest {
     private static final int LENGTH = 100_000;
 
@@ -84,15 +92,10 @@ final class InterruptionTest {
         }
     }
 
-    @Test
-    void theFileThatIsBeingWrittenGoes() throws Exception {
-        interrupt(Waiting.class);
-        assertThat(names()).isEmpty();
-    }
-
-    @Test
-    void aFileThatHasGoneIsNotMadeAgain() throws Exception {
-        interrupt(OpeningLate.class);
+    @ParameterizedTest
+    @ValueSource(classes = {Waiting.class, OpeningLate.class})
+    void theFileThatIsBeingWrittenGoesAndIsNotMadeAgain(Class<?> program) throws Exception {
+        interrupt(program);
         assertThat(names()).isEmpty();
     }
 
@@ -120,17 +123,7 @@ final class InterruptionTest {
     }
 
     private void end(Class<?> program, String signal, int exitCode) throws Exception {
-        // Restore the signal's default, which nohup and background shells replace.
-        Process process = new ProcessBuilder(
-                        "env",
-                        "--default-signal=INT",
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        program.getName(),
-                        folder.resolve("out.bin").toString())
-                .start();
+        Process process = java(program, folder.resolve("out.bin").toString()).start();
         try (InputStream out = process.getInputStream();
                 InputStream err = process.getErrorStream()) {
             assertThat(new String(out.readNBytes(5), StandardCharsets.US_ASCII)).isEqualTo("ready");
@@ -143,6 +136,33 @@ final class InterruptionTest {
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    /** Java opens the display only once. */
+    @ParameterizedTest
+    @ValueSource(strings = {":4711", "nonsense"})
+    @EnabledOnOs(OS.LINUX)
+    void aScreenWithoutAServerIsOneLine(String display) throws Exception {
+        ProcessBuilder builder = java(Main.class, "view", "elaphe");
+        builder.environment().put("DISPLAY", display);
+        Process process = builder.redirectErrorStream(true).start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor(1, TimeUnit.MINUTES)).isTrue();
+        assertThat(said.strip().lines())
+                .singleElement()
+                .asString()
+                .contains("cannot open the screen", "'" + display + "'", "set DISPLAY");
+        assertThat(process.exitValue()).isEqualTo(ExitCode.NO_GRAPHICS.code());
+    }
+
+    private static ProcessBuilder java(Class<?> program, String... arguments) {
+        // Restore the signal's default, which nohup and background shells replace.
+        List<String> command = new ArrayList<>(List.of("env", "--default-signal=INT"));
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Djava.awt.headless=false", "-cp"));
+        command.addAll(List.of(System.getProperty("java.class.path"), program.getName()));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command);
     }
 
     private Set<String> names() throws IOException {

@@ -1,5 +1,8 @@
 package sunbeam.app.render;
 
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -8,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
 import jrtr.Tile;
 import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
@@ -75,6 +79,15 @@ public abstract class InAScene extends InAContext {
 
     protected final SceneSession session(Scene scene) {
         return new SceneSession(context, load(scene));
+    }
+
+    /** Writes a picture of these pixels, row by row from the top, and returns its file. */
+    protected final String image(int type, int width, int... argb) throws IOException {
+        BufferedImage image = new BufferedImage(width, argb.length / width, type);
+        image.setRGB(0, 0, width, argb.length / width, argb, 0, width);
+        Path file = Files.createTempFile(folder, "image", ".png");
+        ImageIO.write(image, "png", file.toFile());
+        return file.toString();
     }
 
     /** Returns linear RGBA of a whole picture. */

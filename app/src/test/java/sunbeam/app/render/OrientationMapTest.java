@@ -39,13 +39,7 @@ class OrientationMapTest extends InAScene {
     private static final double SLANT = Math.atan2(64, 110);
 
     private String map(int... argb) throws IOException {
-        BufferedImage image = new BufferedImage(argb.length, 1, BufferedImage.TYPE_INT_ARGB);
-        for (int x = 0; x < argb.length; x++) {
-            image.setRGB(x, 0, argb[x]);
-        }
-        Path file = Files.createTempFile(folder, "map", ".png");
-        ImageIO.write(image, "png", file.toFile());
-        return file.toString();
+        return image(BufferedImage.TYPE_INT_ARGB, argb.length, argb);
     }
 
     private static Scene mapped(Scene scene, String map, double turn) {

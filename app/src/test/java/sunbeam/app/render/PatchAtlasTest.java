@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -40,13 +41,7 @@ class PatchAtlasTest extends InAScene {
 
     /** A square of 2 x 2 texels, the upper row first. */
     private String map(int type, int... rgb) throws IOException {
-        BufferedImage image = new BufferedImage(2, 2, type);
-        for (int i = 0; i < 4; i++) {
-            image.setRGB(i % 2, i / 2, 0xff00_0000 | rgb[i]);
-        }
-        Path file = Files.createTempFile(folder, "map", ".png");
-        ImageIO.write(image, "png", file.toFile());
-        return file.toString();
+        return image(type, 2, Arrays.stream(rgb).map(color -> 0xff00_0000 | color).toArray());
     }
 
     private static PatchAtlas.Region region(int color, String patch) {

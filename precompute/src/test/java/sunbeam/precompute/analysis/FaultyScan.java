@@ -5,6 +5,8 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
 import sunbeam.precompute.prepare.ScanFaults;
@@ -166,24 +168,19 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
             }
         }
         String words = draw.kind() + " seed " + seed;
+        HeightMap map = new HeightMap(draw.columns(), rows, draw.pitch(), draw.pitch(), heights);
         if (draw.kind() == Kind.DISLOCATED) {
             // One side of its end has a line more.
-            return new FaultyScan(
-                    level(draw.columns(), rows, draw.pitch(), heights), draw.withHalfALine(), true, words);
+            return new FaultyScan(Leveling.PLANE.apply(map), draw.withHalfALine(), true, words);
         }
         double[] truths = halves || draw.kind() == Kind.TWO_PARTS
                 ? new double[] {draw.period(), ratio * draw.period()}
                 : new double[] {draw.period()};
-        return scan(draw.columns(), rows, draw.pitch(), heights, truths, words);
+        return scan(map, truths, words);
     }
 
-    private static FaultyScan scan(
-            int columns, int rows, double pitch, double[] heights, double[] truths, String words) {
-        return new FaultyScan(level(columns, rows, pitch, heights), truths, false, words);
-    }
-
-    private static HeightMap level(int columns, int rows, double pitch, double[] heights) {
-        return Leveling.PLANE.apply(new HeightMap(columns, rows, pitch, pitch, heights));
+    private static FaultyScan scan(HeightMap map, double[] truths, String words) {
+        return new FaultyScan(Leveling.PLANE.apply(map), truths, false, words);
     }
 
     private static FaultyScan lattice(Kind kind, long seed, SplittableRandom random) {
@@ -196,23 +193,19 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         double start = kind == Kind.ALIGNED
                 ? -0.5 * between + (random.nextBoolean() ? 0 : 0.5 * Math.PI)
                 : Math.toRadians(180 * random.nextDouble());
-        double[] truths = new double[waves];
-        double[] heights = new double[draw.columns() * draw.rows()];
-        for (int i = 0; i < waves; i++) {
-            truths[i] = draw.period() * Math.pow(ratio, i);
-            double cosine = Math.cos(start + i * between) / truths[i];
-            double sine = Math.sin(start + i * between) / truths[i];
-            for (int k = 0; k < heights.length; k++) {
-                int row = k / draw.columns();
-                double turns = draw.pitch() * (k % draw.columns() * cosine - row * sine);
-                heights[k] += 1e-7 * Math.cos(2 * Math.PI * turns);
+        double[] truths = IntStream.range(0, waves)
+                .mapToDouble(i -> draw.period() * Math.pow(ratio, i))
+                .toArray();
+        HeightMap map = Surfaces.sampled(draw.columns(), draw.rows(), draw.pitch(), (column, row) -> {
+            double height = noise * random.nextGaussian();
+            for (int i = 0; i < waves; i++) {
+                double angle = start + i * between;
+                double along = column * Math.cos(angle) - row * Math.sin(angle);
+                height += Math.cos(2 * Math.PI * draw.pitch() * along / truths[i]);
             }
-        }
-        for (int k = 0; k < heights.length; k++) {
-            heights[k] += 1e-7 * noise * random.nextGaussian();
-        }
-        String words = kind + " seed " + seed;
-        return scan(draw.columns(), draw.rows(), draw.pitch(), heights, truths, words);
+            return 1e-7 * height;
+        });
+        return scan(map, truths, kind + " seed " + seed);
     }
 
     private static FaultyScan terraces(long seed, SplittableRandom random) {
@@ -227,20 +220,15 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
         double[] edges = random.doubles(count, 1, 5).toArray();
         Arrays.parallelPrefix(edges, Double::sum);
         double scale = diagonal / edges[count - 1];
-        double[] heights = new double[columns * rows];
-        for (int k = 0; k < heights.length; k++) {
-            int row = k / columns;
-            double x = k % columns - 0.5 * columns;
+        HeightMap map = Surfaces.sampled(columns, rows, pitch, (column, row) -> {
+            double x = column - 0.5 * columns;
             double place = x * Math.cos(angle) + (row - 0.5 * rows) * Math.sin(angle) + 0.5 * diagonal;
-            int step = 0;
-            while (step < count && edges[step] * scale < place) {
-                step++;
-            }
-            heights[k] = 1e-8 * ((up ? step : step % 2) + noise * random.nextGaussian());
-        }
-        String words = Kind.TERRACES + " seed " + seed;
+            long step =
+                    Arrays.stream(edges).filter(edge -> edge * scale < place).count();
+            return 1e-8 * ((up ? step : step % 2) + noise * random.nextGaussian());
+        });
         // A period that is found is one terrace wide, or two where every other one lies higher.
         double width = diagonal / count * pitch;
-        return scan(columns, rows, pitch, heights, new double[] {width, 2 * width}, words);
+        return scan(map, new double[] {width, 2 * width}, Kind.TERRACES + " seed " + seed);
     }
 }

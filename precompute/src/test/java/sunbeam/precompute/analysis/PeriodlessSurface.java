@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.Leveling;
 
@@ -50,21 +51,18 @@ enum PeriodlessSurface {
 
     private static double[] columns(int columns, int rows, SplittableRandom random) {
         double[] profile = smoothed(columns, 1, random.nextInt(4), random);
-        double[] heights = new double[columns * rows];
-        Arrays.setAll(heights, i -> profile[i % columns]);
-        return heights;
+        return Surfaces.sampled(columns, rows, PITCH, (column, row) -> profile[column])
+                .heights();
     }
 
     private static double[] along(int columns, int rows, double angle, DoubleUnaryOperator profile) {
-        double[] heights = new double[columns * rows];
-        for (int i = 0; i < heights.length; i++) {
-            double x = 2.0 * (i % columns) / columns - 1;
-            int row = i / columns;
-            double y = 2.0 * row / rows - 1;
-            double reach = Math.abs(Math.cos(angle)) + Math.abs(Math.sin(angle));
-            heights[i] = profile.applyAsDouble((x * Math.cos(angle) + y * Math.sin(angle)) / reach);
-        }
-        return heights;
+        double reach = Math.abs(Math.cos(angle)) + Math.abs(Math.sin(angle));
+        return Surfaces.sampled(columns, rows, PITCH, (column, row) -> {
+                    double x = 2.0 * column / columns - 1;
+                    double y = 2.0 * row / rows - 1;
+                    return profile.applyAsDouble((x * Math.cos(angle) + y * Math.sin(angle)) / reach);
+                })
+                .heights();
     }
 
     private static DoubleUnaryOperator steps(int count, SplittableRandom random) {

@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 
 /** Kinds of randomly drawn scans of gratings with known periods. */
@@ -34,7 +35,6 @@ enum SimulatedGrating {
         double ratio = 1.08 + 0.4 * random.nextDouble();
         double growth = 1.02 + 0.5 * random.nextDouble();
         double[] lines = lines(random, 3 * (int) Math.ceil(2 * width / period), disorder);
-        double[] heights = new double[columns * rows];
         double start = random.nextDouble();
         int bands = this == ROWS ? Math.max(1, (int) Math.round(rows * pitch / (3 * period))) : 1;
         double[][] bandLines = new double[bands][];
@@ -42,31 +42,25 @@ enum SimulatedGrating {
             bandLines[i] = this == ROWS ? GAPS.lines(random, lines.length, disorder) : lines;
         }
         double angle = this == ROWS ? 0 : azimuth;
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                double x = (column - 0.5 * columns) * pitch;
-                double y = (0.5 * rows - row) * pitch;
-                double s = x * Math.cos(angle) + y * Math.sin(angle);
-                double[] of = bandLines[Math.min(bands - 1, row * bands / rows)];
-                double height;
-                if (this == TWO) {
-                    height = 0.5
-                            * depth
-                            * (Math.cos(2 * Math.PI * s / period)
-                                    + (0.6 + 0.4 * disorder / 0.15)
-                                            * Math.cos(2 * Math.PI * (s / (period * ratio) + start)));
-                } else if (this == CHIRPED) {
-                    double change = (1 / growth - 1) / width;
-                    height = depth * wave(s / period * (1 + 0.5 * change * s) + start, shape);
-                } else {
-                    height = depth * wave(phase(of, s / period) + start, shape);
-                }
-                heights[row * columns + column] = height + tilt * x + noise * gaussian(random);
+        HeightMap map = Surfaces.sampled(columns, rows, pitch, (column, row) -> {
+            double x = (column - 0.5 * columns) * pitch;
+            double y = (0.5 * rows - row) * pitch;
+            double s = x * Math.cos(angle) + y * Math.sin(angle);
+            double height;
+            if (this == TWO) {
+                double other = 0.6 + 0.4 * disorder / 0.15;
+                height = 0.5 * Math.cos(2 * Math.PI * s / period)
+                        + 0.5 * other * Math.cos(2 * Math.PI * (s / (period * ratio) + start));
+            } else if (this == CHIRPED) {
+                double change = (1 / growth - 1) / width;
+                height = wave(s / period * (1 + 0.5 * change * s) + start, shape);
+            } else {
+                height = wave(phase(bandLines[Math.min(bands - 1, row * bands / rows)], s / period) + start, shape);
             }
-        }
+            return depth * height + tilt * x + noise * gaussian(random);
+        });
         double[] truths = this == TWO ? new double[] {period, period * ratio} : new double[] {period};
-        return new FaultyScan(
-                new HeightMap(columns, rows, pitch, pitch, heights), truths, false, this + " seed " + seed);
+        return new FaultyScan(map, truths, false, this + " seed " + seed);
     }
 
     private double[] lines(SplittableRandom random, int count, double disorder) {
@@ -74,18 +68,10 @@ enum SimulatedGrating {
         double walk = 0;
         double velocity = 0;
         for (int i = 0; i < count; i++) {
-            if (this == GAPS) {
-                walk += disorder * gaussian(random);
-                lines[i] = i - 0.5 * count + walk;
-            } else if (this == STRAYED) {
-                lines[i] = i - 0.5 * count + disorder * gaussian(random);
-            } else if (this == WARPED) {
-                velocity = 0.6 * velocity + 0.4 * disorder * gaussian(random);
-                walk += velocity;
-                lines[i] = i - 0.5 * count + walk;
-            } else {
-                lines[i] = i - 0.5 * count;
-            }
+            double strayed = this == GAPS || this == STRAYED || this == WARPED ? disorder * gaussian(random) : 0;
+            velocity = this == WARPED ? 0.6 * velocity + 0.4 * strayed : strayed;
+            walk = this == STRAYED ? strayed : walk + velocity;
+            lines[i] = i - 0.5 * count + walk;
         }
         Arrays.sort(lines);
         return lines;

@@ -113,46 +113,29 @@ class ShaderTablesFileTest {
                 .hasMessage("cannot use " + file + ": tables of another surface or plan");
     }
 
+    private void assertRefused(byte[] content, String words) throws IOException {
+        Files.write(file, content);
+        assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
+                .isInstanceOf(InputException.class)
+                .hasMessageContaining(words);
+    }
+
     @Test
-    void aFlippedBitIsNoticedWhereverItIs() throws IOException {
+    void damageIsNoticedWhereverItIs() throws IOException {
         for (int at = 0; at < good.length; at += 3) {
             byte[] flipped = good.clone();
             flipped[at] ^= 0x10;
-            Files.write(file, flipped);
-            assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
-                    .as("byte %d", at)
-                    .isInstanceOf(InputException.class);
+            assertRefused(flipped, "cannot use ");
+            assertRefused(Arrays.copyOf(good, at), "cannot use ");
         }
-    }
-
-    @Test
-    void aTruncatedFileIsNoticedWhereverItEnds() throws IOException {
-        for (int length = 0; length < good.length; length += 3) {
-            Files.write(file, Arrays.copyOf(good, length));
-            assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY))
-                    .as("%d bytes", length)
-                    .isInstanceOf(InputException.class);
-        }
-    }
-
-    @Test
-    void longTextsAreRefused() throws IOException {
-        Files.write(file, Arrays.copyOf(good, good.length + 4));
-
-        assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY)).hasMessageContaining("too long: ");
-    }
-
-    @Test
-    void aLaterVersionIsRefused() throws IOException {
+        assertRefused(Arrays.copyOf(good, good.length + 4), "too long: ");
         byte[] later = good.clone();
         ByteBuffer.wrap(later).putInt(Long.BYTES, ShaderTablesFile.VERSION + 1);
-        Files.write(file, later);
-
-        assertThatThrownBy(() -> ShaderTablesFile.read(file, KEY)).hasMessageContaining("tables of version ");
+        assertRefused(later, "tables of version ");
     }
 
     @Test
-    void anArrayLargerThanTheFileTakesNoMemory() {
+    void anArrayLargerThanTheFileTakesNoMemory() throws IOException {
         ArrayLayout huge = ArrayLayout.layered("huge", 8192, 8192, Integer.MAX_VALUE, 4);
         TableArray claimed = TableArray.of(huge, new float[0]);
         byte[] header = ShaderTablesFile.header(
@@ -160,12 +143,7 @@ class ShaderTablesFileTest {
         ByteBuffer claims = ByteBuffer.allocate(16 + header.length + 8);
         claims.put(good, 0, Long.BYTES + Integer.BYTES).putInt(header.length).put(header);
 
-        assertThatThrownBy(() -> {
-                    Files.write(file, claims.array());
-                    ShaderTablesFile.read(file, KEY);
-                })
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("truncated: ");
+        assertRefused(claims.array(), "truncated: ");
     }
 
     @ParameterizedTest

@@ -32,35 +32,29 @@ class UnitsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"65", "2.5e-6", " 375 "})
-    void asksForTheUnitOfABareNumber(String text) {
+    @CsvSource(delimiter = '|', emptyValue = "", textBlock = """
+            65         | has no unit
+            2.5e-6     | has no unit
+            ' 375 '    | has no unit
+            65 inch    | pm, nm, um, mm, cm or m
+            65 Um      | pm, nm, um, mm, cm or m
+            1e5um2     | pm, nm, um, mm, cm or m
+            20,5um     | is no length; write a decimal point for the comma, "20.5um"
+            0,3 m      | is no length; write a decimal point for the comma, "0.3 m"
+            ''         | is no length
+            um         | is no length
+            NaN um     | is no length
+            Infinity m | is no length
+            1 2 um     | is no length
+            65 um wide | is no length
+            0x10 m     | is no length
+            --1 m      | is no length
+            3e9999 m   | is no length
+            """)
+    void whatIsNoLengthIsToldWithItsRemedy(String text, String words) {
         assertThatThrownBy(() -> Lengths.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContainingAll('"' + text + '"', "no unit");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"65 inch", "65 Um", "1e5um2"})
-    void namesAnUnknownUnit(String text) {
-        assertThatThrownBy(() -> Lengths.parse(text))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContainingAll(text, "pm, nm, um, mm, cm or m");
-    }
-
-    @ParameterizedTest
-    @ValueSource(
-            strings = {"", "um", "NaN um", "Infinity m", "0,3 m", "1 2 um", "65 um wide", "0x10 m", "--1 m", "3e9999 m"
-            })
-    void refusesTextsThatAreNoLength(String text) {
-        assertThatThrownBy(() -> Lengths.parse(text))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining('"' + text + '"');
-    }
-
-    @Test
-    void decimalCommasHaveARemedy() {
-        assertThatThrownBy(() -> Lengths.parse("20,5um"))
-                .hasMessage("\"20,5um\" is no length; write a decimal point for the comma, \"20.5um\"");
+                .hasMessageContainingAll('"' + text + '"', words);
     }
 
     @Test

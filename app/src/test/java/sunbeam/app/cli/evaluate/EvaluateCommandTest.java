@@ -7,7 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -95,14 +95,11 @@ final class EvaluateCommandTest extends CommandLineFixture {
     /** Returns the mean over wavelengths of the period, nm, at which the response without its gain is largest. */
     private double meanPeriodOfPower() throws IOException {
         GratingPlane plane = new GratingPlane(Math.toRadians(75), 0, 0);
-        List<double[]> rows = new ArrayList<>();
-        for (String line : Files.readAllLines(folder.resolve("result.csv"))) {
-            rows.add(Stream.of(line.replace("wavelength_nm", "0").split(","))
-                    .mapToDouble(Double::parseDouble)
-                    .toArray());
-        }
-        double[] angles = rows.remove(0);
-        return rows.stream()
+        double[] angles = Arrays.stream(
+                        Files.readAllLines(folder.resolve("result.csv")).get(0).split(","))
+                .mapToDouble(angle -> angle.startsWith("w") ? 0 : Double.parseDouble(angle))
+                .toArray();
+        return Arrays.stream(rows("result.csv"))
                 .mapToDouble(row -> IntStream.range(1, row.length)
                         .boxed()
                         .max(Comparator.comparingDouble(

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
@@ -19,19 +21,12 @@ final class GridErrorsTest {
                 .containsExactly(AIMED.get(0), UNIFORM.get(0), AIMED.get(1), UNIFORM.get(1));
     }
 
-    @Test
-    void aScanIsComparedAtAsManyPairsAsTwentySecondsAllow() {
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 9.5e9, Optional.empty()))
-                .hasSize(2);
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e12, Optional.empty()))
-                .hasSize(1);
-    }
-
-    @Test
-    void aGivenNumberOfPairsIsComparedAtAnyCost() {
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1e12, Optional.of(6)))
-                .hasSize(6);
-        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> 1, Optional.of(0))).isEmpty();
+    /** As many as twenty seconds allow, or as are given at any cost. */
+    @ParameterizedTest
+    @CsvSource({"9.5e9, , 2", "1e12, , 1", "1e12, 6, 6", "1, 0, 0"})
+    void costlyPairsAreFewUnlessTheirNumberIsGiven(double cost, Integer given, int compared) {
+        assertThat(GridErrors.choose(AIMED, UNIFORM, pair -> cost, Optional.ofNullable(given)))
+                .hasSize(compared);
     }
 
     private static List<DirectionPair> pairs(double phiDegrees) {

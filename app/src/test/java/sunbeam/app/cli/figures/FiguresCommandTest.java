@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,21 +15,14 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
+import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.cli.collection.Collection;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 
-class FiguresCommandTest {
-    @TempDir
-    private Path folder;
-
-    private Path output;
-
+class FiguresCommandTest extends CommandLineFixture {
     private final List<List<String>> runs = new ArrayList<>();
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
 
     /** Stands for the program: draws gray maps, those of 50 and 100 nm darker, and fails for 25 nm. */
     private Collection.Outcome draw(List<String> words) {
@@ -58,7 +50,7 @@ class FiguresCommandTest {
         return figure.drawings(patch -> patch, new Figure.Sizes(24, "48x36", "380:780:100"), folder);
     }
 
-    private int figures(String... more) {
+    private int figures(String options) {
         CommandLine command =
                 new CommandLine(new FiguresCommand(new Environment(Map.of(), folder).progress(), this::draw));
         command.setOut(new PrintWriter(out));
@@ -67,9 +59,8 @@ class FiguresCommandTest {
             err.append(failure.getMessage());
             return 6;
         });
-        List<String> all = new ArrayList<>(List.of("--output", (output != null ? output : folder).toString()));
-        all.addAll(List.of(more));
-        return command.execute(all.toArray(String[]::new));
+        String output = options.contains("--output") ? "" : "--output " + folder + " ";
+        return command.execute((output + options).split(" ", -1));
     }
 
     @Test
@@ -105,7 +96,7 @@ class FiguresCommandTest {
                 folder.resolve("table-4.1-elaphe.json"),
                 "{\"peaks_at_maxima\": {\"mean_m\": 1144.11e-9, \"variance_m2\": 0.08e-18}}");
 
-        assertThat(figures("--only", "table-4.1")).isZero();
+        assertThat(figures("--only table-4.1")).isZero();
 
         assertThat(out.toString()).contains("FLSS, Elaphe, mean nm: thesis 1144.28, here 1144.11, difference -0.17");
         assertThat(Files.readString(folder.resolve("index.html")))
@@ -114,7 +105,7 @@ class FiguresCommandTest {
 
     @Test
     void eachPictureIsDrawnByItsCommandAndWhatFailsIsLeftOut() throws IOException {
-        assertThat(figures("--only", "5.5", "--size", "24")).isEqualTo(4);
+        assertThat(figures("--only 5.5 --size 24")).isEqualTo(4);
         assertThat(err.toString()).contains("figure 5.5-blaze-25nm.png: no memory");
         assertThat(runs).hasSize(6);
         assertThat(runs.get(2))
@@ -132,19 +123,19 @@ class FiguresCommandTest {
         assertThat(page).contains("CIEDE2000 0.0 (median)").containsPattern("CIEDE2000 2[0-9] \\(median\\)");
 
         runs.clear();
-        assertThat(figures("--only", "4.9", "--force")).isZero();
+        assertThat(figures("--only 4.9 --force")).isZero();
         assertThat(runs.get(0))
                 .startsWith("evaluate", "--patch", "blaze", "--theta-i", "75")
                 .endsWith("--force");
         runs.clear();
-        assertThat(figures("--only", "4.9")).isZero();
+        assertThat(figures("--only 4.9")).isZero();
         assertThat(runs).as("it is there").isEmpty();
         assertThat(Files.readString(folder.resolve("index.html"))).contains("Figure 4.9");
     }
 
     @Test
     void aVerdictIsWhatTheCheckMeasures() throws IOException {
-        figures("--only", "5.5,5.6", "--size", "24");
+        figures("--only 5.5,5.6 --size 24");
         // The gray of 100 nm lies 26 from that of 1 nm in lightness, those of 5 and 10 nm are equal to it.
         assertThat(out.toString())
                 .containsPattern(
@@ -157,7 +148,7 @@ class FiguresCommandTest {
     /** The program of this test writes none of the files that plots and checks of 4.5 and 5.11 read. */
     @Test
     void withoutResultsAPlotAndAVerdictAreLeftOut() throws IOException {
-        assertThat(figures("--only", "4.5,5.11", "--size", "24")).isZero();
+        assertThat(figures("--only 4.5,5.11 --size 24")).isZero();
         assertThat(folder.resolve("5.11-blaze-errors.png")).doesNotExist();
         assertThat(folder.resolve("4.5-relief.png")).doesNotExist();
         assertThat(Files.readString(folder.resolve("index.html"))).contains("a picture or a number is missing");
@@ -165,14 +156,14 @@ class FiguresCommandTest {
 
     @Test
     void quickPicturesAreSmall() {
-        figures("--only", "5.5,5.14", "--quick");
+        figures("--only 5.5,5.14 --quick");
         assertThat(runs.get(0)).containsSequence("--size", "96");
         assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "160x120");
     }
 
     @Test
     void aSceneOfAFigureHasItsValues() throws IOException {
-        figures("--only", "5.17,5.18");
+        figures("--only 5.17,5.18");
         assertThat(Files.readString(folder.resolve("5.17-4.1.scene.json"))).contains("\"fieldOfView\" : \"4.1 deg\"");
         // (0.6, 0.5) turned by 10 degrees.
         assertThat(Files.readString(folder.resolve("5.18-10.scene.json"))).containsPattern("\\[ 0\\.504\\d*, 0\\.596");
@@ -180,15 +171,14 @@ class FiguresCommandTest {
 
     @Test
     void foldersAboveTheOutputAreMade() {
-        output = folder.resolve("a").resolve("b");
-        assertThat(figures("--only", "2.8")).isZero();
-        assertThat(output.resolve("2.8-functions.png")).isRegularFile();
+        assertThat(figures("--only 2.8 --output " + folder.resolve("a/b"))).isZero();
+        assertThat(folder.resolve("a/b/2.8-functions.png")).isRegularFile();
     }
 
     @Test
     void aPageThatOthersWroteStays() throws IOException {
         Files.writeString(folder.resolve("index.html"), "mine");
-        assertThat(figures("--only", "5.5")).isEqualTo(6);
+        assertThat(figures("--only 5.5")).isEqualTo(6);
         assertThat(err.toString()).contains("it exists and is no page of figures");
         assertThat(runs).isEmpty();
     }

@@ -58,12 +58,11 @@ class EnergyTest extends CommandLineFixture {
         Files.write(folder.resolve("in.csv"), lines);
     }
 
-    private double[] column(String file, String name) throws IOException {
-        List<String> lines = Files.readAllLines(folder.resolve(file));
-        int column = List.of(lines.get(0).split(",")).indexOf(name);
-        return lines.stream()
-                .skip(1)
-                .mapToDouble(line -> Double.parseDouble(line.split(",", -1)[column]))
+    private double[] column(String name) throws IOException {
+        List<String> head =
+                List.of(Files.readAllLines(folder.resolve("c.csv")).get(0).split(","));
+        return Arrays.stream(rows("c.csv"))
+                .mapToDouble(row -> row[head.indexOf(name)])
                 .toArray();
     }
 
@@ -87,8 +86,7 @@ class EnergyTest extends CommandLineFixture {
         for (String rule : List.of("scalar", "conserve")) {
             assertSuccess(sunbeam(LIST + rule));
             // brdf cos theta_r d omega is brdf dx dy.
-            sums[rule.equals("scalar") ? 0 : 1] =
-                    Arrays.stream(column("c.csv", "brdf")).sum() * width / 6 * width / 4;
+            sums[rule.equals("scalar") ? 0 : 1] = Arrays.stream(column("brdf")).sum() * width / 6 * width / 4;
         }
         assertThat(sums[0]).isGreaterThan(1.5 * 0.04);
         assertThat(sums[1]).isBetween(0.98 * 0.04, 1.01 * 0.04);
@@ -102,9 +100,9 @@ class EnergyTest extends CommandLineFixture {
         }
         list("theta_i,phi_i,theta_r,phi_r", rows);
         assertSuccess(sunbeam(LIST + "scalar"));
-        double[] scalar = column("c.csv", "Y");
+        double[] scalar = column("Y");
         assertSuccess(sunbeam(LIST + "conserve --certify 30"));
-        double[] conserved = column("c.csv", "Y");
+        double[] conserved = column("Y");
         double least = 1;
         for (int i = 0; i < scalar.length; i++) {
             // Twice the plan's 95th percentile.

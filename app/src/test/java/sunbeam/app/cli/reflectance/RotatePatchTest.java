@@ -31,12 +31,8 @@ class RotatePatchTest extends CommandLineFixture {
         }
         Files.writeString(folder.resolve("in.csv"), csv);
         run("reflectance blaze --directions @in.csv --output @out.csv " + more);
-        return Files.readAllLines(folder.resolve("out.csv")).stream()
-                .skip(1)
-                .map(line -> Arrays.stream(line.split(","))
-                        .skip(4)
-                        .mapToDouble(Double::parseDouble)
-                        .toArray())
+        return Arrays.stream(rows("out.csv"))
+                .map(row -> Arrays.copyOfRange(row, 4, row.length))
                 .toArray(double[][]::new);
     }
 
