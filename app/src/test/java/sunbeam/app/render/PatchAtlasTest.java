@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,7 +40,8 @@ class PatchAtlasTest extends InAScene {
 
     /** A square of 2 x 2 texels, the upper row first. */
     private String map(int type, int... rgb) throws IOException {
-        return image(type, 2, Arrays.stream(rgb).map(color -> 0xff00_0000 | color).toArray());
+        return image(
+                type, 2, Arrays.stream(rgb).map(color -> 0xff00_0000 | color).toArray());
     }
 
     private static PatchAtlas.Region region(int color, String patch) {

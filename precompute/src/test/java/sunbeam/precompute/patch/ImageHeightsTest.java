@@ -148,8 +148,9 @@ class ImageHeightsTest {
         assertRefused(TestImages.write(image, folder.resolve("veiled.tiff")), "multiplied by alpha");
         Path huge = new TinyTiff(40_000, 40_000, 8, new byte[4]).write(folder.resolve("huge.tif"));
         assertRefused(huge, "40000 x 40000", "16384");
-        TinyTiff tiles =
-                new TinyTiff(4, 4, 8, new byte[16]).with(TinyTiff.TILE_WIDTH, 60_000).with(TinyTiff.TILE_LENGTH, 60_000);
+        TinyTiff tiles = new TinyTiff(4, 4, 8, new byte[16])
+                .with(TinyTiff.TILE_WIDTH, 60_000)
+                .with(TinyTiff.TILE_LENGTH, 60_000);
         assertRefused(tiles.write(folder.resolve("tiles.tif")), "tiles of 3600000000 samples");
     }
 

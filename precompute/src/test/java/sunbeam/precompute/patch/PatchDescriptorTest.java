@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.patch.PatchLoader.PatchDescriptor;
@@ -64,22 +65,17 @@ class PatchDescriptorTest {
         assertThat(descriptor.choices().find(PatchSettings.LEVEL)).contains(Leveling.PLANE);
     }
 
-    @Test
-    void namesAMissingKeyAndWhatToAdd() throws IOException {
-        assertRefused("{" + SCALE + "}", "the key \"heights\" is missing", "add for example");
-        assertRefused("{\"heights\": \"scan.png\", \"maxHeight\": \"1um\"}", "\"width\": is missing", "width 65um");
-        assertRefused(
-                "{\"heights\": \"scan.png\", \"width\": \"65 um\"}", "\"maxHeight\": is missing", "maxHeight 375nm");
-    }
-
-    @Test
-    void namesAnUnknownKeyItsLineAndTheKnownOnes() throws IOException {
-        assertRefused(
-                "{\n \"heights\": \"scan.png\", " + SCALE + ",\n \"widht\": \"65 um\"\n}",
-                "line 3",
-                "\"widht\"",
-                "unknown key",
-                "maxHeight");
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            "width": "65 um", "maxHeight": "1um"                          | the key "heights" is missing & add for example
+            "heights": "scan.png", "maxHeight": "1um"                     | "width": is missing & width 65um
+            "heights": "scan.png", "width": "65 um"                       | "maxHeight": is missing & maxHeight 375nm
+            "heights": "scan.png", "width": "65 um",@ "widht": "65 um"    | line 2 & "widht" & unknown key & maxHeight
+            "heights": "scam.png", "width": "65 um", "maxHeight": "1um"   | scam.png & no file
+            "heights": "a\\u0000b", "width": "65 um", "maxHeight": "1um" | "a?b" & no file name
+            """)
+    void namesWhatIsMissingOrUnknown(String keys, String complaints) throws IOException {
+        assertRefused("{" + keys.replace('@', '\n') + "}", complaints.split(" & "));
     }
 
     @ParameterizedTest
@@ -113,14 +109,10 @@ class PatchDescriptorTest {
     }
 
     @Test
-    void refusesDeepNestingAndInvalidUtf8() throws IOException {
+    void refusesDeepNestingInvalidUtf8AndLargeFiles() throws IOException {
         assertRefused("{\"note\": " + "[".repeat(100_000), "brackets (at most 20 within each other)");
         Path file = Files.write(inside.resolve("scan.json"), new byte[] {'{', '"', (byte) 0xff, (byte) 0xfe, '"'});
         assertThatThrownBy(() -> PatchDescriptor.read(file)).isInstanceOf(InputException.class);
-    }
-
-    @Test
-    void refusesAFileThatIsTooLarge() throws IOException {
         assertRefused(" ".repeat(1 << 20) + "{}", "1 MiB");
     }
 
@@ -137,11 +129,5 @@ class PatchDescriptorTest {
 
         assertRefused("{\"heights\": \"link.png\", " + SCALE + "}", "leads out of the descriptor's folder");
         assertRefused("{\"heights\": \"up/scan.png\", " + SCALE + "}", "leads out of the descriptor's folder");
-    }
-
-    @Test
-    void namesAnImageThatIsNotThere() throws IOException {
-        assertRefused("{\"heights\": \"scam.png\", " + SCALE + "}", "scam.png", "no file");
-        assertRefused("{\"heights\": \"a\\u0000b\", " + SCALE + "}", "\"a?b\"", "no file name");
     }
 }

@@ -40,7 +40,7 @@ class UnitsTest {
             65 Um      | pm, nm, um, mm, cm or m
             1e5um2     | pm, nm, um, mm, cm or m
             20,5um     | is no length; write a decimal point for the comma, "20.5um"
-            0,3 m      | is no length; write a decimal point for the comma, "0.3 m"
+            0,3 m      | is no length
             ''         | is no length
             um         | is no length
             NaN um     | is no length
