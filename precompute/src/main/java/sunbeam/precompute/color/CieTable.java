@@ -25,7 +25,6 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
     public static final double MINIMUM_WAVELENGTH = 380e-9;
 
     public static final double MAXIMUM_WAVELENGTH = 780e-9;
-
     /** Width of the band in 1 / lambda, 1 / meters. */
     public static final double BAND_WIDTH = 1 / MINIMUM_WAVELENGTH - 1 / MAXIMUM_WAVELENGTH;
 

@@ -8,7 +8,6 @@ import java.util.Locale;
 public record Illuminant(String name, double[] power) {
     /** Index of the value at 780 nm. */
     public static final int LAST = 400;
-
     /** Names of the built-in CIE illuminants; E is equal power. */
     public static final List<String> NAMES = List.of("D65", "D50", "A", "E", "F11", "LED-B3");
 

@@ -14,7 +14,6 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
     private static final double MINIMUM = 380;
     private static final double MAXIMUM = 780;
     private static final String REMEDY = "; give a wavelength, 532nm, or a band, 500nm..600nm";
-
     public static final WavelengthBand VISIBLE = new WavelengthBand(MINIMUM, MAXIMUM);
 
     public WavelengthBand {

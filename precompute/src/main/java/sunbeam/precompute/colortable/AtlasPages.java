@@ -21,9 +21,7 @@ public final class AtlasPages {
     private static final int PAGE_SIDE = TileGrid.STORED_SIDE;
     private static final int PAGES_ACROSS = LAYER_SIDE / PAGE_SIDE;
     private static final int CHANNELS = 4;
-
     public static final int PER_LAYER = PAGES_ACROSS * PAGES_ACROSS;
-
     public static final int LAYER_NUMBERS = CHANNELS * LAYER_SIDE * LAYER_SIDE;
 
     private final List<TileGrid> grids;

@@ -36,10 +36,8 @@ public record ColorTable(
     private static final double SHALLOWEST = 0.5;
     // Standard deviation: tan 1 degree. Power spectra of smaller slopes take more than 1 GB.
     private static final double LEAST_SLOPES = 0.01745;
-
     /** Largest |w|: light and view along the normal. */
     public static final double DEEPEST = 2;
-
     // Least tolerance of linear filters for footprints; they err by a tenth on flanks of isolated orders.
     private static final double LINES_TOLERANCE = 5e-3;
     // Texel step of linear filters, relative to that of cubic ones: the largest before errors of means grow.

@@ -20,7 +20,6 @@ public final class LevelBaking {
     private static final int SIDE = TileGrid.SIDE;
     private static final int COLORS = 3;
     private static final int CHANNELS = 4;
-
     public static final int TILE_NUMBERS = STORED_SIDE * STORED_SIDE * CHANNELS;
 
     private final TileGrid grid;

@@ -252,10 +252,8 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
     /** Interpolation by B-splines of degree 5 (Unser, see {@link SplineFilter}). Where cubic B-splines err by 1 %, these err by 0.1 %. */
     private static final class QuinticSpline {
         static final int TAPS = 6;
-
         /** A step of the samples farther away changes a coefficient by less than 2e-5 of the step. */
         static final int MARGIN = 14;
-
         // Table 1 of the paper.
         private static final double[] POLES = {-0.4305753470999738, -0.04309628820326465};
 

@@ -24,7 +24,6 @@ public final class RadialBaker implements ColorBaker {
     private static final double INNER_STEPS = 5;
     /** Step between rays, in steps of the table: quintic splines err less at 1.1 than cubic ones at 1. */
     private static final double SPACING = 1.1;
-
     /** Distance in sigma_f beyond which bins are left out: exp(-reach^2) = 1e-10, so that a tail of 1e-6 stays right. */
     private static final double FINE_REACH = 4.8;
     /** The same for averages over a pixel: exp(-reach^2) = 2e-5. */

@@ -13,7 +13,6 @@ import sunbeam.precompute.plan.GaussianArea;
 public record TableDesign(double step, int slices) {
     /** Slices that an interpolation along w reads. */
     public static final int TAPS = 4;
-
     // Tolerance at which the following steps, in (u, v) and in |w|, were measured in sunlight.
     private static final double TOLERANCE = 1e-3;
     private static final double STEP = 0.0018;

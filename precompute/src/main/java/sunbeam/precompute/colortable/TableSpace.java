@@ -41,7 +41,6 @@ public sealed interface TableSpace {
      */
     record OneLight(Direction light) implements TableSpace {
         static final double HORIZON = radius(Math.PI / 2);
-
         // Below the horizon; up to here u and v vary no faster than x and y.
         private static final double LARGEST = radius(Math.toRadians(101));
         private static final int NEWTON_STEPS = 8;

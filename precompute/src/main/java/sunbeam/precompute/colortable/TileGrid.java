@@ -21,10 +21,8 @@ public record TileGrid(
         int columns,
         int rows) {
     public static final int SIDE = 16;
-
     /** One before and two behind a tile's own texels, for cubic B-splines. */
     public static final int STORED_SIDE = SIDE + 3;
-
     // CPU and graphics card may round a position, in texels or slices, to different sides of an edge.
     static final double ROUNDING = 0.02;
 

@@ -10,7 +10,6 @@ public final class SplineFilter {
     public static final double CUBIC = Math.sqrt(3) - 2;
 
     public static final double QUADRATIC = 2 * Math.sqrt(2) - 3;
-
     // Samples that initialize the forward filter: 0.43^20 is below the rounding of float32.
     private static final int HORIZON = 20;
 

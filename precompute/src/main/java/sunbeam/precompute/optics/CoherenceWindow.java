@@ -4,7 +4,6 @@ package sunbeam.precompute.optics;
 public record CoherenceWindow(double sigmaMeters) {
     /** Sunlight's coherence length, meters (thesis, draft 001, section 2.2.2). */
     public static final double SUNLIGHT_COHERENCE_LENGTH = 65e-6;
-
     // Meters; scatter of surface waves longer than the second counts as gloss.
     private static final double LONGEST_WAVELENGTH = 780e-9;
     private static final double LONGEST_WAVE = 5e-6;

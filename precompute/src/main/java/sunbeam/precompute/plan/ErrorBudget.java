@@ -19,19 +19,15 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
     public static final double DARKEST_POWER = 1e-9;
 
     public static final double DARKEST_AMPLITUDE = Math.sqrt(DARKEST_POWER);
-
     /** Finest tolerance that float32 tables and shaders can keep; method {@code reference} is more accurate. */
     public static final double FINEST = 1e-5;
-
     /** Finest tolerance that the 95th percentile keeps, too (docs/accuracy-and-speed.md). */
     static final double FINEST_CERTAIN = 2e-5;
-
     /** Measured 95th percentile of the power's relative error in float32. */
     public static final double FLOAT32_PERCENTILE = 4.2e-5;
 
     public static final double COARSEST = 1;
     public static final double STANDARD = 1e-3;
-
     private static final double EXPANSION_SHARE = 0.4;
     private static final double WINDOW_SHARE = 0.3;
     private static final double WAVELENGTHS_SHARE = 0.2;

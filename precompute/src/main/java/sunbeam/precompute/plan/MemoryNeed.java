@@ -14,15 +14,12 @@ import sunbeam.precompute.text.Text;
 /** Upper estimate of the memory that a plan needs: peak size in Java's heap, and all arrays on the graphics card. */
 public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
     static final long MOST_TEXTURE_BYTES = 3L << 30;
-
     /** Limit of one texture in Mesa's software renderer: less than 1536 MiB, since it reserves coarser mip levels. */
     public static final long LARGEST_TEXTURE_BYTES = 1500L << 20;
-
     /** Limits that OpenGL 3.3 drivers in use support. */
     static final long LONGEST_SIDE = 16384;
 
     static final long MOST_LAYERS = 2048;
-
     // Large arrays leave gaps in the heap, and the program needs the rest.
     private static final double USABLE_HEAP = 0.8;
     private static final long TERM_BYTES = 2 * Float.BYTES;

@@ -47,7 +47,6 @@ public record Roughness(double bright, double mean, double dark, double deviatio
     // Directions evaluated in parallel before the share of dark ones is checked.
     private static final int AT_ONCE = 4;
     private static final long SEED = 1936;
-
     /** Roughness of a patch that is not rough, or was not measured: its skirts count as bare. */
     public static final Roughness NONE = new Roughness(0, 1, 0, 0, 0);
 

@@ -25,7 +25,6 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     private static final double[] DEVIATIONS = {1.6, 2, 2.5, 3, 4};
     // These err least of 1.5 to 3.2, both in the middle and on the skirts.
     private static final double[] BETA_PER_TAP = {2.5, 2.65, 2.8, 2.95};
-
     /** End of a Gaussian, in standard deviations: exp(-7.5^2 / 2) = 6e-13. */
     public static final double GAUSS_REACH = 7.5;
 

@@ -13,7 +13,6 @@ public record PowerSpectrum(
     public static final double BANDWIDTH = 2;
 
     public static final int TOGETHER = 4;
-
     private static final int POINTS = 8;
     private static final int BEFORE = POINTS / 2 - 1;
 
