@@ -96,7 +96,6 @@ public record ColorTablePlan(
                 summary(),
                 this::reasons,
                 finest.spectrum(),
-                true,
                 Optional.of(this),
                 finest.memory(),
                 EnumSet.of(MethodUse.COLOR),

@@ -56,7 +56,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
                 plan.summary(),
                 plan::reasons,
                 Optional.of(plan),
-                false,
                 Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()),
                 EnumSet.allOf(MethodUse.class),

@@ -87,7 +87,6 @@ public record GemMethod(
                         + " on each side, for comparison only",
                 () -> List.of("the heights are not used"),
                 Optional.empty(),
-                false,
                 Optional.empty(),
                 new MemoryNeed(0, List.of()),
                 // The formula has no power at a single wavelength.

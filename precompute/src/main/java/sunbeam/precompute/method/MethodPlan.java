@@ -16,7 +16,6 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
  *
  * @param explanation a line per choice, with its reason
  * @param spectrum plan of the sums that the shader takes, or from which its tables are baked; empty if there is none
- * @param isTabulated whether the shader reads tables of colors and takes no sums
  * @param colorTable levels whose tiles are baked on demand, so that {@link #tables} has no texels; empty for other methods
  * @param identity text that determines the tables, except for the use
  * @param maker makes the shader's tables for a supported use
@@ -25,7 +24,6 @@ public record MethodPlan(
         String summary,
         Supplier<List<String>> explanation,
         Optional<SpectrumPlan> spectrum,
-        boolean isTabulated,
         Optional<ColorTablePlan> colorTable,
         MemoryNeed memory,
         Set<MethodUse> uses,
@@ -47,7 +45,8 @@ public record MethodPlan(
 
     /** Returns the plan of the sums that the shader takes at every wavelength; empty if it takes none. */
     public Optional<SpectrumPlan> fullSpectrumPlan() {
-        return isTabulated ? Optional.empty() : spectrum;
+        // Tables of colors have no power at single wavelengths.
+        return spectrum.filter(sums -> uses.contains(MethodUse.SPECTRAL));
     }
 
     public String key(MethodUse use) {

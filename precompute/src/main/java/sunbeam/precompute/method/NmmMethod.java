@@ -82,7 +82,6 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                         + "; near the mirror direction " + plan.summary(),
                 plan::reasons,
                 Optional.empty(),
-                false,
                 Optional.empty(),
                 MemoryNeed.of(plan, surface.map().rows()).and(ownLayout(weighted)),
                 EnumSet.allOf(MethodUse.class),

@@ -164,7 +164,6 @@ public record PqMethod(
                             replicas.alongX(), replicas.alongY(), wavelengths.count()),
                     this::reasons,
                     Optional.empty(),
-                    false,
                     Optional.empty(),
                     memory(),
                     EnumSet.allOf(MethodUse.class),

@@ -38,14 +38,12 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
             return none;
         }
         if (patch.repetition() == Patch.Repetition.ASSUMED) {
-            return new ScanLimit(
-                    choices,
-                    Optional.of(Sentence.of(
-                            Text.format(
-                                    "the surface is repeated every %s, which a coherence length of %s resolves as sharp orders that the scan cannot confirm; state whether it is ",
-                                    Lengths.format(side), Lengths.format(chosen)),
-                            PatchSettings.PERIODIC)),
-                    Optional.empty());
+            Sentence assumed = Sentence.of(
+                    Text.format(
+                            "the surface is repeated every %s, which a coherence length of %s resolves as sharp orders that the scan cannot confirm; state whether it is ",
+                            Lengths.format(side), Lengths.format(chosen)),
+                    PatchSettings.PERIODIC);
+            return new ScanLimit(choices, Optional.of(assumed), Optional.empty());
         }
         String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
         if (side < SHORTEST) {
@@ -57,22 +55,17 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                     Lengths.format(SHORTEST),
                     choices.origin(PatchSettings.PATCH).name(PatchSettings.PERIODIC)));
         }
+        double ratio = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side;
+        Sentence shortened = Sentence.of(
+                Text.format(
+                        "coherence length %s (the scan's %s; %s %s): orders are %s times as broad as in sunlight; use a larger scan, or, if this one is a period of the surface, ",
+                        Lengths.rounded(side, 4),
+                        limiting,
+                        Lengths.format(chosen),
+                        choices.has(COHERENCE_LENGTH) ? "asked" : "in sunlight",
+                        Text.format(ratio < 10 ? "%.1f" : "%.0f", ratio)),
+                PatchSettings.PERIODIC);
         Choices limited = choices.with(COHERENCE_LENGTH, side, choices.origin(COHERENCE_LENGTH));
-        return new ScanLimit(
-                limited,
-                Optional.of(Sentence.of(
-                        Text.format(
-                                "coherence length %s (the scan's %s; %s %s): orders are %s times as broad as in sunlight; use a larger scan, or, if this one is a period of the surface, ",
-                                Lengths.rounded(side, 4),
-                                limiting,
-                                Lengths.format(chosen),
-                                choices.has(COHERENCE_LENGTH) ? "asked" : "in sunlight",
-                                times(CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side)),
-                        PatchSettings.PERIODIC)),
-                Optional.of(limiting));
-    }
-
-    private static String times(double ratio) {
-        return Text.format(ratio < 10 ? "%.1f" : "%.0f", ratio);
+        return new ScanLimit(limited, Optional.of(shortened), Optional.of(limiting));
     }
 }

@@ -122,7 +122,6 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                             source.summary()),
                     this::reasons,
                     source.spectrum(),
-                    true,
                     Optional.empty(),
                     memory,
                     EnumSet.of(MethodUse.COLOR),

@@ -64,7 +64,6 @@ class DiffractionSetupTest {
                 "counted",
                 List::of,
                 Optional.empty(),
-                false,
                 Optional.empty(),
                 new MemoryNeed(0, List.of()),
                 EnumSet.allOf(MethodUse.class),
