@@ -153,19 +153,27 @@ public final class ShaderTablesFile {
     }
 
     private static ShaderTables read(FileChannel channel, String key) throws IOException {
-        long size = channel.size();
         int headerBytes = headerBytes(channel);
         Header header = header(channel, headerBytes);
-        requireSize(size, header, headerBytes);
+        requireSize(channel.size(), header, headerBytes);
         if (!header.key().equals(key)) {
             throw new InputException("tables of another surface or plan");
         }
-        List<MappedByteBuffer> pieces = new ArrayList<>();
-        List<TableArray> arrays = mapped(channel, PREFIX + headerBytes, header.layouts(), pieces);
         CRC32C checksum = new CRC32C();
         checksum.update(map(channel, 0, PREFIX + headerBytes));
-        pieces.forEach(piece -> checksum.update(piece.duplicate()));
-        if (map(channel, size - Long.BYTES, Long.BYTES).getLong() != checksum.getValue()) {
+        List<TableArray> arrays = new ArrayList<>();
+        long position = PREFIX + headerBytes;
+        for (ArrayLayout layout : header.layouts()) {
+            List<FloatBuffer> layers = new ArrayList<>();
+            int bytes = Float.BYTES * layout.floatsPerLayer();
+            for (int layer = 0; layer < layout.layers(); layer++, position += bytes) {
+                MappedByteBuffer piece = map(channel, position, bytes);
+                checksum.update(piece.duplicate());
+                layers.add(piece.order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer());
+            }
+            arrays.add(new TableArray(layout, layer -> layers.get(layer).duplicate()));
+        }
+        if (map(channel, position, Long.BYTES).getLong() != checksum.getValue()) {
             throw new InputException("its checksum does not fit: the file was altered or damaged");
         }
         return header.tables().with(arrays);
@@ -199,24 +207,5 @@ public final class ShaderTablesFile {
                             ? "truncated: " + size + " bytes left of " + expected
                             : "too long: " + size + " bytes instead of " + expected);
         }
-    }
-
-    private static List<TableArray> mapped(
-            FileChannel channel, long start, List<ArrayLayout> layouts, List<MappedByteBuffer> pieces)
-            throws IOException {
-        List<TableArray> arrays = new ArrayList<>();
-        long position = start;
-        for (ArrayLayout layout : layouts) {
-            List<FloatBuffer> layers = new ArrayList<>();
-            int bytes = Float.BYTES * layout.floatsPerLayer();
-            for (int layer = 0; layer < layout.layers(); layer++) {
-                MappedByteBuffer piece = map(channel, position, bytes);
-                pieces.add(piece);
-                layers.add(piece.duplicate().order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer());
-                position += bytes;
-            }
-            arrays.add(new TableArray(layout, layer -> layers.get(layer).duplicate()));
-        }
-        return arrays;
     }
 }
