@@ -218,7 +218,11 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
                 }
             }
             for (int i = 0; i < planes.length; i++) {
-                planes[i] = spline(planes[i]);
+                for (int sample = 0; sample < planes[i].length; sample++) {
+                    // The truncated sum of terms may be slightly negative in dark directions.
+                    planes[i][sample] = (float) Math.sqrt(Math.max(0, planes[i][sample]));
+                }
+                planes[i] = QuinticSpline.coefficients(planes[i], tileRays, positions.count());
             }
             return planes;
         }
@@ -238,14 +242,6 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         /** In radians; negative for margin rays before ray 0 of the band. */
         private double angle(int ray) {
             return 2 * Math.PI * (firstRay + ray) / rays;
-        }
-
-        private float[] spline(float[] plane) {
-            for (int i = 0; i < plane.length; i++) {
-                // The truncated sum of terms may be slightly negative in dark directions.
-                plane[i] = (float) Math.sqrt(Math.max(0, plane[i]));
-            }
-            return QuinticSpline.coefficients(plane, tileRays, positions.count());
         }
     }
 
