@@ -3,6 +3,7 @@ package sunbeam.precompute.patch;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -46,6 +47,9 @@ public final class Plausibility {
     // Integers have this many distinct values, each RECURRING times on average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
+    // Share relative to the other samples, and distance in ranges of the others, that a mark of missing samples has.
+    private static final double MOST_MARKED = 0.2;
+    private static final double MARK_DISTANCE = 10;
 
     private Plausibility() {}
 
@@ -96,7 +100,25 @@ public final class Plausibility {
                     + Lengths.format(side) + "): is the unit of the heights right?");
         }
         heightStep(smallestStep(map)).ifPresent(warnings::add);
+        repeatedOutlier(map).ifPresent(warnings::add);
         return warnings;
+    }
+
+    /** Finds a lowest or highest value that recurs far from all others, as a program's mark of missing samples does. */
+    private static Optional<String> repeatedOutlier(HeightMap map) {
+        for (double mark : new double[] {map.minimum(), map.maximum()}) {
+            long count = Arrays.stream(map.heights()).filter(h -> h == mark).count();
+            DoubleSummaryStatistics others = Arrays.stream(map.heights())
+                    .filter(h -> Double.isFinite(h) && h != mark)
+                    .summaryStatistics();
+            double range = others.getMax() - others.getMin();
+            double distance = Math.max(others.getMin() - mark, mark - others.getMax());
+            if (count > 1 && count < MOST_MARKED * others.getCount() && range > 0 && distance > MARK_DISTANCE * range) {
+                return Optional.of(count + " samples are " + Lengths.format(mark)
+                        + ", far from all others: if this stands for missing ones, write nan instead");
+            }
+        }
+        return Optional.empty();
     }
 
     /** Returns the smallest step between some heights in meters; 0 unless they seem to be integers. */

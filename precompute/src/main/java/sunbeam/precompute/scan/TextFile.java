@@ -20,8 +20,9 @@ import java.util.stream.Collectors;
  * Text file with numbers: its header, encoding and decimal mark.
  *
  * @param charset UTF-16 by its byte order mark, else UTF-8 if the first bytes are valid in it, else Latin-1
+ * @param ambiguous true if commas may separate thousands and no mark is chosen
  */
-record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma) {
+record TextFile(ScanBytes file, Charset charset, List<String> header, boolean decimalComma, boolean ambiguous) {
     private static final int LONGEST_HEADER = 1 << 18;
 
     private static final Pattern NUMBER =
@@ -30,6 +31,11 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     private static final Pattern FRACTION = Pattern.compile("\\d,\\d");
     private static final Pattern SIGNED = Pattern.compile(",[-+\u2212]");
     private static final Pattern SEPARATED = Pattern.compile("\\S[ \\t]+\\S|;");
+    // Commas and points within a line of semicolons, or "1,024.5" before a blank.
+    private static final Pattern THOUSANDS =
+            Pattern.compile("(?m)^(?=[^;\n]*;)(?=[^.\n]*\\.)[^,\n]*,|(?<![\\d.,])\\d{1,3}(?:,\\d{3})+\\.\\d+[ \\t]");
+    // Of ESRI's ASCII grids.
+    private static final Pattern NO_DATA = Pattern.compile("(?i)\\s*nodata_value\\s+(\\S{1,30})\\s*");
 
     /** Recognizes a text by a line of numbers in its first 256 KB; an empty mark is detected. */
     static Optional<TextFile> of(ScanBytes file, Optional<TextReader.DecimalMark> mark) throws IOException {
@@ -43,10 +49,11 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
         for (String line : head.lines().toList()) {
             // Commas separate numbers, or are decimal marks within them.
             if (areNumbers(line, " \t;,\"\f\ufeff") || areNumbers(line, " \t;\"\f\ufeff")) {
-                boolean comma = mark.map(TextReader.DecimalMark.COMMA::equals)
-                        .orElseGet(() -> hasDecimalCommas(
-                                head.lines().skip(header.size()).collect(Collectors.joining("\n"))));
-                return Optional.of(new TextFile(file, charset, header, comma));
+                String numbers = head.lines().skip(header.size()).collect(Collectors.joining("\n"));
+                boolean comma =
+                        mark.map(TextReader.DecimalMark.COMMA::equals).orElseGet(() -> hasDecimalCommas(numbers));
+                boolean ambiguous = mark.isEmpty() && THOUSANDS.matcher(numbers).find();
+                return Optional.of(new TextFile(file, charset, header, comma, ambiguous));
             }
             header.add(line.startsWith("\ufeff") ? line.substring(1) : line);
         }
@@ -98,7 +105,12 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                 && !SIGNED.matcher(numbers).find();
     }
 
+    /** Throws ScanException if the numbers cannot be told apart, or are none. */
     TextNumbers numbers() throws IOException {
+        ScanException.refuseIf(
+                ambiguous,
+                "has commas and points in a line, as thousands separators are; export it without them, or choose the"
+                        + " decimal mark (--decimal-mark point: commas separate numbers)");
         // A single line, which is held as text, may contain all numbers.
         ScanLimits.requireMemory(0, file.size());
         BufferedReader reader = new BufferedReader(new InputStreamReader(file.stream(0), charset));
@@ -106,6 +118,17 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
             reader.readLine();
         }
         return TextNumbers.read(reader, decimalComma, header.size() + 1L, Long.MAX_VALUE);
+    }
+
+    /** Number that stands for a missing sample; NaN if none does. */
+    double missing() {
+        return header.stream()
+                .map(NO_DATA::matcher)
+                .filter(Matcher::matches)
+                .flatMap(matcher -> Header.Quantity.of(matcher.group(1)).stream())
+                .mapToDouble(Header.Quantity::value)
+                .findFirst()
+                .orElse(Double.NaN);
     }
 
     Facts facts() {

@@ -26,7 +26,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
     private static final double ROUNDING = 0.2;
 
     private static final Pattern AXES = Pattern.compile(
-            "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+z\\s*[\\[(]([^\\])]+)[\\])].*");
+            "(?i)[#%;*\\s\"]*x\\s*[\\[(]([^\\])]+)[\\])]\\W+y\\s*[\\[(]([^\\])]+)[\\])]\\W+(?:z|height)\\s*[\\[(]([^\\])]+)[\\])].*");
 
     public boolean recognizes(ScanBytes file) throws IOException {
         return TextFile.of(file, decimalMark).isPresent();
@@ -40,10 +40,10 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
         boolean matrix = facts.extent().width().isPresent() || facts.columns().isPresent();
         boolean three = numbers.columns() == POINT && numbers.isRectangular() && numbers.rows() > POINT;
         Optional<ScanChannel> points = three && !matrix ? points(text, numbers) : Optional.empty();
-        return List.of(points.orElseGet(() -> matrix(facts, numbers)));
+        return List.of(points.orElseGet(() -> matrix(facts, numbers, text.missing())));
     }
 
-    private static ScanChannel matrix(TextFile.Facts facts, TextNumbers numbers) {
+    private static ScanChannel matrix(TextFile.Facts facts, TextNumbers numbers, double missing) {
         if (facts.columns().isEmpty()) {
             numbers.requireRectangular();
         }
@@ -59,7 +59,7 @@ public record TextReader(Optional<DecimalMark> decimalMark) {
             refuseCoordinates(heights, columns, rows);
             return heights;
         });
-        return new ScanChannel(facts.channel(), samples, facts.extent(), facts.unit());
+        return new ScanChannel(facts.channel(), samples.withMissing(missing), facts.extent(), facts.unit());
     }
 
     /** Refuses profiles, and a first column or row of coordinates or row numbers. */

@@ -68,6 +68,14 @@ class PatchAssemblerTest {
     }
 
     @Test
+    void aMarkOfMissingSamplesHasAWarning() throws IOException {
+        assertThat(scan((x, y) -> (x + 7 * y) % 31 == 0 ? -9999 : lines(x, y)).warnings())
+                .anyMatch(line -> line.contains("samples are -9.999 um, far from all others"));
+        // Two depths of a lamellar grating.
+        assertThat(scan((x, y) -> x % 16 < 2 ? -100 : 0).warnings()).noneMatch(line -> line.contains("far from"));
+    }
+
+    @Test
     void scansWronglyDeclaredPeriodicHaveAWarning() throws IOException {
         assertThat(scan(PatchAssemblerTest::lines, PERIODIC, "true").warnings())
                 .anySatisfy(line -> assertThat(line).contains("opposite borders differ by"));

@@ -87,6 +87,42 @@ class TextReaderTest {
                 .hasMessageContaining("\"x\" in line 2");
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "2,024.528;2,038.681\n2,051.516;2,062.597\n",
+                "2.024,528;2.038,681\n",
+                "24.528\t938.681\n2,051.516\t2,062.597\n"
+            })
+    void thousandsSeparatorsNeedADecimalMark(String text) throws IOException {
+        assertThatThrownBy(() -> read(text))
+                .isInstanceOf(ScanException.class)
+                .hasMessageContaining("--decimal-mark point");
+        // Aligned columns.
+        assertThat(read("  1.5, 22.5,111.5\n 11.5,222.5,  1.5\n")).hasSize(6);
+    }
+
+    @Test
+    void theGridsOwnMarkIsMissing() throws IOException {
+        assertThat(read("ncols 2\nnrows 2\ncellsize 0.05\nNODATA_value  -9999\n1 -9999.000\n3 4\n"))
+                .containsExactly(1, Double.NaN, 3, 4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"x [um];y [um];z [nm]", "X (\u00b5m)\tY (\u00b5m)\tHeight (nm)"})
+    void pointsHaveTheUnitsOfTheirHeader(String header) throws IOException {
+        String points = IntStream.range(0, SIDE)
+                .mapToObj(i -> i % 4 + "\t" + i / 4 + "\t" + i * i + "\n")
+                .collect(Collectors.joining());
+        try (ScanBytes file = ScanBytes.open(Files.writeString(folder.resolve("scan.txt"), header + "\n" + points))) {
+            ScanChannel channel =
+                    new TextReader(Optional.empty()).channels(file).get(0);
+            assertThat(channel.unit()).isEqualTo("nm");
+            // Rounding of the unit's factor.
+            assertThat(channel.extent().width().orElseThrow()).isCloseTo(4e-6, within(1e-20));
+        }
+    }
+
     @Test
     void emptyFieldsAreMissingSamples() throws IOException {
         assertThat(read("1;2;3\n4;;6\n7; ;9\n10;nan;12\n"))
