@@ -3,7 +3,6 @@ package sunbeam.precompute.patch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
-import static sunbeam.precompute.patch.PatchSettings.CHANNEL;
 import static sunbeam.precompute.patch.PatchSettings.COLUMNS;
 import static sunbeam.precompute.patch.PatchSettings.HEIGHT;
 import static sunbeam.precompute.patch.PatchSettings.HEIGHT_UNIT;
@@ -15,6 +14,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -52,16 +52,6 @@ class FileScaleTest {
         assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
     }
 
-    @Test
-    void misspeltChannelsHaveASuggestion() throws IOException {
-        Path file = file(HEADER + NUMBERS);
-
-        assertThatThrownBy(() -> load(file, CHANNEL, "Hight"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("scan.txt, which has Height (did you mean \"Height\"?)");
-        assertThatThrownBy(() -> load(file, CHANNEL, "Phase")).hasMessageEndingWith("scan.txt, which has Height");
-    }
-
     private static Setting<?> setting(String key) {
         return PatchSettings.OF_FILES.stream()
                 .filter(setting -> setting.key().equals(key))
@@ -69,18 +59,33 @@ class FileScaleTest {
                 .orElseThrow();
     }
 
+    /** Of a file with a scale, of numbers alone and of numbers in one row. */
     @ParameterizedTest
-    @CsvSource({
-        "width, 5um, says 4 um",
-        "height, 5um, says 3 um",
-        "heightUnit, um, says 1 nm",
-        "maxHeight, 2nm, says 1 nm"
-    })
-    void settingsMayNotContradictTheFile(String key, String word, String complaint) throws IOException {
-        Path file = file(HEADER + NUMBERS);
-        assertThatThrownBy(() -> load(file, setting(key), word))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContainingAll("contradicts", complaint);
+    @CsvSource(delimiter = '|', emptyValue = "", textBlock = """
+            scale   | channel=Hight          | Setting | scan.txt, which has Height (did you mean "Height"?)
+            scale   | channel=Phase          | Setting | scan.txt, which has Height
+            scale   | width=5um              | Setting | contradicts & says 4 um
+            scale   | height=5um             | Setting | contradicts & says 3 um
+            scale   | heightUnit=um          | Setting | contradicts & says 1 nm
+            scale   | maxHeight=2nm          | Setting | contradicts & says 1 nm
+            numbers | ''                     | Input   | --width 20um and --height-unit nm
+            numbers | width=4um              | Input   | in which unit its heights are; add for example --height-unit nm
+            numbers | heightUnit=nm          | Input   | how large the scan is; add for example --width 20um
+            row     | width=4um heightUnit=nm | Input  | --columns is missing & 12 numbers in one row
+            row     | columns=5              | Setting | --columns 5 does not divide the 12 numbers
+            """)
+    void missingAndContradictingSettingsAreTold(String kind, String choices, String exception, String words)
+            throws IOException {
+        String numbers = kind.equals("row") ? NUMBERS.replace('\n', ' ') : NUMBERS;
+        Path file = file(kind.equals("scale") ? HEADER + numbers : numbers);
+        String[] parts = choices.isEmpty() ? new String[0] : choices.split("[ =]", -1);
+        Object[] given = IntStream.range(0, parts.length)
+                .mapToObj(i -> i % 2 == 0 ? setting(parts[i]) : parts[i])
+                .toArray();
+        assertThatThrownBy(() -> load(file, given))
+                .hasMessageContainingAll(words.split(" & "))
+                .extracting(failure -> failure.getClass().getSimpleName())
+                .isEqualTo(exception + "Exception");
     }
 
     @ParameterizedTest
@@ -108,34 +113,12 @@ class FileScaleTest {
     }
 
     @Test
-    void namesTheMissingSettings() throws IOException {
-        Path file = file(NUMBERS);
-
-        assertThatThrownBy(() -> load(file))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("--width 20um and --height-unit nm");
-        assertThatThrownBy(() -> load(file, WIDTH, "4um"))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("in which unit its heights are; add for example --height-unit nm");
-        assertThatThrownBy(() -> load(file, HEIGHT_UNIT, "nm"))
-                .isInstanceOf(InputException.class)
-                .hasMessageContaining("how large the scan is; add for example --width 20um");
-    }
-
-    @Test
     void numbersInOneRowNeedTheirColumns() throws IOException {
         Path file = file(NUMBERS.replace('\n', ' '));
-
-        assertThatThrownBy(() -> load(file, WIDTH, "4um", HEIGHT_UNIT, "nm"))
-                .isInstanceOf(InputException.class)
-                .hasMessageContainingAll("--columns is missing", "12 numbers in one row");
         HeightMap map =
                 load(file, WIDTH, "4um", HEIGHT_UNIT, "nm", COLUMNS, "4").heights();
         assertThat(map.rows()).isEqualTo(3);
         assertThat(map.at(1, 2)).isCloseTo(90e-9, within(1e-22));
-        assertThatThrownBy(() -> load(file, COLUMNS, "5"))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("--columns 5 does not divide the 12 numbers");
     }
 
     @Test
