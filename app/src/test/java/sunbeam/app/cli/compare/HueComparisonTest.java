@@ -3,8 +3,10 @@ package sunbeam.app.cli.compare;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.color.CieLab;
@@ -12,9 +14,10 @@ import sunbeam.precompute.color.CieLab;
 class HueComparisonTest {
     private static final int COUNT = 2000;
 
-    private static CieLab color(double hueDegrees, double chroma) {
-        double hue = Math.toRadians(hueDegrees);
-        return new CieLab(50, chroma * Math.cos(hue), chroma * Math.sin(hue));
+    private static List<CieLab> colors(DoubleStream hues, double chroma) {
+        return hues.map(Math::toRadians)
+                .mapToObj(hue -> new CieLab(50, chroma * Math.cos(hue), chroma * Math.sin(hue)))
+                .toList();
     }
 
     /** The second hues are the first, turned by 25 degrees with errors of 3 degrees. */
@@ -22,11 +25,8 @@ class HueComparisonTest {
     void hueThatIsTurnedIsCorrelatedAndToldByHowMuch() {
         Random random = new Random(1);
         double[] hues = random.doubles(COUNT, 0, 180).toArray();
-        List<CieLab> first =
-                IntStream.range(0, COUNT).mapToObj(i -> color(hues[i], 40)).toList();
-        List<CieLab> second = IntStream.range(0, COUNT)
-                .mapToObj(i -> color(hues[i] + 25 + 3 * random.nextGaussian(), 20))
-                .toList();
+        List<CieLab> first = colors(Arrays.stream(hues), 40);
+        List<CieLab> second = colors(Arrays.stream(hues).map(hue -> hue + 25 + 3 * random.nextGaussian()), 20);
         PhotoComparison.HueComparison hue = PhotoComparison.HueComparison.of(first, second);
         // The mean of 2000 errors of 3 degrees has a standard error of 0.07.
         assertThat(hue.turnDegrees()).isCloseTo(25, within(0.3));
@@ -38,15 +38,12 @@ class HueComparisonTest {
     @Test
     void huesByChanceAreNotCorrelatedAndGraysHaveNone() {
         Random random = new Random(2);
-        List<CieLab> first =
-                random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 40)).toList();
-        List<CieLab> second =
-                random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 40)).toList();
+        List<CieLab> first = colors(random.doubles(COUNT, 0, 360), 40);
+        List<CieLab> second = colors(random.doubles(COUNT, 0, 360), 40);
         // Four standard deviations, each 1 / sqrt(count).
         assertThat(PhotoComparison.HueComparison.of(first, second).correlation())
                 .isCloseTo(0, within(4 / Math.sqrt(COUNT)));
-        List<CieLab> grays =
-                random.doubles(COUNT, 0, 360).mapToObj(h -> color(h, 5)).toList();
+        List<CieLab> grays = colors(random.doubles(COUNT, 0, 360), 5);
         assertThat(PhotoComparison.HueComparison.of(first, grays).count()).isZero();
         assertThat(PhotoComparison.HueComparison.of(first, grays).line()).contains("too few");
     }
