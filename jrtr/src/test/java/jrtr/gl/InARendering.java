@@ -1,5 +1,9 @@
 package jrtr.gl;
 
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import jrtr.GraphicsException;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 
@@ -15,5 +19,9 @@ public abstract class InARendering {
     @AfterAll
     static void close() {
         rendering.close();
+    }
+
+    static void assertRefused(ThrowingCallable call, String... words) {
+        assertThatThrownBy(call).isInstanceOf(GraphicsException.class).hasMessageContainingAll(words);
     }
 }

@@ -15,7 +15,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.Tile;
-import jrtr.glsl.ShaderTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -177,7 +176,7 @@ class OwnJvmTest {
             try (RenderContext context = RenderContext.offscreen();
                     FloatTarget target = context.createFloatTarget("pixels", FloatTarget.Spec.color(64, 64))) {
                 ShaderProgram program = context.createFullScreenProgram(
-                        ShaderTexts.of(Map.of("sum.frag", code)).load("sum.frag"));
+                        Rendering.library(Map.of("sum.frag", code)).load("sum.frag"));
                 context.drawFullScreen(program, Map.of(), target, Tile.whole(64, 64));
                 drawing.countDown();
                 while (true) {

@@ -1,17 +1,20 @@
 package jrtr.gl;
 
 import java.util.Map;
+import java.util.Optional;
 import jrtr.ShaderSource;
 import jrtr.Tile;
 import jrtr.glsl.ShaderLibrary;
-import jrtr.glsl.ShaderTexts;
 
 public final class Rendering implements AutoCloseable {
     public final RenderContext context = RenderContext.offscreen();
 
+    public static ShaderLibrary library(Map<String, String> files) {
+        return name -> Optional.ofNullable(files.get(name));
+    }
+
     static ShaderSource fragment(String code) {
-        return ShaderTexts.of(Map.of("test.frag.glsl", "#version 330 core\n" + code))
-                .load("test.frag.glsl");
+        return library(Map.of("test.frag.glsl", "#version 330 core\n" + code)).load("test.frag.glsl");
     }
 
     /** A program whose main() is {@code color = vec4(...)}. */
@@ -22,7 +25,7 @@ public final class Rendering implements AutoCloseable {
 
     /** A program for meshes that may include the engine's shaders. */
     public ShaderProgram meshProgram(String code) {
-        return context.createMeshProgram(ShaderTexts.of(Map.of("test.frag", "#version 330 core\n" + code))
+        return context.createMeshProgram(library(Map.of("test.frag", "#version 330 core\n" + code))
                 .orElse(ShaderLibrary.ofEngine())
                 .load("test.frag"));
     }

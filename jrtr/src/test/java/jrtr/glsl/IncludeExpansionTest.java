@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 import jrtr.ShaderSource;
+import jrtr.gl.Rendering;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,7 +18,7 @@ class IncludeExpansionTest {
     private static final String VERSION = "#version 330 core\n";
 
     private static ShaderSource load(Map<String, String> files) {
-        return ShaderTexts.of(files).load("root.glsl");
+        return Rendering.library(files).load("root.glsl");
     }
 
     @Test
@@ -51,7 +52,7 @@ class IncludeExpansionTest {
 
     @Test
     void definesFollowTheVersionSortedByName() {
-        ShaderSource source = ShaderTexts.of(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
+        ShaderSource source = Rendering.library(Map.of("root.glsl", "// first\n" + VERSION + "code\n"))
                 .load("root.glsl", Map.of("TERMS", "37", "FLAG", "", "RADIUS", "(2.5)"));
 
         assertThat(source.text())
@@ -101,7 +102,7 @@ class IncludeExpansionTest {
 
     @Test
     void aDefineInBracesChoosesTheFile() {
-        ShaderLibrary library = ShaderTexts.of(Map.of(
+        ShaderLibrary library = Rendering.library(Map.of(
                 "root.glsl", VERSION + "#include \"shape/{SHAPE}_{SIDES}.glsl\"\n",
                 "shape/prism_3.glsl", "three\n",
                 "shape/prism_4.glsl", "four\n"));
@@ -120,7 +121,7 @@ class IncludeExpansionTest {
     }
 
     /** Expanded line 4 is line 2 of lens.glsl. */
-    private final ShaderSource source = ShaderTexts.of(Map.of(
+    private final ShaderSource source = Rendering.library(Map.of(
                     "root.glsl", "#version 330 core\nfloat a;\n#include \"lens.glsl\"\n",
                     "lens.glsl", "float b;\n    float c = foo; // why\n"))
             .load("root.glsl");
