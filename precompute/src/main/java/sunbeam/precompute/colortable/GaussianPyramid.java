@@ -163,7 +163,7 @@ public final class GaussianPyramid {
             float y0 = 0.5f * (0.5f - y) * (0.5f - y);
             float y1 = 0.75f - y * y;
             float y2 = 1 - y0 - y1;
-            int above = ((int) (row - 0.5) * plane.side() + (int) (column - 0.5)) * stride;
+            int above = (((int) (row - 0.5)) * plane.side() + ((int) (column - 0.5))) * stride;
             int to = (i - first) * stride;
             for (int m = 0; m < stride; m++, above++) {
                 int middle = above + width;

@@ -55,6 +55,7 @@ public record MeshSource(String name, Unit unit) {
     }
 
     /** Format of files; OBJ has no signature. */
+    @SuppressWarnings("ImmutableEnumChecker") // readers have no state, lists do not change
     private enum Format {
         PLY(PlyFile::read, "ply"),
         GLTF(GltfFile::read, "glb", "gltf"),
