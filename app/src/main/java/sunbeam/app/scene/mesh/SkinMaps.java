@@ -98,7 +98,7 @@ public record SkinMaps(BufferedImage albedo, Optional<BufferedImage> normals) {
         }
         int rgb = 0;
         for (int c = 0; c < 3; c++) {
-            double linear = light * ((1 - pale) * Srgb.linear(color >> 16 - 8 * c & 0xff) + pale * PALE[c]);
+            double linear = light * ((1 - pale) * Srgb.linear(color >> (16 - 8 * c) & 0xff) + pale * PALE[c]);
             rgb = rgb << 8 | Srgb.channel(linear);
         }
         return rgb;
