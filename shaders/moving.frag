@@ -78,7 +78,7 @@ void main() {
             visible = visibility(worldAt(gl_FragCoord.xy), skin.frame[2]);
         }
         sum += lightRadiances[light].y
-                * (blended(visible * diffracted, albedo, visible * wi.z, KERATIN_REFLECTANCE, ambient) + gloss);
+                * (blended(visible * diffracted, albedo, visible * wi.z, NORMAL_REFLECTANCE, ambient) + gloss);
     }
     color = vec4(srgbCurveByRoots(displayLight(sum)), 1.0);
 }

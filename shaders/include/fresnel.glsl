@@ -1,13 +1,8 @@
 // Schlick's approximation of Fresnel's reflectance (Schlick 1994), R0 + (1 - R0) s with s = (1 - cos theta_d)^5.
 
 // R0, the reflectance along the normal, ((n - 1) / (n + 1))^2 of keratin, n = 1.5 (thesis section 3.3.2). The thesis's gain has the square of
-// the whole reflectance.
-const float KERATIN_REFLECTANCE = 0.04;
-#ifdef FRESNEL_SQUARED
-const float NORMAL_REFLECTANCE = KERATIN_REFLECTANCE * KERATIN_REFLECTANCE;
-#else
-const float NORMAL_REFLECTANCE = KERATIN_REFLECTANCE;
-#endif
+// the relative reflectance.
+const float NORMAL_REFLECTANCE = 0.04;
 
 // Weights of the relative reflectance, mirrorWeight + grazingWeight s: 1 and (1 - R0) / R0, so that it is 1 along the normal. For an index
 // by wavelength R0 is a factor of the light's spectrum, and the weights differ (sunbeam.app.render.ReflectanceComponent).
@@ -18,7 +13,7 @@ uniform float grazingWeight = 24.0;
 float schlickReflectance(float cosThetaD) {
     float grazing = max(0.0, 1.0 - cosThetaD);
     float square = grazing * grazing;
-    return KERATIN_REFLECTANCE + (1.0 - KERATIN_REFLECTANCE) * square * square * grazing;
+    return NORMAL_REFLECTANCE + (1.0 - NORMAL_REFLECTANCE) * square * square * grazing;
 }
 
 float relativeReflectance(float cosThetaD) {

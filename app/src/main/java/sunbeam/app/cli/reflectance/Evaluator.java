@@ -19,6 +19,7 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
@@ -75,23 +76,26 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
      * Converts results from the standard material to another; power does not depend on it. Rho becomes relative to a flat mirror of it at
      * normal incidence (for a tabulated index, to its mean weighted by luminance).
      */
-    List<double[]> indexed(RefractiveIndex index, CieTable cie, List<double[]> results) {
+    List<double[]> indexed(RefractiveIndex index, CieTable cie, FresnelFactor fresnel, List<double[]> results) {
         if (index.isStandard()) {
             return results;
         }
         double mirror = ReflectionPart.mirror(index, cie);
         return IntStream.range(0, list.size())
-                .mapToObj(row -> indexed(index, row, results.get(row).clone(), mirror))
+                .mapToObj(row -> indexed(index, row, fresnel, results.get(row).clone(), mirror))
                 .toList();
     }
 
-    private double[] indexed(RefractiveIndex index, int row, double[] values, double mirror) {
+    private double[] indexed(RefractiveIndex index, int row, FresnelFactor fresnel, double[] values, double mirror) {
         DirectionPair pair = list.pair(row);
         double wavelength = list.spectral() ? list.wavelength(row) : CieTable.MINIMUM_WAVELENGTH;
-        double over = index.reflectance(wavelength, pair.cosThetaD()) / Gain.reflectance(pair.cosThetaD());
-        values[list.spectral() ? RHO : GAIN] *= over * Gain.R0 / mirror;
+        double once = index.reflectance(wavelength, pair.cosThetaD())
+                / Gain.reflectance(pair.cosThetaD())
+                * (Gain.R0 / mirror);
+        double over = fresnel == FresnelFactor.SQUARED ? once * once : once;
+        values[list.spectral() ? RHO : GAIN] *= over;
         if (list.spectral()) {
-            values[BRDF] *= over;
+            values[BRDF] *= over * mirror / Gain.R0;
         }
         return values;
     }

@@ -42,6 +42,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
@@ -125,7 +126,7 @@ public final class ReflectanceCommand extends FileCommand {
         Evaluator evaluator = new Evaluator(list, setup.progress());
         if (method instanceof ReferenceMethod) {
             List<double[]> exact = evaluator.evaluate(setup.exact(method));
-            write(list, ensemble, evaluator.indexed(material, setup.cie(), exact));
+            write(list, ensemble, evaluator.indexed(material, setup.cie(), FresnelFactor.ONCE, exact));
             json.print(out, report, List.of(output));
             return ExitCode.OK.code();
         }
@@ -138,7 +139,8 @@ public final class ReflectanceCommand extends FileCommand {
         Optional<Certificate> certificate = certify.count()
                 .map(count ->
                         evaluator.certify(setup.exact(method), results, count, choices.get(MethodSettings.TOLERANCE)));
-        write(list, ensemble, evaluator.divided(divisor, evaluator.indexed(material, setup.cie(), results)));
+        List<double[]> indexed = evaluator.indexed(material, setup.cie(), FresnelFactor.of(choices), results);
+        write(list, ensemble, evaluator.divided(divisor, indexed));
         report.put("plan", plan.summary());
         certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));
         json.print(out, report, List.of(output));

@@ -14,7 +14,9 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.RefractiveIndex;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 
 class EvaluatorTest {
     // Rounding of a few products.
@@ -37,7 +39,7 @@ class EvaluatorTest {
         List<double[]> standard = List.of(new double[] {1, 1, 1, 0.04 * 7});
 
         double[] silvered = evaluator(list)
-                .indexed(RefractiveIndex.parse("0.05+3.3i"), CieTable.load(), standard)
+                .indexed(RefractiveIndex.parse("0.05+3.3i"), CieTable.load(), FresnelFactor.ONCE, standard)
                 .get(0);
 
         double r0 = (0.95 * 0.95 + 3.3 * 3.3) / (1.05 * 1.05 + 3.3 * 3.3);
@@ -51,7 +53,9 @@ class EvaluatorTest {
     void grazingLightIsReflectedByAllAlike() throws IOException {
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n89.9,0,89.9,180\n");
         double[] gain = evaluator(list)
-                .indexed(RefractiveIndex.parse("3"), CieTable.load(), List.of(new double[] {1, 1, 1, 25}))
+                .indexed(RefractiveIndex.parse("3"), CieTable.load(), FresnelFactor.ONCE, List.of(new double[] {
+                    1, 1, 1, 25
+                }))
                 .get(0);
         // The limit is for 90 degrees; at 89.9 degrees 0.9 % is not reflected.
         assertThat(gain[3]).isCloseTo(4, within(0.02));
@@ -62,9 +66,29 @@ class EvaluatorTest {
         RefractiveIndex index = new RefractiveIndex(new TreeMap<>(Map.of(380e-9, 1.5, 780e-9, 3.5)), new TreeMap<>());
         DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");
         List<double[]> rows = evaluator(list)
-                .indexed(index, CieTable.load(), List.of(new double[] {1, 1, 1, 1}, new double[] {1, 1, 1, 1}));
+                .indexed(index, CieTable.load(), FresnelFactor.ONCE, List.of(new double[] {1, 1, 1, 1}, new double[] {
+                    1, 1, 1, 1
+                }));
         assertThat(rows.get(0)[3]).isCloseTo(1, within(ROUNDING));
         // n = 2.5: (1.5 / 3.5)^2 over 0.04.
         assertThat(rows.get(1)[3]).isCloseTo(1.5 * 1.5 / 3.5 / 3.5 / 0.04, within(1e-9));
+    }
+
+    /** Rho has (R / R(0))^2, the BRDF R(0) times as much. */
+    @Test
+    void theSquareOfAMaterialsReflectanceIsThatOfRho() throws IOException {
+        DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n60,0,60,180,550\n");
+        RefractiveIndex index = RefractiveIndex.parse("3");
+        double keratin = Gain.reflectance(0.5) / Gain.R0;
+
+        double[] row = evaluator(list)
+                .indexed(index, CieTable.load(), FresnelFactor.SQUARED, List.of(new double[] {
+                    1, 1, keratin * keratin, Gain.R0 * keratin * keratin
+                }))
+                .get(0);
+
+        double relative = index.reflectance(550e-9, 0.5) / 0.25;
+        assertThat(row[2]).isCloseTo(relative * relative, within(ROUNDING));
+        assertThat(row[3]).isCloseTo(0.25 * relative * relative, within(ROUNDING));
     }
 }

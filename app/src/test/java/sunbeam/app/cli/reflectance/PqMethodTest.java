@@ -117,4 +117,20 @@ class PqMethodTest {
                 .isCloseTo(1.0, within(1e-4));
         assertThat(values[2]).isCloseTo(values[0], within(1e-6f));
     }
+
+    /** Rho is relative to a mirror's R(0): squared, rho has (R / R(0))^2 and the BRDF R^2 / R(0). */
+    @Test
+    void theBrdfIsTheSameMultipleOfRhoForBothFormsOfFresnel() {
+        // At 60 degrees R is 1.75 R(0).
+        List<DirectionPair> pairs =
+                List.of(MethodProbe.inPlane(0, 0), MethodProbe.inPlane(30, 30), MethodProbe.inPlane(60, -60));
+        List<float[]> once = blaze.powers(pairs, WAVELENGTH, "--method pq --fresnel once");
+        List<float[]> squared = blaze.powers(pairs, WAVELENGTH, "--method pq --fresnel squared");
+        for (int i = 0; i < pairs.size(); i++) {
+            double expected = once.get(i)[3] / once.get(i)[2];
+            // Rounding of float32.
+            assertThat(squared.get(i)[3] / squared.get(i)[2] / expected).isCloseTo(1, within(1e-6));
+        }
+        assertThat(squared.get(2)[2] / once.get(2)[2]).isGreaterThan(1.7f);
+    }
 }
