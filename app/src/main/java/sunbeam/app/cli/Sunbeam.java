@@ -10,14 +10,10 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import picocli.CommandLine;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
-import picocli.CommandLine.Spec;
 import sunbeam.app.cli.benchmark.BenchmarkCommand;
 import sunbeam.app.cli.brdfmap.BrdfMapCommand;
 import sunbeam.app.cli.cache.CacheCommand;
@@ -193,7 +189,7 @@ public final class Sunbeam {
     }
 
     /** The command {@code sunbeam} itself, which only has subcommands; its help is the first page of the manual. */
-    @Command(
+    @CommandLine.Command(
             name = "sunbeam",
             mixinStandardHelpOptions = true,
             versionProvider = Root.ProgramVersion.class,
@@ -231,7 +227,7 @@ public final class Sunbeam {
                 description = "Print only failures on standard error: no plan, no warning, no progress.")
         private boolean quiet;
 
-        @Spec
+        @CommandLine.Spec
         private CommandSpec specification;
 
         private final Environment environment;
@@ -248,10 +244,11 @@ public final class Sunbeam {
         @Override
         public Integer call() {
             String commands = String.join(", ", specification.subcommands().keySet());
-            throw new ParameterException(specification.commandLine(), "No command given; there are " + commands);
+            throw new CommandLine.ParameterException(
+                    specification.commandLine(), "No command given; there are " + commands);
         }
 
-        static final class ProgramVersion implements IVersionProvider {
+        static final class ProgramVersion implements CommandLine.IVersionProvider {
             @Override
             public String[] getVersion() {
                 return new String[] {"sunbeam " + Environment.version()};

@@ -37,7 +37,6 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.LinearFile;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
-import sunbeam.app.gpu.DiscDirections;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
@@ -51,7 +50,6 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Angles;
@@ -194,14 +192,7 @@ public final class BrdfMapCommand extends FileCommand {
             double factor = exposureRule.applyAsDouble(
                     maps.stream().map(MaterialMap.Result::picture).toList());
             certificate = certify.count()
-                    .map(count -> new Certificate.Certifier(
-                                    firstMap.exact(),
-                                    pixel -> new DiscDirections(size, towards)
-                                            .at(pixel)
-                                            .turned(-asked.get(ROTATE_PATCH)),
-                                    firstMap::overStandard,
-                                    environment().progress())
-                            .certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
+                    .map(count -> firstMap.certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
             doubt = DoubtfulPicture.judge(
@@ -279,7 +270,7 @@ public final class BrdfMapCommand extends FileCommand {
                     "--certify holds one integral against the reference, but an --index by wavelength takes"
                             + " two; give a number, or leave out --certify");
         }
-        if (!material.isConstant() && FresnelFactor.of(asked) == FresnelFactor.SQUARED) {
+        if (!material.isConstant() && MethodSettings.FresnelFactor.of(asked) == MethodSettings.FresnelFactor.SQUARED) {
             throw asked.complaint(
                     MethodSettings.FRESNEL,
                     "squared is for an index that is the same at all wavelengths; give once, or a number as --index");

@@ -19,6 +19,7 @@ import sunbeam.app.gpu.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.picture.LinearPicture;
+import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Energy;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneSettings;
@@ -31,7 +32,6 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
-import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
@@ -39,7 +39,6 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
@@ -147,13 +146,16 @@ final class MaterialMap {
         return parts.get(0).plan;
     }
 
-    /** Returns the reference for a material without dispersion. */
-    ExactLight exact() {
-        return setup.withLight(parts.get(0).cie).exact(method);
-    }
-
-    double overStandard(DirectionPair pair) {
-        return parts.get(0).reflection.overStandard(pair);
+    /** Compares random pixels with the reference; the material must have no dispersion. */
+    Certificate certify(LinearPicture picture, int count, double exposure, double tolerance) {
+        DiscDirections directions = new DiscDirections(picture.width(), light);
+        Part part = parts.get(0);
+        return new Certificate.Certifier(
+                        setup.withLight(part.cie).exact(method),
+                        pixel -> directions.at(pixel).turned(-turn),
+                        part.reflection::overStandard,
+                        setup.progress())
+                .certify(picture, count, exposure, tolerance);
     }
 
     Result draw(RenderContext context, int size) {

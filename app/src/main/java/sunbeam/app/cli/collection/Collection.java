@@ -21,7 +21,6 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.cli.options.PatchOptions.TaskPart;
 import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ResumeOption;
 import sunbeam.app.files.output.OutputFolder;
@@ -30,7 +29,6 @@ import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.FileNames;
@@ -120,7 +118,8 @@ public final class Collection {
     public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
         check();
         List<Item> all = items();
-        TaskPart task = TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
+        PatchOptions.TaskPart task =
+                PatchOptions.TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
         if (items.isEmpty()) {
             throw new UsageException(PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
@@ -131,7 +130,7 @@ public final class Collection {
         List<ObjectNode> rows = new ArrayList<>();
         String kept = "interrupted; what is finished is kept, add --resume to go on";
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
-        try (Progress progress = display.start("Surfaces", items.size())) {
+        try (ProgressDisplay.Progress progress = display.start("Surfaces", items.size())) {
             for (Item item : items) {
                 rows.add(row(item, folder, err));
                 int code = code(rows.get(rows.size() - 1));

@@ -31,7 +31,6 @@ import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.files.plot.Sheet.Thumbnail;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.units.Decimals;
 
@@ -157,7 +156,7 @@ final class CollectionFolder {
                 .map(row -> row.get("file").asText())
                 .distinct()
                 .collect(Collectors.groupingBy(file -> name(Path.of(file)), Collectors.counting()));
-        try (Progress progress = display.start("Sheets", rows.size())) {
+        try (ProgressDisplay.Progress progress = display.start("Sheets", rows.size())) {
             for (int first = 0; first < rows.size(); first += Sheet.MOST_THUMBNAILS) {
                 int end = Math.min(rows.size(), first + Sheet.MOST_THUMBNAILS);
                 List<Thumbnail> page = rows.subList(first, end).parallelStream()

@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
-import jrtr.gl.RenderContext.ContextInfo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import sunbeam.app.cli.options.JsonOption;
@@ -137,8 +136,8 @@ public final class DoctorCommand extends ReportingCommand {
         }
     }
 
-    private static List<Check> describe(ContextInfo info) {
-        ContextInfo.Limits limits = info.limits();
+    private static List<Check> describe(RenderContext.ContextInfo info) {
+        RenderContext.ContextInfo.Limits limits = info.limits();
         return List.of(
                 Check.ok("GL vendor", info.vendor()),
                 Check.ok("GL renderer", info.renderer() + (info.software() ? ", in software" : "")),

@@ -9,10 +9,8 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.WavelengthBand;
-import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -52,7 +50,7 @@ record BsdfMaterial(
         float[][] densities = new float[shape.slices()][];
         float[][] spectra = new float[shape.slices()][];
         float[][] luminance = new float[shape.slices()][];
-        try (Progress progress = display.start("Directions", shape.slices())) {
+        try (ProgressDisplay.Progress progress = display.start("Directions", shape.slices())) {
             IntStream.range(0, shape.slices()).parallel().forEach(slice -> {
                 HalfVectors map = HalfVectors.of(
                         azimuths,
@@ -229,7 +227,8 @@ record BsdfMaterial(
      * angles to the normal, from 0 to {@code largest}, radians; the side of the unit square that holds the second direction; azimuths
      * (rows) and angles (columns) of the half vector in the density of {@link HalfVectors}.
      */
-    record Shape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
+    record Shape(
+            int phis, int thetas, double largest, int side, int rows, int columns, WavelengthBand.SpectralBands bands) {
         // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is
         // unstable.
         private static final double LARGEST_ANGLE = Math.toRadians(88);
@@ -262,7 +261,7 @@ record BsdfMaterial(
                     side,
                     1 + (int) Math.ceil(2 * Math.PI / (ROW_STEP * step)),
                     Math.max(LEAST_COLUMNS, side),
-                    new SpectralBands(range, bands));
+                    new WavelengthBand.SpectralBands(range, bands));
         }
 
         int slices() {

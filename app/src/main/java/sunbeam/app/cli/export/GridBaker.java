@@ -7,7 +7,6 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
@@ -18,7 +17,6 @@ import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.ErrorBudget;
-import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /** Bakes color grids for the ensemble-averaged levels of a color table; coarser levels have wider orders (docs/color-tables.md). */
@@ -73,10 +71,10 @@ final class GridBaker {
 
     /** @param plan plan with the ensemble average */
     GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
-        SpectrumPlan bins = plan.spectrum().orElseThrow();
         this.all = plan.table();
         this.levels = all.levels().subList(all.pointLevelCount(), all.levels().size());
-        this.spectrum = PowerSpectrum.of(setup.fourierTable(bins), new ErrorBudget(plan.tolerance()).powerBasis());
+        this.spectrum = PowerSpectrum.of(
+                setup.fourierTable(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
         this.cie = setup.cie();
         this.tolerance = tolerance;
         this.display = setup.progress();
@@ -142,7 +140,7 @@ final class GridBaker {
     private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         String label = "Colors, grid " + (levels.size() - levels.indexOf(level)) + " of " + levels.size() + " at most";
-        try (Progress progress = display.start(label, shape.evaluated())) {
+        try (ProgressDisplay.Progress progress = display.start(label, shape.evaluated())) {
             grid.bake(baker(functions, level), progress);
         }
         return grid;

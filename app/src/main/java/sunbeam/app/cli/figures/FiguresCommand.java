@@ -20,7 +20,6 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.text.Text;
 
@@ -130,7 +129,7 @@ public final class FiguresCommand extends FileCommand {
     /** Returns the exit code of the first command that failed. */
     private int draw(List<Figure.Drawing> drawings) {
         int code = ExitCode.OK.code();
-        try (Progress progress = display.start("Figures", drawings.size())) {
+        try (ProgressDisplay.Progress progress = display.start("Figures", drawings.size())) {
             for (Figure.Drawing drawing : drawings) {
                 int result = draw(drawing, drawings);
                 if (result == ExitCode.INTERRUPTED.code()) {

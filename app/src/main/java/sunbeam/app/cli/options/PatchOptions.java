@@ -18,7 +18,6 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
@@ -116,7 +115,7 @@ public final class PatchOptions extends SettingOptions {
     /** Loads the patch, as the method's preset reads it; the heights of a built-in patch may come from the cache. */
     public Patch load(Choices method, Environment environment, PrintWriter err) {
         BlobCache cache = BlobCache.of(environment, warning -> err.println(Messages.warning(warning)));
-        try (Progress progress = environment.progress().start("Reading the heights", 1)) {
+        try (ProgressDisplay.Progress progress = environment.progress().start("Reading the heights", 1)) {
             Patch patch = load(choices(), method, cache::heights);
             progress.step(1);
             return patch;
@@ -180,7 +179,7 @@ public final class PatchOptions extends SettingOptions {
                 throw new UsageException(
                         "--with is given " + others.size() + " times; give it " + MOST + " times at most");
             }
-            try (Progress progress = display.start("Reading the heights", 1 + others.size())) {
+            try (ProgressDisplay.Progress progress = display.start("Reading the heights", 1 + others.size())) {
                 List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
                 progress.step(1);
                 for (String name : others) {

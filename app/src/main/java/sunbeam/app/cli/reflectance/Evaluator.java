@@ -11,7 +11,6 @@ import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
@@ -42,7 +41,7 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
-                Progress progress = display.start("Directions", list.size())) {
+                ProgressDisplay.Progress progress = display.start("Directions", list.size())) {
             return renderer.evaluate(queries, progress::step).stream()
                     .map(values -> new double[] {values[0], values[1], values[2], values[3]})
                     .toList();

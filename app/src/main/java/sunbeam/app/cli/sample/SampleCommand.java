@@ -38,7 +38,6 @@ import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings;
-import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
@@ -141,9 +140,8 @@ public final class SampleCommand extends FileCommand {
         TableMethod method = new TableMethod(choices.get(MethodSettings.TOLERANCE), GaussianArea.of(choices));
         ColorTablePlan plan =
                 method.plan(setup.surface(), VisibleRange.all()).colorTable().orElseThrow();
-        SpectrumPlan bins = plan.spectrum().orElseThrow();
-        PowerSpectrum spectrum =
-                PowerSpectrum.of(setup.fourierTable(bins), new ErrorBudget(plan.tolerance()).powerBasis());
+        PowerSpectrum spectrum = PowerSpectrum.of(
+                setup.fourierTable(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
         Optional<Certificate> certificate;
         Map<String, Object> made = metadata(setup, method, plan, part);
         try (Progress progress = environment().progress().start("Rows", rows)) {
