@@ -230,10 +230,9 @@ public final class BrdfMapCommand extends FileCommand {
                 maps.forEach(map -> show(map, viewer));
             }
         }
-        json.print(
-                out,
-                report,
-                Stream.concat(Stream.of(written), linearFile.stream()).toList());
+        List<Path> files =
+                Stream.concat(Stream.of(written), linearFile.stream()).toList();
+        json.print(out, report, files);
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }

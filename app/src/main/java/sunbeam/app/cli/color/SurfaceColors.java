@@ -203,6 +203,7 @@ final class SurfaceColors {
 
     ColorReport report(RenderContext context, ViewColor.Scale scale) {
         Optional<String> without = whyColorless();
+        Verdict verdict = verdict();
         List<ViewColor> seen = IntStream.range(0, views.size())
                 .mapToObj(i -> ViewColor.of(views.get(i), colors.get(i), scale))
                 .toList();
@@ -215,10 +216,7 @@ final class SurfaceColors {
         return new ColorReport(
                 patch(),
                 period,
-                new Verdict(
-                        verdict().code(),
-                        without.orElseGet(() -> verdict().sentence()),
-                        verdict().firstOrders()),
+                new Verdict(verdict.code(), without.orElse(verdict.sentence()), verdict.firstOrders()),
                 without.isEmpty(),
                 azimuthDegrees,
                 window.coherenceLength(),

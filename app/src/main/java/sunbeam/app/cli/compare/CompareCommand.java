@@ -212,13 +212,8 @@ public final class CompareCommand extends FileCommand {
                     graphics.setRenderingHint(
                             RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
                     graphics.drawImage(shown(photo, 1, background), MARGIN, 0, PANEL, height, null);
-                    graphics.drawImage(
-                            shown(scene, comparison.exposure(), background),
-                            2 * MARGIN + PANEL,
-                            0,
-                            PANEL,
-                            height,
-                            null);
+                    BufferedImage drawn = shown(scene, comparison.exposure(), background);
+                    graphics.drawImage(drawn, 2 * MARGIN + PANEL, 0, PANEL, height, null);
                 })
                 .row(difference(photo, comparison, plots), hues(comparison.hue(), plots));
         comparison.lines().forEach(line -> sheet.text(line, Sheet.FONT));

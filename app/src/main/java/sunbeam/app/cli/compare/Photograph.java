@@ -191,10 +191,8 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
             try {
                 WritableRaster from = row(columns, channels);
                 from.setPixels(0, 0, columns, 1, scaled);
-                int[] converted = conversion
-                        .get()
-                        .filter(from, row(columns, 3))
-                        .getPixels(0, 0, columns, 1, new int[light.length]);
+                WritableRaster to = conversion.get().filter(from, row(columns, 3));
+                int[] converted = to.getPixels(0, 0, columns, 1, new int[light.length]);
                 IntStream.range(0, light.length).forEach(i -> light[i] = (float) converted[i] / WHITE_16);
                 return light;
             } catch (RuntimeException damaged) {

@@ -187,13 +187,11 @@ record Evaluation(
         for (double angle : grid.angles()) {
             header.add(Text.format("%.6f", Math.toDegrees(angle)));
         }
-        return CsvWriter.numbers(
-                header,
-                grid.wavelengths().length,
-                row -> DoubleStream.concat(
-                                DoubleStream.of(grid.wavelengths()[row] * NANOMETERS),
-                                Arrays.stream(response.values()[row]))
-                        .toArray());
+        return CsvWriter.numbers(header, grid.wavelengths().length, row -> {
+            DoubleStream wavelength = DoubleStream.of(grid.wavelengths()[row] * NANOMETERS);
+            return DoubleStream.concat(wavelength, Arrays.stream(response.values()[row]))
+                    .toArray();
+        });
     }
 
     /**

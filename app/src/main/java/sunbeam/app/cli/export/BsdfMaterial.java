@@ -52,18 +52,14 @@ record BsdfMaterial(
         float[][] luminance = new float[shape.slices()][];
         try (ProgressDisplay.Progress progress = display.start("Directions", shape.slices())) {
             IntStream.range(0, shape.slices()).parallel().forEach(slice -> {
-                HalfVectors map = HalfVectors.of(
-                        azimuths,
-                        shape.phi(slice / shape.thetas()),
-                        shape.theta(slice % shape.thetas()),
-                        shape.columns());
+                double phi = shape.phi(slice / shape.thetas());
+                double theta = shape.theta(slice % shape.thetas());
+                HalfVectors map = HalfVectors.of(azimuths, phi, theta, shape.columns());
                 densities[slice] = map.density();
                 int samples = shape.side() * shape.side();
                 spectra[slice] = new float[shape.bands().count() * samples];
                 luminance[slice] = new float[samples];
-                Direction first = Direction.ofDegrees(
-                        Math.toDegrees(shape.theta(slice % shape.thetas())),
-                        Math.toDegrees(shape.phi(slice / shape.thetas())));
+                Direction first = Direction.ofDegrees(Math.toDegrees(theta), Math.toDegrees(phi));
                 double[] shares = DoubleStream.of(shape.bands().nanometers())
                         .map(nm -> divisor.map(found -> 1 / found.at(first, nm * NANOMETER))
                                 .orElse(1.0))
@@ -86,10 +82,7 @@ record BsdfMaterial(
                 bright[row] += Math.sqrt(grid.xyz(-r * Math.cos(azimuth), -r * Math.sin(azimuth), -depth)[1]);
             }
         }
-        double mean = IntStream.range(0, rows - 1)
-                .mapToDouble(row -> bright[row])
-                .average()
-                .orElseThrow();
+        double mean = Arrays.stream(bright, 0, rows - 1).average().orElseThrow();
         Arrays.setAll(bright, row -> mean > 0 ? EVEN_SHARE + (1 - EVEN_SHARE) * bright[row] / mean : 1);
         return HalfVectors.Density.of(bright);
     }
@@ -127,11 +120,8 @@ record BsdfMaterial(
         double x = HalfVectors.row(density, shape.columns(), row - below).share(column) * (shape.side() - 1);
         double y = azimuths.share(row) * (shape.side() - 1);
         double[] bands = shape.bands().nanometers();
-        double band = Math.max(
-                0,
-                Math.min(
-                        bands.length - 1.0,
-                        (wavelength / NANOMETER - bands[0]) / shape.bands().step()));
+        double place = (wavelength / NANOMETER - bands[0]) / shape.bands().step();
+        double band = Math.max(0, Math.min(bands.length - 1.0, place));
         double spectrum = between(phi, theta, slice -> at(spectra.get(slice), band, y, x));
         return spectrum * normalFactor(halfAngle) / (4 * wi.z());
     }
@@ -140,13 +130,9 @@ record BsdfMaterial(
         int i = Math.max(0, Math.min(shape.phis() - 2, (int) phi));
         int j = Math.max(0, Math.min(shape.thetas() - 2, (int) theta));
         int slice = i * shape.thetas() + j;
-        return mix(
-                mix(value.applyAsDouble(slice), value.applyAsDouble(slice + 1), theta - j),
-                mix(
-                        value.applyAsDouble(slice + shape.thetas()),
-                        value.applyAsDouble(slice + shape.thetas() + 1),
-                        theta - j),
-                phi - i);
+        int next = slice + shape.thetas();
+        double here = mix(value.applyAsDouble(slice), value.applyAsDouble(slice + 1), theta - j);
+        return mix(here, mix(value.applyAsDouble(next), value.applyAsDouble(next + 1), theta - j), phi - i);
     }
 
     private double at(float[] values, double band, double y, double x) {
@@ -157,10 +143,8 @@ record BsdfMaterial(
         double[] both = new double[2];
         for (int k = 0; k < 2; k++) {
             int at = ((b + k) * side + i) * side + j;
-            both[k] = mix(
-                    mix(values[at], values[at + 1], x - j),
-                    mix(values[at + side], values[at + side + 1], x - j),
-                    y - i);
+            double below = mix(values[at], values[at + 1], x - j);
+            both[k] = mix(below, mix(values[at + side], values[at + side + 1], x - j), y - i);
         }
         return mix(both[0], both[1], band - b);
     }
@@ -194,12 +178,9 @@ record BsdfMaterial(
             double squared = (length * length + depth * depth) / 4;
             CoherenceWindow window = bands.get(0).level().area().window();
             double kirchhoff = 2 * squared * window.sigmaMeters() / depth;
-            double factor = 16
-                    * Math.PI
-                    * Gain.reflectance(Math.min(1, Math.sqrt(squared)))
-                    * kirchhoff
-                    * kirchhoff
-                    / (normalFactor(angle) * bands.get(0).level().scale());
+            double reflectance = Gain.reflectance(Math.min(1, Math.sqrt(squared)));
+            double scale = normalFactor(angle) * bands.get(0).level().scale();
+            double factor = 16 * Math.PI * reflectance * kirchhoff * kirchhoff / scale;
             double[] nanometers = shape.bands().nanometers();
             double sum = 0;
             for (int b = 0; b < nanometers.length; b += ColorGrid.CHANNELS) {

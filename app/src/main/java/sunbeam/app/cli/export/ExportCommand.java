@@ -203,9 +203,8 @@ public final class ExportCommand extends FileCommand {
         }
         return switch (format) {
             case NPZ ->
-                isSpectral
-                        ? new NpzTable(channels, bands(asked, BANDS))
-                        : new NpzTable(channels == null ? NpzTable.Channels.XYZ : channels, null);
+                new NpzTable(
+                        channels == null ? NpzTable.Channels.XYZ : channels, isSpectral ? bands(asked, BANDS) : null);
             case BSDF ->
                 new BsdfTable(
                         asked.get(LightSettings.WAVELENGTHS),

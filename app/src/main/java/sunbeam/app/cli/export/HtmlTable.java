@@ -89,6 +89,7 @@ final class HtmlTable implements TableWriter {
         /** @param octaves quantization step of the logarithm to base 2 */
         static QuantizedGrid of(ColorGrid grid, double octaves) {
             GridShape shape = grid.shape();
+            int columns = shape.u().count();
             int texels = shape.texels();
             int all = Math.toIntExact(shape.allTexels());
             byte[] codes = new byte[2 * CHANNELS * all];
@@ -99,21 +100,14 @@ final class HtmlTable implements TableWriter {
             for (int slice = 0; slice < shape.depth().count(); slice++) {
                 int[][] now = new int[CHANNELS][texels];
                 for (int texel = 0; texel < texels; texel++) {
-                    int column = texel % shape.u().count();
-                    int row = texel / shape.u().count();
-                    boolean seen = slice < shape.slicesAt(column, row);
+                    int column = texel % columns;
+                    boolean seen = slice < shape.slicesAt(column, texel / columns);
                     for (int c = 0; c < CHANNELS; c++) {
                         double color = grid.level().scale() * square(grid.roots()[slice][CHANNELS * texel + c]);
                         steps[c] = (int) Math.round(Math.log1p(color / FLOOR) / Math.log(2) / octaves);
                     }
                     for (int c = 0; c < CHANNELS; c++) {
-                        int guess = before[c][texel]
-                                + guess(
-                                        now[c],
-                                        before[c],
-                                        texel,
-                                        column,
-                                        shape.u().count());
+                        int guess = before[c][texel] + guess(now[c], before[c], texel, column, columns);
                         // Channel 0 is Y, 1 and 2 are X and Z relative to it. Texels that no directions reach take the
                         // predicted value, whose difference is 0.
                         int wanted = c == 0 ? steps[1] : steps[c == 1 ? 0 : 2] - steps[1];

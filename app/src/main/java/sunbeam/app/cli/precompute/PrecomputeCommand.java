@@ -169,11 +169,9 @@ public final class PrecomputeCommand extends FileCommand {
             BufferedImage picture = new Sheet(width)
                     .part(SIDE + CAPTION, graphics -> draw(graphics, powers, extremes, width))
                     .draw();
-            return new Result(
-                    picture,
-                    IntStream.range(0, extremes[0].length)
-                            .mapToDouble(n -> largest(extremes, n))
-                            .toArray());
+            double[] largest = new double[extremes[0].length];
+            Arrays.setAll(largest, n -> largest(extremes, n));
+            return new Result(picture, largest);
         }
 
         private static double largest(double[][] extremes, int n) {
@@ -262,9 +260,7 @@ public final class PrecomputeCommand extends FileCommand {
             double[] powers =
                     IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
             double[][] magnitudes = Arrays.stream(extremes)
-                    .map(values -> IntStream.range(0, values.length)
-                            .mapToDouble(n -> Math.abs(values[n]))
-                            .toArray())
+                    .map(values -> Arrays.stream(values).map(Math::abs).toArray())
                     .toArray(double[][]::new);
             for (double[] values : magnitudes) {
                 Arrays.setAll(values, n -> values[n] > ROUNDING * largest(extremes, n) ? values[n] : Double.NaN);

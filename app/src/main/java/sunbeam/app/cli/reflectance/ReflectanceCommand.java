@@ -188,15 +188,10 @@ public final class ReflectanceCommand extends FileCommand {
         }
         List<String> header = new ArrayList<>(list.columns());
         header.addAll(columns.keySet());
-        AtomicFile.write(
-                output,
-                overwrite(),
-                CsvWriter.numbers(
-                        header,
-                        list.size(),
-                        row -> DoubleStream.concat(
-                                        Arrays.stream(list.row(row)),
-                                        columns.values().stream().mapToDouble(column -> results.get(row)[column]))
-                                .toArray()));
+        AtomicFile.StreamContent table = CsvWriter.numbers(header, list.size(), row -> {
+            DoubleStream added = columns.values().stream().mapToDouble(column -> results.get(row)[column]);
+            return DoubleStream.concat(Arrays.stream(list.row(row)), added).toArray();
+        });
+        AtomicFile.write(output, overwrite(), table);
     }
 }

@@ -251,14 +251,9 @@ public final class FrameSequence implements AutoCloseable {
         try {
             List<SceneData> parts = new SceneLoader(environment, warning -> {}).parts(points, parts(), share -> {});
             parts.forEach(part -> exact.add(new SceneSession(context, part)));
+            Scene drawn = parts.get(0).scene();
             Certificate certificate = new Certificate.SceneCertifier(size.width(), size.height(), samples)
-                    .certify(
-                            new PartSum(sessions),
-                            scene,
-                            new PartSum(exact),
-                            parts.get(0).scene(),
-                            exposure,
-                            count);
+                    .certify(new PartSum(sessions), scene, new PartSum(exact), drawn, exposure, count);
             report.put("certificate", ReportFields.of(certificate));
             // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce
             // them.

@@ -230,12 +230,10 @@ final class SampleRows {
             try (WritableHdfFile hdf = HdfFile.write(file)) {
                 for (Column column : columns) {
                     int[] chunk = column.shape(Math.min(rows, CHUNK_ROWS));
-                    hdf.putDataset(
-                            column.name(),
-                            whole(column),
-                            DatasetCreationOptions.builder()
-                                    .chunkDimensions(chunk)
-                                    .build());
+                    DatasetCreationOptions options = DatasetCreationOptions.builder()
+                            .chunkDimensions(chunk)
+                            .build();
+                    hdf.putDataset(column.name(), whole(column), options);
                 }
                 hdf.putAttribute("metadata", metadata.get());
             } catch (HdfException failure) {

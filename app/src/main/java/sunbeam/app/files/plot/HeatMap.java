@@ -205,11 +205,8 @@ public final class HeatMap {
         BufferedImage cells = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                double value = cell(x, width, y, height);
-                cells.setRGB(
-                        x,
-                        height - 1 - y,
-                        values.colors().map().at(values.colors().position(value)));
+                double position = values.colors().position(cell(x, width, y, height));
+                cells.setRGB(x, height - 1 - y, values.colors().map().at(position));
             }
         }
         return cells;

@@ -153,12 +153,9 @@ public final class Plot {
         NumberAxis y = (NumberAxis) plot.getRangeAxis();
         x.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
         y.setTickUnit(new NumberTickUnit(step, PlotStyle.NUMBERS));
-        plot.setInsets(PlotStyle.equalScales(
-                chart,
-                frame.width(),
-                frame.height(),
-                x.getRange().getLength(),
-                y.getRange().getLength()));
+        double width = x.getRange().getLength();
+        double height = y.getRange().getLength();
+        plot.setInsets(PlotStyle.equalScales(chart, frame.width(), frame.height(), width, height));
     }
 
     /** Writes the picture as PNG, whole or not at all; the text is that of {@link PngWriter}. */

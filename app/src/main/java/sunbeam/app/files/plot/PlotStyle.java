@@ -30,15 +30,7 @@ import org.jfree.data.Range;
 /** Style of all plots: white, sans serif, thin grid, colors that color-blind people can distinguish. */
 final class PlotStyle {
     /** Colors of series, from M. Okabe and K. Ito, "Color Universal Design" (2008), without the yellow, which is too pale on white. */
-    private static final Color[] COLORS = {
-        new Color(0x0072B2),
-        new Color(0xD55E00),
-        new Color(0x009E73),
-        new Color(0xCC79A7),
-        new Color(0xE69F00),
-        new Color(0x56B4E9),
-        new Color(0x000000)
-    };
+    private static final int[] COLORS = {0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x000000};
 
     /** Marks of series, which differ so that prints in gray can be read. */
     private static final Shape[] SHAPES = {
@@ -86,7 +78,7 @@ final class PlotStyle {
     private PlotStyle() {}
 
     static Color color(int index) {
-        return COLORS[index % COLORS.length];
+        return new Color(COLORS[index % COLORS.length]);
     }
 
     static Shape shape(int index) {

@@ -7,6 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.font.FontRenderContext;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -48,11 +49,8 @@ public final class Sheet {
     /** A small picture above its name and a sentence; without a picture, the sentence says why. */
     public record Thumbnail(Optional<BufferedImage> picture, String name, String sentence) {
         public static BufferedImage reduced(BufferedImage picture) {
-            double scale = Math.min(
-                    1,
-                    Math.min(
-                            (CELL - CELL_GAP) / (double) picture.getWidth(),
-                            LARGEST_HEIGHT / (double) picture.getHeight()));
+            double across = (CELL - CELL_GAP) / (double) picture.getWidth();
+            double scale = Math.min(1, Math.min(across, LARGEST_HEIGHT / (double) picture.getHeight()));
             int width = (int) Math.max(1, scale * picture.getWidth());
             int height = (int) Math.max(1, scale * picture.getHeight());
             BufferedImage reduced = picture;
@@ -88,10 +86,8 @@ public final class Sheet {
     }
 
     public Sheet row(BufferedImage... pictures) {
-        int height = List.of(pictures).stream()
-                .mapToInt(BufferedImage::getHeight)
-                .max()
-                .orElseThrow();
+        int height =
+                Arrays.stream(pictures).mapToInt(BufferedImage::getHeight).max().orElseThrow();
         return part(height, graphics -> {
             int x = 0;
             for (BufferedImage picture : pictures) {
@@ -184,10 +180,8 @@ public final class Sheet {
                 graphics.setColor(cell.picture().isPresent() ? INK : FAILURE);
                 cell.picture().ifPresent(picture -> graphics.drawImage(picture, x, CELL_GAP, null));
                 graphics.setFont(FONT.deriveFont(Font.BOLD));
-                graphics.drawString(
-                        fittedName(cell.name(), graphics.getFont(), CELL - CELL_GAP),
-                        x,
-                        CELL_GAP + pictures + line - 4);
+                String name = fittedName(cell.name(), graphics.getFont(), CELL - CELL_GAP);
+                graphics.drawString(name, x, CELL_GAP + pictures + line - 4);
                 draw(sentences.get(i), graphics, x, CELL_GAP + pictures + line);
             }
         });

@@ -234,10 +234,8 @@ public record Certificate(
         }
 
         private List<double[]> drawn(PartSum parts, Scene scene, double exposure, List<Tile> pixels) {
-            List<DrawRequest> requests = pixels.stream()
+            return pixels.stream()
                     .map(pixel -> DrawRequest.ofPixels(scene, width, height, pixel, samples))
-                    .toList();
-            return requests.stream()
                     .map(request -> parts.draw(request, exposure).reduced(samples.side()))
                     .map(picture -> Comparison.xyz(picture.rgba(), 0))
                     .toList();
