@@ -195,12 +195,8 @@ public final class BrdfMapCommand extends FileCommand {
                     .map(count -> firstMap.certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
-            doubt = DoubtfulPicture.judge(
-                    sheet.patches(),
-                    black.isPresent(),
-                    black.map(patch -> "the map of " + patch.name()).orElse("the map"),
-                    exposure.isAutomatic(),
-                    err);
+            String name = black.map(patch -> "the map of " + patch.name()).orElse("the map");
+            doubt = DoubtfulPicture.judge(sheet.patches(), black.isPresent(), name, exposure.isAutomatic(), err);
             Map<String, String> text = sheet.text();
             String wide = asked.has(ANGULAR_DIAMETER) ? ", " + asked.written(ANGULAR_DIAMETER) + " wide" : "";
             text.put("Light", light.describe() + wide);
@@ -213,12 +209,9 @@ public final class BrdfMapCommand extends FileCommand {
             certificate.ifPresent(stated -> text.put("Certificate", stated.summary()));
             ResumeOption.note(text, identity, doubt);
             String shared = compared.areSeveral() ? ", automatic, one for all" : ", automatic";
-            BufferedImage image = annotate
-                    ? sheet.annotated(
-                            material.isStandard() ? Optional.empty() : Optional.of(index.describe(material)),
-                            Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : ""),
-                            asked)
-                    : sheet.plain();
+            String exposed = Text.format("exposure %.4g", factor) + (exposure.isAutomatic() ? shared : "");
+            Optional<String> other = Optional.of(index.describe(material)).filter(words -> !material.isStandard());
+            BufferedImage image = annotate ? sheet.annotated(other, exposed, asked) : sheet.plain();
             written = write(picture, image, text, first);
             fields.stream()
                     .limit(1)

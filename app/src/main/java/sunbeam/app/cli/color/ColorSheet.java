@@ -221,12 +221,9 @@ final class ColorSheet {
     }
 
     private BufferedImage spectra() {
-        Plot plot = Plot.linear(
-                "Spectrum" + ofOne(ColorSheet::place) + ", light at " + angle(theta(reports.get(0))),
-                "wavelength / nm",
-                "relative radiance, share of its maximum",
-                WIDTH / 2,
-                PLOT_HEIGHT);
+        String title = "Spectrum" + ofOne(ColorSheet::place) + ", light at " + angle(theta(reports.get(0)));
+        String radiance = "relative radiance, share of its maximum";
+        Plot plot = Plot.linear(title, "wavelength / nm", radiance, WIDTH / 2, PLOT_HEIGHT);
         plot.legendBelow().fromZero();
         for (int i = 0; i < reports.size(); i++) {
             add(plot, names.get(i), reports.get(i).spectrum(), i);

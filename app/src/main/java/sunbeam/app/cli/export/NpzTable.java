@@ -106,10 +106,7 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
             fields.put("unit", "1: a flat mirror in specular direction under the asked window, at each wavelength");
             fields.put(
                     "wavelengths_m",
-                    DoubleStream.of(bands.nanometers())
-                            .map(nanometers -> nanometers / 1e9)
-                            .boxed()
-                            .toList());
+                    DoubleStream.of(bands.nanometers()).map(nm -> nm / 1e9).toArray());
         }
         return fields;
     }

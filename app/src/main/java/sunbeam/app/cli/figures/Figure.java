@@ -236,13 +236,10 @@ record Figure(
         if (picture.plot() != null) {
             return new Drawing(number, patch, picture, file, List.of(), Optional.empty());
         }
-        List<String> words = new ArrayList<>(Stream.of(picture.command().split(" ", -1))
-                .map(word -> expanded(
-                        word.replace("{size}", sizes.scene()).replace("{wavelengths}", sizes.wavelengths()),
-                        patch,
-                        source,
-                        file,
-                        stem))
+        String command =
+                picture.command().replace("{size}", sizes.scene()).replace("{wavelengths}", sizes.wavelengths());
+        List<String> words = new ArrayList<>(Stream.of(command.split(" ", -1))
+                .map(word -> expanded(word, patch, source, file, stem))
                 .toList());
         if (!picture.command().startsWith("brdf-map") || picture.command().contains("{file}")) {
             return new Drawing(number, patch, picture, file, words, Optional.empty());

@@ -53,10 +53,8 @@ enum FigurePlot {
             case RESPONSES -> responses(results);
             case ERRORS -> errors(results);
         };
-        plot.write(
-                drawing.file(),
-                Overwrite.REPLACE,
-                Map.of("Title", drawing.picture().label()));
+        Map<String, String> text = Map.of("Title", drawing.picture().label());
+        plot.write(drawing.file(), Overwrite.REPLACE, text);
         if (!numbers.isEmpty()) {
             AtomicFile.write(
                     drawing.beside(".json"), Overwrite.REPLACE, AtomicFile.StreamContent.of(JsonOption.text(numbers)));
@@ -103,10 +101,8 @@ enum FigurePlot {
         double squares = IntStream.range(0, times.length)
                 .mapToDouble(i -> Math.pow(ours[i] - exact[i], 2))
                 .sum();
-        numbers.put(
-                "error",
-                Math.sqrt(squares
-                        / Arrays.stream(exact).map(value -> value * value).sum()));
+        double power = Arrays.stream(exact).map(value -> value * value).sum();
+        numbers.put("error", Math.sqrt(squares / power));
         return Plot.linear("Sinc interpolation of 100 samples", "t / step", "s(t)", WIDTH, HEIGHT)
                 .line("signal", times, exact)
                 .line("sum of sincs", times, ours)
@@ -168,17 +164,13 @@ enum FigurePlot {
     /** Plots the error over the number of terms, by which the maps are named, against the first map, which has the most. */
     private static Plot errors(List<Figure.Drawing> results) {
         List<Figure.Drawing> compared = results.subList(1, results.size());
+        double[] terms = new double[compared.size()];
+        Arrays.setAll(terms, i -> Double.parseDouble(compared.get(i).picture().name()));
+        double[] values = new double[terms.length];
+        Arrays.setAll(values, i -> Measure.error(compared.get(i), results.get(0)));
         Plot.Axis errors = Plot.Axis.logarithmic(Measure.ERROR.toString());
         return new Plot(new Plot.Frame("Taylor terms", Plot.Axis.linear("terms"), errors, WIDTH, HEIGHT))
-                .points(
-                        "error",
-                        compared.stream()
-                                .mapToDouble(drawing ->
-                                        Double.parseDouble(drawing.picture().name()))
-                                .toArray(),
-                        compared.stream()
-                                .mapToDouble(drawing -> Measure.error(drawing, results.get(0)))
-                                .toArray());
+                .points("error", terms, values);
     }
 
     private static double[] map(double[] values, DoubleUnaryOperator function) {

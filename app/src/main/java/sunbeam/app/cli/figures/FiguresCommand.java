@@ -233,18 +233,14 @@ public final class FiguresCommand extends FileCommand {
                 + drawing.picture().label();
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
-                .map(base -> "; "
-                        + PictureDifference.of(Measure.image(drawing.file()), Measure.image(base))
-                                .text()
-                        + " from the first")
+                .map(base -> PictureDifference.of(Measure.image(drawing.file()), Measure.image(base)))
+                .map(found -> "; " + found.text() + " from the first")
                 .orElse("");
+        String command =
+                drawing.command().isEmpty() ? "" : "./sunbeam " + String.join(" ", drawing.command()) + " --force";
         return "<figure" + kind + "><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"" + escape(label)
                 + "\"></a><figcaption>" + escape(label + difference) + "<br><code>"
-                + escape(
-                        drawing.command().isEmpty()
-                                ? ""
-                                : "./sunbeam " + String.join(" ", drawing.command()) + " --force")
-                + "</code></figcaption></figure>\n";
+                + escape(command) + "</code></figcaption></figure>\n";
     }
 
     private static String escape(String text) {

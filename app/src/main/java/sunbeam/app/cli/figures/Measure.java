@@ -1,6 +1,7 @@
 package sunbeam.app.cli.figures;
 
 import com.fasterxml.jackson.annotation.JsonValue;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -231,14 +232,12 @@ enum Measure {
             String numbers = Files.exists(file)
                     ? Files.readString(file)
                     : PngText.read(drawing.file()).get("Extremes");
+            if (numbers == null) {
+                return Double.NaN;
+            }
             double unit = pointer.endsWith("_nm2") ? 1e18 : pointer.endsWith("_nm") ? 1e9 : 1;
-            return numbers == null
-                    ? Double.NaN
-                    : unit
-                            * new ObjectMapper()
-                                    .readTree(numbers)
-                                    .at(pointer.replaceFirst("_nm(2?)$", "_m$1"))
-                                    .asDouble(Double.NaN);
+            JsonNode number = new ObjectMapper().readTree(numbers).at(pointer.replaceFirst("_nm(2?)$", "_m$1"));
+            return unit * number.asDouble(Double.NaN);
         } catch (IOException failure) {
             throw InputException.of(file, failure);
         }

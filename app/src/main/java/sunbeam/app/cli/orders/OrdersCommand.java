@@ -218,14 +218,10 @@ public final class OrdersCommand extends FileCommand {
                     series.values(seen -> seen.efficiency().value()));
         }
         double[] all = lights.stream().mapToDouble(x).toArray();
-        return plot.line(
-                        "all light",
-                        all,
-                        lights.stream().mapToDouble(OrderLight::sum).toArray())
-                .outline(
-                        "flat mirror",
-                        all,
-                        lights.stream().mapToDouble(OrderLight::mirror).toArray())
+        double[] sums = lights.stream().mapToDouble(OrderLight::sum).toArray();
+        double[] mirror = lights.stream().mapToDouble(OrderLight::mirror).toArray();
+        return plot.line("all light", all, sums)
+                .outline("flat mirror", all, mirror)
                 .draw();
     }
 }
