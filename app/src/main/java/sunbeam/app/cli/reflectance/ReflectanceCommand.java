@@ -54,10 +54,9 @@ import sunbeam.precompute.shader.ShaderTables.MethodUse;
         header = "Evaluate a list of directions: CSV in, CSV out.",
         description = "Evaluate a list of directions. The input is a CSV file with a header and the columns theta_i,"
                 + " phi_i, theta_r, phi_r in degrees and, for one wavelength a row, wavelength in nm; other columns are"
-                + " ignored. The output repeats these columns and adds power of the chosen --average, the same under that"
-                + " average's name (power_coherent or power_ensemble), rho and brdf (1/sr, without mask); without"
-                + " wavelengths, X, Y, Z of power and the gain that turns them into rho."
-                + " See docs/conventions.md.",
+                + " ignored. The output repeats these columns and adds power of the chosen --average, the same under"
+                + " that average's name (power_coherent or power_ensemble), rho and brdf (1/sr, without mask); without"
+                + " wavelengths, X, Y, Z of power and the gain that turns them into rho. See docs/conventions.md.",
         footer = {"  sunbeam reflectance blaze --directions list.csv --output colors.csv"})
 public final class ReflectanceCommand extends FileCommand {
     @Mixin
