@@ -1,2 +1,2 @@
-/** All of the command line: the program, its commands, a package each, and their options; nothing else knows picocli. */
+/** All of the command line: the program, its commands, of which the larger ones have packages, and their options; nothing else knows picocli. */
 package sunbeam.app.cli;

@@ -13,7 +13,7 @@ import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
-import sunbeam.app.cli.report.ReportFields;
+import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.plot.HeatMap;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import sunbeam.app.cli.report.ReportFields;
+import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.measure.errors.DirectionSampler;

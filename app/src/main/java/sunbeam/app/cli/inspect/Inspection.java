@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
-import sunbeam.app.cli.report.ReportFields;
+import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;

@@ -20,7 +20,7 @@ import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.PictureSize;
-import sunbeam.app.cli.report.ReportFields;
+import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.files.input.PngText;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.LinearFile;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.doctor;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -15,7 +15,7 @@ import jrtr.GraphicsException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
-import sunbeam.app.cli.doctor.DoctorCommand.Check;
+import sunbeam.app.cli.DoctorCommand.Check;
 import sunbeam.app.terminal.Environment;
 
 final class DoctorCommandTest {

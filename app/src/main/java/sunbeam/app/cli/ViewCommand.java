@@ -1,4 +1,4 @@
-package sunbeam.app.cli.view;
+package sunbeam.app.cli;
 
 import java.awt.Dimension;
 import java.util.function.Consumer;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.mesh;
+package sunbeam.app.cli;
 
 import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.SCALES;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.report;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -16,7 +16,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.cli.CommandLineFixture;
 
 /** Validates the JSON of every command by docs/reference/report.schema.json, which names all fields. */
 final class ReportSchemaTest extends CommandLineFixture {

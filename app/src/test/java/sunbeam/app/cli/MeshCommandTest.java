@@ -1,4 +1,4 @@
-package sunbeam.app.cli.mesh;
+package sunbeam.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.terminal.ExitCode;

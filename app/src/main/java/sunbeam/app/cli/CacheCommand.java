@@ -1,4 +1,4 @@
-package sunbeam.app.cli.cache;
+package sunbeam.app.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Files;

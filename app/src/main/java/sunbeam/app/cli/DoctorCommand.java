@@ -1,4 +1,4 @@
-package sunbeam.app.cli.doctor;
+package sunbeam.app.cli;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.io.PrintWriter;

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.report;
+package sunbeam.app.cli.options;
 
 import java.util.LinkedHashMap;
 import java.util.List;

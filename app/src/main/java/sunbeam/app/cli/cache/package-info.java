@@ -1,2 +1,0 @@
-/** Command {@code cache}. */
-package sunbeam.app.cli.cache;

@@ -1,2 +1,0 @@
-/** Command {@code mesh}. */
-package sunbeam.app.cli.mesh;

@@ -1,2 +1,0 @@
-/** Parts of reports that several commands share. */
-package sunbeam.app.cli.report;

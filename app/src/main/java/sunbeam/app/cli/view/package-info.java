@@ -1,2 +1,0 @@
-/** Command {@code view}. */
-package sunbeam.app.cli.view;
