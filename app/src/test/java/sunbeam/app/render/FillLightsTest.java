@@ -6,10 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -29,7 +26,6 @@ import sunbeam.app.scene.Weights;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
-import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.Methods;
@@ -111,32 +107,6 @@ class FillLightsTest extends InAScene {
     }
 
     @Test
-    void tooManyAndThoseWithoutADirectionAreRefused() throws IOException {
-        Path file = folder.resolve("scene.json");
-        String one = "{ \"direction\": [0, 0, 1] }";
-        assertRefused(file, "[" + String.join(",", Collections.nCopies(8, one)) + "]", "at most 7");
-        assertRefused(file, "[ { \"direction\": [0, 0, 0] } ]", "no direction");
-        assertRefused(file, one, "must be a list");
-        assertRefused(file, "[ { \"direction\": [0, 0, 1], \"color\": 1 } ]", "color");
-    }
-
-    @Test
-    void aLampOf40DegreesIsRefusedWithTheRange() throws IOException {
-        Path file = folder.resolve("scene.json");
-        SceneWriter.write(
-                file,
-                Overwrite.REFUSE,
-                scene(FullMethod.TYPE).withLight(new SceneLight(KEY.towards(), 1, Math.toRadians(12))));
-        String text = Files.readString(file);
-        assertThat(text).contains("12 deg");
-        Files.writeString(file, text.replace("12 deg", "40 deg"));
-
-        assertThatThrownBy(() -> Scenes.read(file))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("angularDiameter\": 40 deg is out of range; give 0 deg to 15 deg");
-    }
-
-    @Test
     void aWideLightNeedsATableOfEnsembleAverages() {
         Scene coherent = blaze().withMethod(new SceneMethod(Choices.none()
                         .with(Methods.METHOD, TableMethod.TYPE)
@@ -146,19 +116,6 @@ class FillLightsTest extends InAScene {
         assertThatThrownBy(() -> load(coherent))
                 .isInstanceOf(SettingException.class)
                 .hasMessageContaining("angularDiameter; give ensemble");
-    }
-
-    private static void assertRefused(Path file, String fillLights, String words) throws IOException {
-        Files.writeString(
-                file,
-                "{ \"mesh\": \"plane\", \"patch\": \"blaze\", \"texture\": \"none\", \"weights\": {}, \"camera\": { \"position\":"
-                        + " [\"0 m\", \"0 m\", \"1 m\"], \"lookAt\": [\"0 m\", \"0 m\", \"0 m\"], \"up\": [0, 1, 0] },"
-                        + " \"light\": { \"direction\": [0, 0, 1] }, \"fillLights\": "
-                        + fillLights
-                        + " }");
-        assertThatThrownBy(() -> Scenes.read(file))
-                .isInstanceOf(InputException.class)
-                .hasMessageContainingAll(words, "fillLights");
     }
 
     private static final int SIDE = 64;

@@ -13,7 +13,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.PatchAtlas;
@@ -144,30 +143,6 @@ class PatchAtlasTest extends InAScene {
                 .hasMessageContaining("has nowhere #00ff00");
         assertThatThrownBy(() -> loader().parts(scene(folder + "/none.png", red)))
                 .hasMessageContaining("there is no patch map");
-    }
-
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
-            '"map": "../m.png", "#ff0000": "blaze"'|"patch.map": ../m.png
-            '"map": "none.png", "#ff0000": "blaze"'|is no file
-            '"map": "m.png"'|has 0 patches beside its map
-            '"map": "m.png", "red": "blaze"'|is no color
-            '"map": "m.png", "#ff0000": "blaze", "#FF0000": "disc"'|gives #ff0000 two patches
-            '"map": "m.png", "#ff0000": "no-such"'|"patch.#ff0000": no-such
-            '"map": "m.png", "#ff0000": 3'|"patch.#ff0000": must be an object
-            """)
-    void invalidPatchMapsAreRefusedInOneLine(String keys, String complaint) throws IOException {
-        Files.copy(Path.of(map(BufferedImage.TYPE_INT_RGB, RED, RED, RED, RED)), folder.resolve("m.png"));
-        Path file = Files.writeString(folder.resolve("scene.json"), """
-                { "mesh": "plane", "patch": { %s }, "texture": "none", "weights": {},
-                  "camera": { "position": ["0 cm", "-10 cm", "40 cm"], "lookAt": ["0 cm", "0 cm", "0 cm"] },
-                  "light": { "direction": [0, 0, 1] } }
-                """.formatted(keys));
-
-        assertThatThrownBy(() -> Scenes.read(file))
-                .isInstanceOf(RuntimeException.class)
-                .hasMessageContainingAll("scene.json, line 1", complaint)
-                .satisfies(failure -> assertThat(failure.getMessage().lines()).hasSize(1));
     }
 
     @Test

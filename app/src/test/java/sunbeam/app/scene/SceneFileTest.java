@@ -136,9 +136,22 @@ class SceneFileTest {
                     "0 m", "0 m", "0 m"  | "10 cm", "-20 cm", "15 cm" | line 4 | camera.position | differ
                     "snake"              | null               | line 2  | mesh          | text
                     "camera": {          | "camera": { "fieldOfView": "1e-300 deg", | line 4 | camera.fieldOfView | out of range
+                    [0, 0, 2]            | [0, 0, 2], "angularDiameter": "40 deg" | line 5 | angularDiameter | 40 deg is out of range; give 0 deg to 15 deg
+                    "exposure": 2        | "exposure": 2, "fillLights": [{ "direction": [0, 0, 0] }] | line 9 | fillLights | no direction
+                    "exposure": 2        | "exposure": 2, "fillLights": { "direction": [0, 0, 1] } | line 9 | fillLights | must be a list
+                    "exposure": 2        | "exposure": 2, "fillLights": [{ "direction": [0, 0, 1], "color": 1 }] | line 9 | fillLights | color
+                    "exposure": 2        | "exposure": 2, "fillLights": [{}, {}, {}, {}, {}, {}, {}, {}] | line 9 | fillLights | at most 7
+                    "elaphe-like"        | { "map": "../m.png", "#ff0000": "blaze" } | line 3 | patch.map | ../m.png
+                    "elaphe-like"        | { "map": "none.png", "#ff0000": "blaze" } | line 3 | patch.map | is no file
+                    "elaphe-like"        | { "map": "m.png" } | line 3 | patch | has 0 patches beside its map
+                    "elaphe-like"        | { "map": "m.png", "red": "blaze" } | line 3 | patch | is no color
+                    "elaphe-like"        | { "map": "m.png", "#ff0000": "blaze", "#FF0000": "disc" } | line 3 | patch | gives #ff0000 two patches
+                    "elaphe-like"        | { "map": "m.png", "#ff0000": "no-such" } | line 3 | patch.#ff0000 | no-such
+                    "elaphe-like"        | { "map": "m.png", "#ff0000": 3 } | line 3 | patch.#ff0000 | must be an object
                     """)
     void mistakesNameLineAndKey(String found, String replacement, String line, String key, String words)
             throws IOException {
+        Files.createFile(folder.resolve("m.png"));
         assertThat(SCENE).contains(found);
         assertRefused(SCENE.replace(found, replacement), line + ":", key, words);
     }
