@@ -6,21 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import jrtr.scene.View.Camera;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SceneWriter;
-import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Viewpoint;
 import sunbeam.app.scene.Weights;
 import sunbeam.app.scene.mesh.MeshSource;
@@ -96,14 +92,6 @@ class FillLightsTest extends InAScene {
             BufferedImage image = session.moving(SIZE, SIZE, 1, 1);
             return image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
         }
-    }
-
-    @Test
-    void sceneFilesStoreFillLights() {
-        Scene scene = scene(FullMethod.TYPE).withFillLights(List.of(FILL, KEY));
-        Path file = folder.resolve("scene.json");
-        SceneWriter.write(file, Overwrite.REFUSE, scene);
-        assertThat(Scenes.read(file).fillLights()).isEqualTo(List.of(FILL, KEY));
     }
 
     @Test

@@ -16,12 +16,8 @@ import org.joml.Vector3fc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SceneWriter;
-import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.Methods;
@@ -133,16 +129,6 @@ class OrientationMapTest extends InAScene {
         try (SceneSession session = session(mapped(mirrored, map(SLANTED), 0))) {
             assertPointsTo(tangent(session, WIDTH / 2), Math.PI - SLANT);
         }
-    }
-
-    @Test
-    void aSceneKeepsItsMap() throws IOException {
-        Scene scene = mapped(blaze(), map(SLANTED), 0);
-        Path file = folder.resolve("scene.json");
-        SceneWriter.write(file, Overwrite.REFUSE, scene);
-
-        assertThat(Scenes.read(file).get(SceneSettings.ORIENTATION_MAP))
-                .isEqualTo(scene.get(SceneSettings.ORIENTATION_MAP));
     }
 
     @ParameterizedTest

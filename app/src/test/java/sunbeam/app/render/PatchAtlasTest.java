@@ -6,21 +6,16 @@ import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
-import sunbeam.app.scene.SceneWriter;
-import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.Weights;
 import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.method.FullMethod;
@@ -99,22 +94,6 @@ class PatchAtlasTest extends InAScene {
         }
         assertThat(places[1]).isBetween(places[0] / 4, places[0] / 2);
         assertThat(different).as("the patches differ").isGreaterThan(20);
-    }
-
-    @Test
-    void aSceneKeepsItsPatches() throws IOException {
-        Scene scene = scene(
-                map(BufferedImage.TYPE_INT_RGB, RED, BLUE, BLUE, BLUE), region(BLUE, "blaze"), region(RED, "lamellar"));
-        Path file = folder.resolve("scene.json");
-        SceneWriter.write(file, Overwrite.REFUSE, scene);
-
-        assertThat(Files.readString(file)).contains("\"#0000ff\" : \"blaze\"");
-        PatchAtlas read = Scenes.read(file).patches();
-        assertThat(read.map()).isEqualTo(scene.patches().map());
-        assertThat(read.regions())
-                .extracting(PatchAtlas.Region::color)
-                .containsExactly(new SceneColor(BLUE), new SceneColor(RED));
-        assertThat(read.regions().get(1).patch().patch()).isEqualTo("lamellar");
     }
 
     /** Gray, indexed and 16-bit images. */

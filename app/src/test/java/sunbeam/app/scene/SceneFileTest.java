@@ -192,7 +192,17 @@ class SceneFileTest {
     void filesAreWrittenRelativeToTheScene() throws IOException {
         Files.createDirectory(folder.resolve("textures"));
         Path texture = Files.write(folder.resolve("textures/skin.png"), new byte[1]);
-        Scene scene = Scenes.read(write(SCENE.replace("\"elaphe\",", "\"textures/skin.png\",")));
+        String patches = "{ \"map\": \"textures/skin.png\", \"#0000ff\": \"blaze\", \"#ff0000\": \"disc\" }";
+        String lights = """
+                "fillLights": [{ "direction": [0.5, 0.1, 0.6], "intensity": 0.4, "angularDiameter": "12 deg" },
+                { "direction": [0, 1, 1] }], "orientationMap": "textures/skin.png", "exposure" """;
+        String text = SCENE.replace("\"elaphe\"", "\"textures/skin.png\"")
+                .replace("\"elaphe-like\"", patches)
+                .replace("\"exposure\"", lights);
+        Scene scene = Scenes.read(write(text));
+        assertThat(scene.patches().regions()).hasSize(2);
+        assertThat(scene.fillLights()).hasSize(2);
+        assertThat(Path.of(scene.get(SceneSettings.ORIENTATION_MAP))).isEqualTo(texture.toAbsolutePath());
         assertThat(Path.of(scene.get(SceneSettings.TEXTURE))).isEqualTo(texture.toAbsolutePath());
 
         Path copy = folder.resolve("copy.json");
