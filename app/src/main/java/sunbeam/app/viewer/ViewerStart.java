@@ -63,7 +63,7 @@ public final class ViewerStart {
             throw new GraphicsException("the viewer needs a screen: start it on a desktop, or set DISPLAY");
         }
         StartJournal journal = new StartJournal();
-        journal.reached(StartJournal.Stage.COMMAND);
+        journal.reached("scene read");
         AtomicReference<Viewer> viewer = new AtomicReference<>();
         SceneLoader loader = new SceneLoader(
                 environment,

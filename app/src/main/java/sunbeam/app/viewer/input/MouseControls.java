@@ -220,7 +220,8 @@ public final class MouseControls extends MouseAdapter {
             Vector3f moved = new Vector3f(point.in(turned).pick().position());
             return Drags.shifted(
                     turned.withView(point.scene().view()),
-                    moved.sub(point.pick().position()));
+                    moved.sub(point.pick().position()),
+                    1);
         });
     }
 

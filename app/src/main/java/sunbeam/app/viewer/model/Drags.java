@@ -76,7 +76,7 @@ public final class Drags {
 
     /** Shifts eye and target sideways by a drag in picture heights, so that the picture follows the mouse. */
     public static Scene panned(Scene scene, double right, double up, int width, int height) {
-        return shifted(scene, across(scene.view(), -right, -up, width, height));
+        return shifted(scene, across(scene.view(), -right, -up, width, height), 1);
     }
 
     public static Scene framed(Scene scene, BoundingSphere sphere) {
@@ -89,11 +89,8 @@ public final class Drags {
         return scene.withView(new Viewpoint(new Camera(eye, sphere.center(), camera.up()), view.verticalFieldOfView()));
     }
 
-    public static Scene shifted(Scene scene, Vector3fc shift) {
-        return shifted(scene, shift, 1);
-    }
-
-    private static Scene shifted(Scene scene, Vector3fc shift, float factor) {
+    /** Shifts eye and target, and multiplies their distance by a factor. */
+    public static Scene shifted(Scene scene, Vector3fc shift, float factor) {
         Camera camera = scene.view().camera();
         Vector3f back = camera.centerOfProjection().sub(camera.lookAtPoint(), new Vector3f());
         Vector3f lookAt = camera.lookAtPoint().add(shift, new Vector3f());

@@ -54,21 +54,16 @@ public final class PickPanel extends JPanel {
     }
 
     private void showDifference() {
-        difference.setText(differenceWords());
+        Optional<CieLab> first = readouts.get(0).lab();
+        Optional<CieLab> second = readouts.get(1).lab();
+        boolean isKnown = first.isPresent() && second.isPresent();
+        difference.setText(isKnown ? Text.format("CIEDE2000 %.1f", first.get().difference(second.get())) : " ");
         difference.setVisible(readouts.get(1).color.isVisible());
-    }
-
-    private String differenceWords() {
-        return readouts.get(0)
-                .lab()
-                .flatMap(first ->
-                        readouts.get(1).lab().map(second -> Text.format("CIEDE2000 %.1f", first.difference(second))))
-                .orElse(" ");
     }
 
     public String numbers() {
         String points = readouts.stream().map(Readout::numbers).collect(Collectors.joining());
-        return (points + (differenceWords() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
+        return (points + (difference.getText() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
     }
 
     public SpectrumPlot plot() {
@@ -154,8 +149,7 @@ public final class PickPanel extends JPanel {
         }
 
         void clear() {
-            text.setText(hint);
-            follow();
+            show(hint);
             outdate();
         }
     }

@@ -42,11 +42,11 @@ final class MapPresenter {
     Optional<Direction> follow() {
         Optional<SkinPoint> picked = viewer.inspector().point();
         Scene scene = viewer.model().scene();
-        Vector3fc light = scene.light().towards();
+        Vector3fc toLight = scene.light().towards();
         // In camera space: +x right, +y up, +z to the viewer.
-        Vector3f seen = scene.view().camera().worldToCamera().transformDirection(light, new Vector3f());
+        Vector3f seen = scene.view().camera().worldToCamera().transformDirection(toLight, new Vector3f());
         Direction towards =
-                picked.map(point -> point.light(light)).orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
+                picked.map(point -> point.light(toLight)).orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
         if (towards.z() < LOWEST_LIGHT) {
             view.clear("the light is behind the skin here");
             return Optional.empty();

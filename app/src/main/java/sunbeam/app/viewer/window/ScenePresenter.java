@@ -16,7 +16,6 @@ import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
@@ -182,7 +181,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     public void changed() {
         window.controls().follow();
         window.setTitle(title(model.scene()));
-        model.loaded().ifPresent(loaded -> viewer.journal().reached(StartJournal.Stage.LOADED));
+        model.loaded().ifPresent(loaded -> viewer.journal().reached("patch, texture and plan"));
         show();
         followLoad();
     }
@@ -207,7 +206,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     @Override
     public void opened(ContextInfo info) {
-        viewer.journal().reached(StartJournal.Stage.CONTEXT);
+        viewer.journal().reached("OpenGL");
         renderer = info.renderer();
     }
 
@@ -238,7 +237,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     public void body(BufferedImage image) {
         if (!firstPicture.isDone()) {
             window.picture().showPicture(image, image.getWidth(), image.getHeight(), false);
-            viewer.journal().reached(StartJournal.Stage.BODY);
+            viewer.journal().reached("body");
         }
     }
 
@@ -253,7 +252,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         double divisor = preview.divisor();
         boolean hasColors = preview.hasColors();
         show(state, preview.image(), false, hasColors, preview.exposure());
-        viewer.journal().reached(hasColors ? StartJournal.Stage.FIRST : StartJournal.Stage.BODY);
+        viewer.journal().reached(hasColors ? "first picture" : "body");
         if (isNew) {
             window.status().moving(divisor);
         } else {
@@ -278,7 +277,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             return;
         }
         show(state, picture.image(), state == requested, true, picture.exposure());
-        viewer.journal().reached(StartJournal.Stage.FINAL);
+        viewer.journal().reached("final picture");
         completed = finished;
         finalPicture.complete(null);
         viewer.files().writeWaiting();

@@ -194,34 +194,17 @@ public final class ViewMeasurement {
         return values.stream().sorted().toList().get((int) Math.min(values.size() - 1.0, share * values.size()));
     }
 
-    /** Times of the stages of the viewer's start, with the processor time of the process until then. Thread-safe. */
+    /** Times at which the viewer's start first reached its stages, and the processor time until then. Thread-safe. */
     public static final class StartJournal {
-        public enum Stage {
-            COMMAND("scene read"),
-            WINDOW("window"),
-            LOADED("patch, texture and plan"),
-            CONTEXT("OpenGL"),
-            BODY("body"),
-            FIRST("first picture"),
-            FINAL("final picture");
+        private final Map<String, String> moments = new LinkedHashMap<>();
 
-            private final String words;
-
-            Stage(String words) {
-                this.words = words;
-            }
-        }
-
-        private final Map<Stage, String> moments = new LinkedHashMap<>();
-
-        public synchronized void reached(Stage stage) {
+        public synchronized void reached(String stage) {
             moments.computeIfAbsent(stage, first -> {
                 ProcessHandle.Info process = ProcessHandle.current().info();
                 Instant now = Instant.now();
                 Duration elapsed = Duration.between(process.startInstant().orElse(now), now);
                 Duration processor = process.totalCpuDuration().orElse(Duration.ZERO);
-                return Text.format(
-                        "%s %.1f s (%.1f)", stage.words, elapsed.toMillis() * 1e-3, processor.toMillis() * 1e-3);
+                return Text.format("%s %.1f s (%.1f)", stage, elapsed.toMillis() * 1e-3, processor.toMillis() * 1e-3);
             });
         }
 

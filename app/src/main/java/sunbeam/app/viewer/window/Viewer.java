@@ -95,7 +95,7 @@ public final class Viewer {
             window.fitPicture(pictureSize);
         }
         window.setVisible(true);
-        journal.reached(StartJournal.Stage.WINDOW);
+        journal.reached("window");
         window.picture().requestFocusInWindow();
         window.controls().follow();
         PictureView picture = window.picture();
