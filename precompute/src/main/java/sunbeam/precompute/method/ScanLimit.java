@@ -45,7 +45,7 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
                     PatchSettings.PERIODIC);
             return new ScanLimit(choices, Optional.of(assumed), Optional.empty());
         }
-        String limiting = patch.scan().width() <= side * SLACK ? "width" : "height";
+        String limiting = patch.heights().width() <= side * SLACK ? "width" : "height";
         if (side < SHORTEST) {
             throw new InputException(Text.format(
                     "%s: its %s of %s is less than the shortest coherence length, %s; use a larger scan, a single row or column, or state that it repeats (%s)",

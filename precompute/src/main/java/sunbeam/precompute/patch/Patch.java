@@ -62,8 +62,8 @@ public record Patch(
 
     /** Returns the shorter side along which heights change, meters; infinite for a flat patch. */
     public double shorterSide() {
-        double alongX = changes(1, 0) ? scan.width() : Double.POSITIVE_INFINITY;
-        double alongY = changes(0, 1) ? scan.height() : Double.POSITIVE_INFINITY;
+        double alongX = changes(1, 0) ? heights.width() : Double.POSITIVE_INFINITY;
+        double alongY = changes(0, 1) ? heights.height() : Double.POSITIVE_INFINITY;
         return Math.min(alongX, alongY);
     }
 

@@ -86,8 +86,8 @@ public final class PatchSettings {
     public static final Setting<Edges> EDGES = new Setting<>(
             "edges",
             ValueKind.word("KIND", Edges.class),
-            "Borders of the repeated scan: repeat them as they are, or blend opposite ones over a tenth of each side."
-                    + " Default: blend for files, repeat for descriptors and periodic surfaces.");
+            "Borders of the repeated scan: repeat them as they are, or blend them over about a tenth of each side,"
+                    + " where opposite ones fit best. Default: blend for files, repeat for descriptors and periodic surfaces.");
 
     public static final Setting<Boolean> PERIODIC = new Setting<>(
             "periodic",

@@ -44,8 +44,8 @@ public record Preparation(Optional<Crop> crop, Leveling leveling, boolean despik
         }
         HeightMap surface = edges.apply(field);
         if (edges == Edges.BLEND) {
-            steps.add("edges blended over " + rounded(Edges.MARGIN * field.width()) + " x "
-                    + rounded(Edges.MARGIN * field.height()) + " (a step of "
+            steps.add("edges blended over " + rounded(field.width() - surface.width()) + " x "
+                    + rounded(field.height() - surface.height()) + " (a step of "
                     + rounded(Seam.of(field).jump()) + " rms)");
         }
         return new Prepared(field, surface, filled.count(), steps);
