@@ -58,9 +58,10 @@ public record ScanLimit(Choices choices, Optional<Sentence> line, Optional<Strin
         double ratio = CoherenceWindow.SUNLIGHT_COHERENCE_LENGTH / side;
         Sentence shortened = Sentence.of(
                 Text.format(
-                        "coherence length %s (the scan's %s; %s %s): orders are %s times as broad as in sunlight; use a larger scan, or, if this one is a period of the surface, ",
+                        "coherence length %s (the scan's %s%s; %s %s): orders are %s times as broad as in sunlight; use a larger scan, or, if this one is a period of the surface, ",
                         Lengths.rounded(side, 4),
                         limiting,
+                        patch.heights().heights().length < patch.scan().heights().length ? " less its overlap" : "",
                         Lengths.format(chosen),
                         choices.has(COHERENCE_LENGTH) ? "asked" : "in sunlight",
                         Text.format(ratio < 10 ? "%.1f" : "%.0f", ratio)),

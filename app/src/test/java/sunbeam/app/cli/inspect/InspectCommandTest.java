@@ -125,8 +125,8 @@ final class InspectCommandTest extends CommandLineFixture {
                 .contains(
                         "levelling plane",
                         "2 spike samples removed, the highest by 1.",
-                        "edges blended over 1 um x 500 nm")
-                .contains("light     coherence length 5 um (the scan's height; 65 um in sunlight)", "--periodic");
+                        "edges blended over 1.02 um x ")
+                .contains("light     coherence length 4.219 um (the scan's height less its overlap; 65 um in sunlight)", "--periodic");
         inspectScan(0, " --explain --crop 2um:8um,1um:5um --level none --edges repeat");
         assertThat(out.toString())
                 .contains("cropped from 10 um x 5 um", "5.938 um x 3.984 um, 76 x 51 samples")
