@@ -124,8 +124,7 @@ public final class EnergyDivisor {
             }
             int columns = Math.min(MOST_SAMPLES, map.columns());
             int rows = Math.min(MOST_SAMPLES, map.rows());
-            return Edges.BLEND.apply(
-                    map.part((map.columns() - columns) / 2, (map.rows() - rows) / 2, columns, rows));
+            return Edges.BLEND.apply(map.part((map.columns() - columns) / 2, (map.rows() - rows) / 2, columns, rows));
         }
 
         public Optional<String> warning() {

@@ -126,7 +126,9 @@ final class InspectCommandTest extends CommandLineFixture {
                         "levelling plane",
                         "2 spike samples removed, the highest by 1.",
                         "edges blended over 1.02 um x ")
-                .contains("light     coherence length 4.219 um (the scan's height less its overlap; 65 um in sunlight)", "--periodic");
+                .contains(
+                        "light     coherence length 4.219 um (the scan's height less its overlap; 65 um in sunlight)",
+                        "--periodic");
         inspectScan(0, " --explain --crop 2um:8um,1um:5um --level none --edges repeat");
         assertThat(out.toString())
                 .contains("cropped from 10 um x 5 um", "5.938 um x 3.984 um, 76 x 51 samples")
@@ -134,7 +136,7 @@ final class InspectCommandTest extends CommandLineFixture {
         inspectScan(0, " --explain --periodic");
         assertThat(out.toString()).doesNotContain("light     ").contains("levelling mean");
         inspectScan(0, " --explain --no-periodic");
-        assertThat(out.toString()).contains("light     coherence length 5 um");
+        assertThat(out.toString()).contains("light     coherence length 4.219 um");
     }
 
     /** With a wrong unit the relief is too deep for any other command. */
