@@ -78,10 +78,9 @@ public record Scene(
     /** Returns this scene with values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own. */
     public Scene with(Choices chosen) {
         Choices inherited = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
-        SceneLight newLight = new SceneLight(
-                light.towards(),
-                chosen.get(INTENSITY, light.intensity()),
-                chosen.get(ANGULAR_DIAMETER, light.angularDiameter()));
+        double intensity = chosen.get(INTENSITY, light.intensity());
+        double diameter = chosen.get(ANGULAR_DIAMETER, light.angularDiameter());
+        SceneLight newLight = new SceneLight(light.towards(), intensity, diameter);
         SceneMethod newMethod = method.with(chosen.only(Methods.SETTINGS));
         return new Scene(chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod);
     }
@@ -268,10 +267,8 @@ public record Scene(
 
     /** Returns the display transform for an exposure factor, with the scene's or the preset's curve and primaries. */
     public DisplayTransform display(double factor) {
-        return new DisplayTransform(
-                factor,
-                settings.get(TONE, Tone.of(method.isThesis())),
-                settings.get(PRIMARIES, Primaries.of(method.isThesis())));
+        Tone tone = settings.get(TONE, Tone.of(method.isThesis()));
+        return new DisplayTransform(factor, tone, settings.get(PRIMARIES, Primaries.of(method.isThesis())));
     }
 
     public BodyAlpha bodyAlpha() {

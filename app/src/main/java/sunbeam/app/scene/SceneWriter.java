@@ -63,10 +63,9 @@ public final class SceneWriter {
 
     /** Returns JSON for a picture's metadata, without local folders. */
     public static String caption(Scene scene) {
-        return text(
-                scene,
-                scene.method().choices(),
-                name -> String.valueOf(Path.of(name).getFileName()));
+        UnaryOperator<String> withoutFolder =
+                name -> String.valueOf(Path.of(name).getFileName());
+        return text(scene, scene.method().choices(), withoutFolder);
     }
 
     private static String relative(Path folder, String name) {

@@ -1,6 +1,7 @@
 package sunbeam.precompute.analysis;
 
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.apache.commons.math3.util.ArithmeticUtils;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
@@ -32,12 +33,8 @@ public record OrderLattice(SpatialFrequency first, Optional<SpatialFrequency> se
                     .map(other -> new OrderLattice(other, Optional.of(exact.first)))
                     .orElse(exact);
         }
-        return new OrderLattice(
-                positive(wave),
-                period.others().stream()
-                        .filter(other -> other.sineTo(wave) > CROSSING)
-                        .findFirst()
-                        .map(OrderLattice::positive));
+        Stream<SpatialFrequency> crossing = period.others().stream().filter(other -> other.sineTo(wave) > CROSSING);
+        return new OrderLattice(positive(wave), crossing.findFirst().map(OrderLattice::positive));
     }
 
     /** Returns the coarsest lattice of all frequencies. */

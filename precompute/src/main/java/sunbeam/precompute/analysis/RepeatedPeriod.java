@@ -3,6 +3,7 @@ package sunbeam.precompute.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -83,10 +84,8 @@ final class RepeatedPeriod {
     }
 
     private DoubleStream overtones(int jx, int jy) {
-        return IntStream.iterate(
-                        1,
-                        k -> spectrum.bandX().holds(k * jx) && spectrum.bandY().holds(k * jy),
-                        k -> k + 1)
-                .mapToDouble(k -> spectrum.at(k * jx, k * jy));
+        IntPredicate inside =
+                k -> spectrum.bandX().holds(k * jx) && spectrum.bandY().holds(k * jy);
+        return IntStream.iterate(1, inside, k -> k + 1).mapToDouble(k -> spectrum.at(k * jx, k * jy));
     }
 }

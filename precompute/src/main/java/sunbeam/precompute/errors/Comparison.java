@@ -1,6 +1,7 @@
 package sunbeam.precompute.errors;
 
 import java.util.List;
+import java.util.stream.DoubleStream;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.plan.ErrorBudget;
 
@@ -53,9 +54,7 @@ public record Comparison(double[] computed, double[] exact, double gain) {
     }
 
     public static ErrorStatistics relative(List<Comparison> compared) {
-        return ErrorStatistics.of(compared.stream()
-                .filter(Comparison::bright)
-                .mapToDouble(Comparison::relative)
-                .toArray());
+        DoubleStream errors = compared.stream().filter(Comparison::bright).mapToDouble(Comparison::relative);
+        return ErrorStatistics.of(errors.toArray());
     }
 }

@@ -75,11 +75,9 @@ final class BinaryHeaderReaders {
                 undoInversion(Samples.of(file, start, columns, rows, type).withMissing(missing), inversion);
         double metersY =
                 Extent.metersPer(unitY).orElse(1.0) / Extent.metersPer(unitX).orElse(1.0);
-        return List.of(new ScanChannel(
-                name,
-                stored.scale(inversion == 0 ? step : -step, 0),
-                Extent.ofPitches(pitchX, pitchY * metersY, unitX, stored),
-                unitZ));
+        Samples heights = stored.scale(inversion == 0 ? step : -step, 0);
+        Extent extent = Extent.ofPitches(pitchX, pitchY * metersY, unitX, stored);
+        return List.of(new ScanChannel(name, heights, extent, unitZ));
     }
 
     /** Undoes the inversion of columns (code 2) or rows (3); heights are inverted too for codes 1 to 3. */

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import sunbeam.precompute.text.Similar;
@@ -140,11 +141,8 @@ public record ChannelList(List<ScanChannel> channels, List<String> labels) {
         for (int i = 0; i < labels.length; i++) {
             ScanChannel channel = channels.get(i);
             String name = channel.name().isEmpty() ? "channel " + (i + 1) : channel.name();
-            boolean twin = channel.retrace()
-                    && channels.stream()
-                                    .filter(other -> other.name().equals(channel.name()))
-                                    .count()
-                            > 1;
+            Predicate<ScanChannel> same = other -> other.name().equals(channel.name());
+            boolean twin = channel.retrace() && channels.stream().filter(same).count() > 1;
             String label = twin ? name + " (retrace)" : name;
             labels[i] = taken.add(label) ? label : label + " #" + (i + 1);
         }

@@ -219,13 +219,11 @@ final class PictureReader {
         if (bands.size() < colors) {
             throw new ScanException("has " + bands.size() + " channels where 3 colors are announced; export it again");
         }
-        boolean alpha = extra == ALPHA && bands.size() > colors;
-        return channels(
-                several ? "page " + (page.index() + 1) + " " : "",
-                bands.subList(0, colors),
-                alpha ? Optional.of(bands.get(colors)) : Optional.empty(),
-                extent(page, unit, bands.get(0)),
-                page.isFloat() ? "" : ScanChannel.FULL_SCALE);
+        boolean hasAlpha = extra == ALPHA && bands.size() > colors;
+        Optional<Samples> alpha = hasAlpha ? Optional.of(bands.get(colors)) : Optional.empty();
+        String prefix = several ? "page " + (page.index() + 1) + " " : "";
+        String ofSamples = page.isFloat() ? "" : ScanChannel.FULL_SCALE;
+        return channels(prefix, bands.subList(0, colors), alpha, extent(page, unit, bands.get(0)), ofSamples);
     }
 
     /** Palettes have 16 bits; some programs write 8. */

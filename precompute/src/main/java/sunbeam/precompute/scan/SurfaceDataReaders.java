@@ -137,11 +137,9 @@ final class SurfaceDataReaders {
             member(archive, points, (long) columns * rows * type.size()).close();
             Optional<String> valid = main.find("DataLink/ValidPointsLink");
             Samples samples = new Samples(columns, rows, () -> x3pSamples(file, columns * rows, type, points, valid));
-            return List.of(new ScanChannel(
-                    "Topography",
-                    samples.scale(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0)),
-                    Extent.ofPitches(main.number("CX/Increment"), main.number("CY/Increment"), "m", samples),
-                    "m"));
+            Samples heights = samples.scale(main.number("CZ/Increment", 1), main.number("CZ/Offset", 0));
+            Extent extent = Extent.ofPitches(main.number("CX/Increment"), main.number("CY/Increment"), "m", samples);
+            return List.of(new ScanChannel("Topography", heights, extent, "m"));
         } catch (IOException damaged) {
             throw broken(damaged);
         }

@@ -174,12 +174,10 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
                     return translated.get();
                 }
             }
-            return new Facts(
-                    first(header, CHANNEL).flatMap(header::find).orElse(""),
-                    first(header, COLUMNS).map(header::count),
-                    first(header, ROWS).map(header::count),
-                    new Extent(width, height, 1),
-                    unit.orElse(""));
+            String channel = first(header, CHANNEL).flatMap(header::find).orElse("");
+            Optional<Integer> columns = first(header, COLUMNS).map(header::count);
+            Optional<Integer> rows = first(header, ROWS).map(header::count);
+            return new Facts(channel, columns, rows, new Extent(width, height, 1), unit.orElse(""));
         }
 
         /** Gwyddion's four lines (channel, width, height, unit) have keys in the user's language. */

@@ -127,12 +127,10 @@ final class TextHeaderReaders {
             double range = section.number("Dim2Range");
             double middle = section.number("Dim2Min") + 0.5 * range;
             boolean backward = section.text("Frame", "").contains("backward");
-            channels.add(new ScanChannel(
-                    section.text("Dim2Name", "") + (backward ? " backward" : " forward"),
-                    backward,
-                    samples.flipRows().scale(range / Math.pow(2, bits), middle),
-                    Extent.ofSides(section.number("Dim0Range"), section.number("Dim1Range"), unit, samples),
-                    section.text("Dim2Unit", "")));
+            String name = section.text("Dim2Name", "") + (backward ? " backward" : " forward");
+            Samples heights = samples.flipRows().scale(range / Math.pow(2, bits), middle);
+            Extent extent = Extent.ofSides(section.number("Dim0Range"), section.number("Dim1Range"), unit, samples);
+            channels.add(new ScanChannel(name, backward, heights, extent, section.text("Dim2Unit", "")));
         }
         return samples.count() * type.size();
     }
@@ -155,11 +153,10 @@ final class TextHeaderReaders {
         Samples stored =
                 Samples.of(file, start, values.count("Number of columns"), values.count("Number of rows"), type);
         Header.Quantity amplitude = values.quantity("Z Amplitude");
-        return List.of(new ScanChannel(
-                values.text("Acquisition channel", values.text("Head type", "")),
-                stretched(stored.flipColumns().flipRows(), amplitude.value()),
-                new Extent(values.meters("X Amplitude", ""), values.meters("Y Amplitude", ""), 1),
-                amplitude.unit()));
+        String name = values.text("Acquisition channel", values.text("Head type", ""));
+        Samples heights = stretched(stored.flipColumns().flipRows(), amplitude.value());
+        Extent extent = new Extent(values.meters("X Amplitude", ""), values.meters("Y Amplitude", ""), 1);
+        return List.of(new ScanChannel(name, heights, extent, amplitude.unit()));
     }
 
     private static Samples stretched(Samples stored, double amplitude) {

@@ -118,12 +118,9 @@ final class TiffTagReaders {
         }
         Samples samples = new Samples(
                 columns, rows, () -> type.read(new ByteArrayInputStream(data), count, ByteOrder.LITTLE_ENDIAN));
-        return List.of(new ScanChannel(
-                utf16(head, 4, 32),
-                !forward,
-                samples.flipRows().scale(scale == 0 ? gain : gain * scale, offset),
-                Extent.of(1e-6 * header.getDouble(140), 1e-6 * header.getDouble(148)),
-                utf16(head, 244, 8)));
+        Samples heights = samples.flipRows().scale(scale == 0 ? gain : gain * scale, offset);
+        Extent extent = Extent.of(1e-6 * header.getDouble(140), 1e-6 * header.getDouble(148));
+        return List.of(new ScanChannel(utf16(head, 4, 32), !forward, heights, extent, utf16(head, 244, 8)));
     }
 
     private static String utf16(byte[] header, int position, int characters) {

@@ -48,11 +48,8 @@ public final class Decimals {
 
     /** Formats a finite value to the given digits, never as a power of ten: 100, not 1.0e+02. */
     public static String rounded(double value, int digits) {
-        return value == 0
-                ? "0"
-                : new BigDecimal(value)
-                        .round(new MathContext(digits, RoundingMode.HALF_EVEN))
-                        .toPlainString();
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        return value == 0 ? "0" : rounded.toPlainString();
     }
 
     /** Formats a finite value to two digits of its uncertainty (half an interval); if that is 0, to two decimals. */

@@ -113,11 +113,8 @@ public record CacheFolder(Path path, String allowed) {
         // createDirectories() alone refuses a link to a folder.
         if (!Files.isDirectory(path)) {
             boolean modes = path.getFileSystem().supportedFileAttributeViews().contains("posix");
-            Files.createDirectories(
-                    path,
-                    modes
-                            ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNERS_FOLDER)}
-                            : new FileAttribute<?>[0]);
+            FileAttribute<?> mode = PosixFilePermissions.asFileAttribute(OWNERS_FOLDER);
+            Files.createDirectories(path, modes ? new FileAttribute<?>[] {mode} : new FileAttribute<?>[0]);
         }
     }
 

@@ -152,10 +152,7 @@ public final class LightTable {
                 .filter(line -> !line.isBlank() && !line.startsWith("#"))
                 .findFirst()
                 .orElse("");
-        return List.of("\t", ";", ",").stream()
-                .filter(first::contains)
-                .findFirst()
-                .orElse(",");
+        return first.contains("\t") ? "\t" : first.contains(";") ? ";" : ",";
     }
 
     private static void enter(CsvRecord row, NavigableMap<Double, Double> powers) {

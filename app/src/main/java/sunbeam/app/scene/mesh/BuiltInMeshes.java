@@ -84,10 +84,9 @@ public final class BuiltInMeshes {
             double cos = Math.cos(angle);
             double sin = Math.sin(angle);
             Profile at = profile.apply(v);
-            return new Mesh.Builder.Point(
-                    new Vector3d(at.radius * cos, at.radius * sin, at.height),
-                    new Vector3d(at.outward * cos, at.outward * sin, at.upward),
-                    new Vector3d(-sin, cos, 0));
+            Vector3d place = new Vector3d(at.radius * cos, at.radius * sin, at.height);
+            Vector3d normal = new Vector3d(at.outward * cos, at.outward * sin, at.upward);
+            return new Mesh.Builder.Point(place, normal, new Vector3d(-sin, cos, 0));
         });
         return builder.build(closed);
     }

@@ -176,11 +176,9 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                 double step = 2 * GROUND_REACH * radius / side;
                 for (int i = 0; i < groundShares.length; i++) {
                     int row = i / side;
-                    Vector3d at = new Vector3d(
-                            middle.x + step * (i % side + 0.5 - side / 2.0),
-                            middle.y + step * (row + 0.5 - side / 2.0),
-                            groundHeight);
-                    if (sees(at)) {
+                    double x = middle.x + step * (i % side + 0.5 - side / 2.0);
+                    double y = middle.y + step * (row + 0.5 - side / 2.0);
+                    if (sees(new Vector3d(x, y, groundHeight))) {
                         groundShares[i] += (float) (direction.z / zSum);
                     }
                 }
