@@ -56,27 +56,22 @@ public final class FloatTarget extends Resource {
     // The color images, then the depth image if there is one.
     private final List<Texture> images = new ArrayList<>();
 
-    private FloatTarget(GlDevice device, String label, Spec spec) {
+    FloatTarget(GlDevice device, String label, Spec spec) {
         super(device, label);
         this.spec = spec;
-    }
-
-    static FloatTarget create(GlDevice device, String label, Spec spec) {
-        ContextInfo.Limits limits = device.limits();
-        if (spec.width() > limits.targetWidth() || spec.height() > limits.targetHeight()) {
-            throw device.beyondLimit(
-                    "target '" + label + "' needs " + spec.width() + " x " + spec.height() + " pixels",
-                    limits.targetWidth() + " x " + limits.targetHeight());
-        }
-        if (spec.colors() > limits.colors()) {
-            throw device.beyondLimit("target '" + label + "' needs " + spec.colors() + " images", limits.colors());
-        }
-        GL3 gl = device.gl();
-        FloatTarget target = new FloatTarget(device, label, spec);
-        return orClose(() -> target.allocate(gl), target::close);
+        orClose(() -> allocate(gl()), this::close);
     }
 
     private FloatTarget allocate(GL3 gl) {
+        ContextInfo.Limits limits = device().limits();
+        if (spec.width() > limits.targetWidth() || spec.height() > limits.targetHeight()) {
+            throw device().beyondLimit(
+                            "target '" + label() + "' needs " + spec.width() + " x " + spec.height() + " pixels",
+                            limits.targetWidth() + " x " + limits.targetHeight());
+        }
+        if (spec.colors() > limits.colors()) {
+            throw device().beyondLimit("target '" + label() + "' needs " + spec.colors() + " images", limits.colors());
+        }
         gl.glGenFramebuffers(1, framebuffer, 0);
         int[] drawBuffers = new int[spec.colors()];
         for (int color = 0; color < spec.colors(); color++) {

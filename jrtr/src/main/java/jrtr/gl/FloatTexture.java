@@ -70,20 +70,15 @@ public final class FloatTexture extends Texture {
     private final Spec spec;
     private final BitSet missingLayers = new BitSet();
 
-    private FloatTexture(GlDevice device, String label, Spec spec) {
+    FloatTexture(GlDevice device, String label, Spec spec) {
         super(device, label, spec.array() ? GL3.GL_TEXTURE_2D_ARRAY : GL3.GL_TEXTURE_2D);
         this.spec = spec;
         missingLayers.set(0, spec.layers());
-    }
-
-    static FloatTexture create(GlDevice device, String label, Spec spec) {
-        GL3 gl = device.gl();
-        requireSides(device, label, spec.width(), spec.height(), spec.layers());
-        FloatTexture texture = new FloatTexture(device, label, spec);
-        return orClose(() -> texture.allocate(gl), texture::close);
+        orClose(() -> allocate(gl()), this::close);
     }
 
     private FloatTexture allocate(GL3 gl) {
+        requireSides(spec.width(), spec.height(), spec.layers());
         int filter = spec.filter() == Filter.NEAREST ? GL3.GL_NEAREST : GL3.GL_LINEAR;
         begin(gl, GL3.GL_CLAMP_TO_EDGE, filter, filter);
         Format format = spec.format();

@@ -15,22 +15,18 @@ public final class ImageTexture extends Texture {
         LINEAR
     }
 
-    private ImageTexture(GlDevice device, String label) {
+    ImageTexture(GlDevice device, String label, MipLevel image) {
         super(device, label, GL3.GL_TEXTURE_2D);
+        orClose(() -> upload(gl(), image), this::close);
     }
 
-    static ImageTexture create(GlDevice device, String label, int width, int height, byte[] rgba, Encoding encoding) {
-        if (width < 1 || height < 1 || rgba.length != 4L * width * height) {
-            throw new IllegalArgumentException(
-                    "image '" + label + "' of " + width + " x " + height + " texels has " + rgba.length + " bytes");
+    private ImageTexture upload(GL3 gl, MipLevel image) {
+        if (image.width < 1 || image.height < 1 || image.rgba.length != 4L * image.width * image.height) {
+            throw new IllegalArgumentException("image '" + label() + "' of " + image.width + " x " + image.height
+                    + " texels has " + image.rgba.length + " bytes");
         }
-        GL3 gl = device.gl();
-        requireSides(device, label, width, height, 1);
-        ImageTexture texture = new ImageTexture(device, label);
-        return orClose(() -> texture.upload(gl, new MipLevel(width, height, rgba, encoding).flipped()), texture::close);
-    }
-
-    private ImageTexture upload(GL3 gl, MipLevel finest) {
+        requireSides(image.width, image.height, 1);
+        MipLevel finest = image.flipped();
         begin(gl, GL3.GL_REPEAT, GL3.GL_LINEAR_MIPMAP_LINEAR, GL3.GL_LINEAR);
         int internal = finest.encoding == Encoding.SRGB ? GL3.GL_SRGB8_ALPHA8 : GL3.GL_RGBA8;
         MipLevel level = finest;

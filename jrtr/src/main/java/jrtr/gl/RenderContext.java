@@ -65,21 +65,21 @@ public final class RenderContext implements AutoCloseable {
     }
 
     public VertexBuffer createVertexBuffer(String label, VertexData data) {
-        return VertexBuffer.create(device, label, data);
+        return new VertexBuffer(device, label, data);
     }
 
     public FloatTexture createFloatTexture(String label, FloatTexture.Spec spec) {
-        return FloatTexture.create(device, label, spec);
+        return new FloatTexture(device, label, spec);
     }
 
     /** Uploads a picture with mipmaps: 4 x width x height bytes, red first, row 0 the picture's top. */
     public ImageTexture createImageTexture(
             String label, int width, int height, byte[] rgba, ImageTexture.Encoding encoding) {
-        return ImageTexture.create(device, label, width, height, rgba, encoding);
+        return new ImageTexture(device, label, new ImageTexture.MipLevel(width, height, rgba, encoding));
     }
 
     public FloatTarget createFloatTarget(String label, FloatTarget.Spec spec) {
-        return FloatTarget.create(device, label, spec);
+        return new FloatTarget(device, label, spec);
     }
 
     /**

@@ -12,6 +12,8 @@ public abstract class Resource implements AutoCloseable {
     Resource(GlDevice device, String label) {
         this.device = device;
         this.label = label;
+        // Requires an open device and its thread.
+        device.gl();
         device.resources().add(this);
     }
 

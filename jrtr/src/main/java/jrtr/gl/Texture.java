@@ -19,15 +19,15 @@ public class Texture extends Resource {
     /** Throws if a draw with this texture would read undefined texels. */
     void requireUploaded() {}
 
-    static void requireSides(GlDevice device, String label, int width, int height, int layers) {
-        ContextInfo.Limits limits = device.limits();
+    final void requireSides(int width, int height, int layers) {
+        ContextInfo.Limits limits = device().limits();
         if (width > limits.textureSize() || height > limits.textureSize()) {
-            throw device.beyondLimit(
-                    "texture '" + label + "' needs " + width + " x " + height + " texels",
-                    limits.textureSize() + " along a side");
+            throw device().beyondLimit(
+                            "texture '" + label() + "' needs " + width + " x " + height + " texels",
+                            limits.textureSize() + " along a side");
         }
         if (layers > limits.arrayLayers()) {
-            throw device.beyondLimit("texture '" + label + "' needs " + layers + " layers", limits.arrayLayers());
+            throw device().beyondLimit("texture '" + label() + "' needs " + layers + " layers", limits.arrayLayers());
         }
     }
 

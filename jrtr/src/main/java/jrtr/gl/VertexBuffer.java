@@ -14,16 +14,11 @@ public final class VertexBuffer extends Resource {
     private final int[] vertexArray = new int[1];
     private final int[] buffers = new int[5];
 
-    private VertexBuffer(GlDevice device, String label, VertexData data) {
+    VertexBuffer(GlDevice device, String label, VertexData data) {
         super(device, label);
         this.triangles = data.triangles();
         this.bounds = data.bounds();
-    }
-
-    static VertexBuffer create(GlDevice device, String label, VertexData data) {
-        GL3 gl = device.gl();
-        VertexBuffer buffer = new VertexBuffer(device, label, data);
-        return orClose(() -> buffer.upload(gl, data), buffer::close);
+        orClose(() -> upload(gl(), data), this::close);
     }
 
     private VertexBuffer upload(GL3 gl, VertexData data) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.BoxLayout;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -32,8 +33,7 @@ public final class PickPanel extends JPanel {
         difference.setName("difference");
         difference.setToolTipText("CIEDE2000 between both colors on screen, no unit; about 1 can just be seen");
         difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
-        JPanel colors = new JPanel();
-        colors.setLayout(new BoxLayout(colors, BoxLayout.X_AXIS));
+        Box colors = Box.createHorizontalBox();
         readouts.forEach(readout -> colors.add(readout.color));
         add(colors);
         add(difference);

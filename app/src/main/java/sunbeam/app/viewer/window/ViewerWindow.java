@@ -15,7 +15,7 @@ import java.awt.image.BufferedImage;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
-import javax.swing.BoxLayout;
+import javax.swing.Box;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
@@ -52,8 +52,7 @@ public final class ViewerWindow extends JFrame {
     ViewerWindow(String title, ViewerModel model) {
         super(title);
         controls = new ControlPanel(model, status::message);
-        JPanel below = new JPanel();
-        below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
+        Box below = Box.createVerticalBox();
         below.setBorder(BorderFactory.createEmptyBorder(8, 12, 8, 12));
         below.add(map);
         below.add(pick);
@@ -63,14 +62,14 @@ public final class ViewerWindow extends JFrame {
         JPanel side = new SidePanel();
         side.add(controls, BorderLayout.NORTH);
         side.add(lower);
-        JScrollPane scroll = new JScrollPane(
+        panel = new JScrollPane(
                 side, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.setPreferredSize(new Dimension(330, 100));
+        panel.setBorder(BorderFactory.createEmptyBorder());
+        panel.setPreferredSize(new Dimension(330, 100));
         // The message covers the picture's bottom, so that the picture keeps its size.
         picture.add(status.messageArea(), BorderLayout.SOUTH);
         add(picture);
-        add(scroll, BorderLayout.EAST);
+        add(panel, BorderLayout.EAST);
         add(status, BorderLayout.SOUTH);
         setMinimumSize(new Dimension(60, 60));
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
@@ -78,7 +77,6 @@ public final class ViewerWindow extends JFrame {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1180, screen.width), Math.min(880, screen.height));
         setLocationByPlatform(true);
-        panel = scroll;
         panel.setVisible(getWidth() >= NARROW);
         addComponentListener(new ComponentAdapter() {
             @Override
