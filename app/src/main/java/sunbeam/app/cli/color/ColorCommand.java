@@ -254,10 +254,16 @@ public final class ColorCommand extends FileCommand {
         }
     }
 
-    /** Returns the exposure for all surfaces; the automatic one is the geometric mean of theirs, so that a bright one leaves none black. */
+    /**
+     * Returns the exposure for all surfaces; the automatic one is the geometric mean of theirs, so that a bright one leaves none black. Those
+     * without color count only if none has any.
+     */
     private double factor(ToDoubleFunction<List<LinearPicture>> exposed, List<SurfaceColors> surfaces) {
-        List<LinearPicture> pictures =
-                surfaces.stream().map(SurfaceColors::meteredColors).toList();
+        boolean colored = surfaces.stream().anyMatch(SurfaceColors::isColored);
+        List<LinearPicture> pictures = surfaces.stream()
+                .filter(surface -> surface.isColored() || !colored)
+                .map(SurfaceColors::meteredColors)
+                .toList();
         if (!exposure.isOfAll()) {
             return exposed.applyAsDouble(pictures);
         }

@@ -20,6 +20,7 @@ import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.analysis.EnergyDivisor.EnergyBalance;
 import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
@@ -27,6 +28,7 @@ import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.VisibleRange;
@@ -46,6 +48,10 @@ final class SurfaceColors {
     private static final double STEP = 1.5;
     private static final double SHORTEST_WAVELENGTH = 380e-9;
     private static final int MOST_DIRECTIONS = 400_000;
+    // Meters; ends of the first orders that verdicts name, and how much wider the range of the purest color is.
+    private static final double BLUEST = 400e-9;
+    private static final double REDDEST = 700e-9;
+    private static final double WIDENED = 1.05;
     // Luminance, relative to a mirror's, below which no color is stated.
     private static final double FAINTEST = 1e-9;
 
@@ -166,6 +172,30 @@ final class SurfaceColors {
         return view.nearest() > window.mirrorReach(period.isSeen() ? period.period() : 0) && xyz[1] >= FAINTEST;
     }
 
+    /** True where the samples resolve what diffracts all visible light and, for a grating, where its first and second orders lie. */
+    private boolean mayBePurest(ViewColor.View view) {
+        HeightMap map = patch().heights();
+        boolean resolved = view.pairs().stream()
+                .allMatch(pair -> isResolved(pair.u(), map.pitchX(), map.columns())
+                        && isResolved(pair.v(), map.pitchY(), map.rows()));
+        if (!resolved || !period.isSeen()) {
+            return resolved;
+        }
+        double[] others =
+                period.others().stream().mapToDouble(SpatialFrequency::period).toArray();
+        double shortest = period.isSure() ? period.low() : period.period();
+        double longest = period.isSure() ? period.high() : period.period();
+        double red = 2 * REDDEST / Arrays.stream(others).reduce(shortest, Math::min);
+        double violet = BLUEST / Arrays.stream(others).reduce(longest, Math::max);
+        return (view.along() || others.length > 0)
+                && view.nearest() <= WIDENED * red
+                && view.farthest() >= violet / WIDENED;
+    }
+
+    private static boolean isResolved(double u, double pitch, int samples) {
+        return samples == 1 || 2 * pitch * Math.abs(u) <= SHORTEST_WAVELENGTH;
+    }
+
     private List<double[]> outsideGloss() {
         return IntStream.range(0, views.size())
                 .filter(i -> isColor(views.get(i), colors.get(i)))
@@ -175,7 +205,7 @@ final class SurfaceColors {
 
     /** Returns the colors that set the exposure: those outside the gloss, or all if the surface has no color. */
     LinearPicture meteredColors() {
-        List<double[]> some = whyColorless().isEmpty() ? outsideGloss() : colors;
+        List<double[]> some = isColored() ? outsideGloss() : colors;
         float[] xyz = new float[3 * some.size()];
         for (int i = 0; i < xyz.length; i++) {
             xyz[i] = (float) some.get(i / 3)[i % 3];
@@ -186,6 +216,10 @@ final class SurfaceColors {
     /** Returns the verdict for this light if it lies in the viewing planes, else for light along the normal. */
     private Verdict verdict() {
         return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
+    }
+
+    boolean isColored() {
+        return whyColorless().isEmpty();
     }
 
     private Optional<String> whyColorless() {
@@ -210,7 +244,7 @@ final class SurfaceColors {
         Optional<ViewColor> purest = without.isPresent()
                 ? Optional.empty()
                 : ViewColor.purest(seen.stream()
-                        .filter(color -> isColor(color.view(), color.xyz()))
+                        .filter(color -> isColor(color.view(), color.xyz()) && mayBePurest(color.view()))
                         .toList());
         ViewColor.View chosen = purest.map(ViewColor::view).orElseGet(() -> view(true, -theta));
         return new ColorReport(

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.CieTable;
@@ -47,10 +48,15 @@ record ViewColor(
             List<DirectionPair> pairs) {
         /** Returns the least |(u, v)| of the directions, which is 0 in the mirror direction. */
         double nearest() {
-            return pairs.stream()
-                    .mapToDouble(pair -> Math.hypot(pair.u(), pair.v()))
-                    .min()
-                    .orElseThrow();
+            return distances().min().orElseThrow();
+        }
+
+        double farthest() {
+            return distances().max().orElseThrow();
+        }
+
+        private DoubleStream distances() {
+            return pairs.stream().mapToDouble(pair -> Math.hypot(pair.u(), pair.v()));
         }
 
         String strip() {

@@ -170,6 +170,30 @@ class ColorCommandTest extends CommandLineFixture {
         assertThat(Math.abs(purest.get("theta_r_deg").asDouble())).isBetween(2.5, 5.0);
     }
 
+    /** Samples 300 nm apart repeat each order: beyond |u| = 0.38 / 0.6 colors are images of it. */
+    @Test
+    void thePurestColorIsInAnOrderOfTheGratingNotInAnImageByTheSamples() throws IOException {
+        Path scan = scan(
+                "coarse.txt", "", 80, 80, (column, row) -> 30 * Math.sin(2 * Math.PI * (column + 0.01 * row) / 10));
+        JsonNode purest = surface("--patch " + scan + " --width 24um --height-unit nm --no-periodic --theta-i 30")
+                .get("purest");
+        assertThat(purest.get("strip").asText()).isEqualTo("along");
+        double u = 0.5 + Math.sin(Math.toRadians(purest.get("theta_r_deg").asDouble()));
+        // From 400 nm in the first order to 700 nm in the second of 3 um, 5 % wider, and half a degree.
+        assertThat(Math.abs(u)).isBetween(0.4 / 3 / 1.05 - 0.01, 1.4 / 3 * 1.05 + 0.01);
+    }
+
+    @Test
+    void aSurfaceWithoutOrderDoesNotDarkenOthers() throws IOException {
+        SplittableRandom random = new SplittableRandom(5);
+        Path noise = scan("noise.txt", "", 128, 128, (column, row) -> 20 * random.nextGaussian());
+        String scale = " --width 20um --height-unit nm";
+        Path lines = scan("lines.txt", "", 128, 128, (column, row) -> 60 * Math.sin(2 * Math.PI * column / 12.8));
+        double alone = tell("--patch " + lines + scale).get("exposure").asDouble();
+        run("--patch " + lines + scale + " --with " + noise);
+        assertThat(readJson("c.json").get("exposure").asDouble()).isEqualTo(alone);
+    }
+
     @Test
     void aProbableGratingHasItsColors() throws IOException {
         Path scan = scan("few.txt", "", 128, 128, (column, row) -> column % 37 < 16 ? 100 : 0);
