@@ -126,7 +126,7 @@ class LauncherStartTest extends InSandbox {
         installJava("jdk", "17.0.1", "exit 17");
         String path = folder.resolve("jdk/bin") + ":" + folder.resolve("programs") + ":" + System.getenv("PATH");
 
-        SunbeamResult result = command("inspect")
+        command("inspect")
                 .with("JAVA_HOME", folder.resolve("old jdk").toString())
                 .with("PATH", path)
                 .run()

@@ -232,7 +232,7 @@ final class SunbeamTest extends CommandLineFixture {
         page.append(help("--help"));
         for (String command : ("brdf-map render view inspect color evaluate orders reflectance precompute"
                         + " export sample figures benchmark compare mesh cache doctor")
-                .split(" ")) {
+                .split(" ", -1)) {
             page.append("\n## ").append(command).append('\n').append(help(command + " --help-all"));
         }
         Path reference = Path.of("..", "docs", "reference", "commands.md");
