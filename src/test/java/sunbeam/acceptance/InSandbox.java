@@ -1,5 +1,7 @@
 package sunbeam.acceptance;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -126,9 +128,7 @@ abstract class InSandbox {
 
     private void script(Path file, String... lines) throws IOException {
         write(file, "#!/bin/sh\n" + String.join("\n", lines) + "\n");
-        if (!file.toFile().setExecutable(true)) {
-            throw new IOException("cannot make executable: " + file);
-        }
+        assertThat(file.toFile().setExecutable(true)).as("executable: %s", file).isTrue();
     }
 
     private void write(Path file, String text) throws IOException {

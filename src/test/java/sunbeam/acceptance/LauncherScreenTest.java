@@ -3,7 +3,6 @@ package sunbeam.acceptance;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -123,7 +122,7 @@ class LauncherScreenTest extends InSandbox {
 
         try (RunningSunbeam running =
                 command("view").with("DISPLAY", "elsewhere:0").start()) {
-            assertThat(running.firstLine(PATIENCE)).startsWith("screen elsewhere:0");
+            assertThat(running.firstLine()).startsWith("screen elsewhere:0");
             running.signal(signal);
 
             assertThat(running.end(PATIENCE).exitCode()).isEqualTo(exitCode);
@@ -142,8 +141,8 @@ class LauncherScreenTest extends InSandbox {
 
     private record Screen(int display, ProcessHandle server) {
         /** Returns the screen that the sandbox's Java reports, and the X server among its descendants. */
-        static Screen of(RunningSunbeam running) throws IOException, InterruptedException {
-            String line = running.firstLine(PATIENCE);
+        static Screen of(RunningSunbeam running) throws Exception {
+            String line = running.firstLine();
             assertThat(line).startsWith("screen :");
             return new Screen(
                     Integer.parseInt(line.substring("screen :".length())),

@@ -1,6 +1,7 @@
 package sunbeam.acceptance;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -39,34 +40,20 @@ public final class RunningSunbeam implements AutoCloseable {
 
     /** Sends a signal such as {@code INT}, by the shell's kill, since a bare machine has no program of that name. */
     public void signal(String name) throws IOException, InterruptedException {
-        int status = new ProcessBuilder("sh", "-c", "kill -" + name + " " + process.pid())
-                .start()
-                .waitFor();
-        if (status != 0) {
-            throw new AssertionError("kill -" + name + " failed with " + status);
-        }
+        assertThat(new ProcessBuilder("sh", "-c", "kill -" + name + " " + process.pid())
+                        .start()
+                        .waitFor())
+                .as("kill -%s", name)
+                .isZero();
     }
 
-    /**
-     * Waits until standard output has its first whole line, and returns it.
-     *
-     * @throws AssertionError if the program ends first or the time runs out
-     */
-    public String firstLine(Duration limit) throws IOException, InterruptedException {
-        long deadline = System.nanoTime() + limit.toNanos();
-        while (System.nanoTime() < deadline) {
-            boolean running = process.isAlive();
-            String text = text(stdout);
-            int end = text.indexOf('\n');
-            if (end >= 0) {
-                return text.substring(0, end);
-            }
-            if (!running) {
-                throw new AssertionError("it ended before it wrote a line\n" + end(Duration.ZERO));
-            }
-            Thread.sleep(20);
-        }
-        throw new AssertionError("no line within " + limit + " from " + commandLine);
+    /** Waits until standard output has its first whole line, and returns it. */
+    public String firstLine() throws Exception {
+        await(
+                "a line from " + commandLine,
+                () -> !process.isAlive() || text(stdout).contains("\n"));
+        assertThat(text(stdout)).as("%s: %s", commandLine, text(stderr)).contains("\n");
+        return text(stdout).lines().findFirst().orElseThrow();
     }
 
     /** Waits up to two minutes until a condition holds. */

@@ -1,7 +1,6 @@
 package sunbeam.app.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static sunbeam.precompute.method.Methods.METHOD;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
@@ -17,18 +16,13 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
 import sunbeam.app.scene.Weights;
 import sunbeam.precompute.method.FullMethod;
-import sunbeam.precompute.method.GemMethod;
 import sunbeam.precompute.method.MethodType;
 import sunbeam.precompute.method.NmmMethod;
-import sunbeam.precompute.method.PqMethod;
-import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.setting.SettingException;
 
 class SceneMethodsTest extends InAScene {
     private static final int WIDTH = 72;
@@ -114,19 +108,6 @@ class SceneMethodsTest extends InAScene {
         assertThat(lit).isLessThan(0.95f);
         // All are float32.
         assertThat(draft).isCloseTo(0.8f * diffracted + 1.2f, within(1e-5f));
-    }
-
-    @Test
-    void unsupportedSettingsAndSurfacesAreRefused() {
-        Choices replicated = Choices.none().with(METHOD, PqMethod.TYPE).with(AVERAGE, Average.ENSEMBLE);
-        assertThatThrownBy(() -> with(replicated))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("ensemble");
-        Scene skin = with(GemMethod.TYPE).withPatch(PatchRequest.of("elaphe-like"));
-        assertThatThrownBy(() -> load(skin)).hasMessageContaining("spacing");
-        assertThatThrownBy(() -> with(ReferenceMethod.TYPE))
-                .isInstanceOf(SettingException.class)
-                .hasMessageContaining("full, table, nmm, pq, gem");
     }
 
     @Test

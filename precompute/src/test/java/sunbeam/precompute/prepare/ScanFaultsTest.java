@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.prepare.ScanFaults.ScanFault;
 
@@ -29,13 +30,12 @@ class ScanFaultsTest {
     }
 
     private static double[] heights(DoubleBinaryOperator height) {
-        double[] heights = new double[COLUMNS * ROWS];
-        for (int row = 0; row < ROWS; row++) {
-            for (int column = 0; column < COLUMNS; column++) {
-                heights[row * COLUMNS + column] = height.applyAsDouble(column * PITCH, (ROWS - row) * PITCH);
-            }
-        }
-        return heights;
+        return Surfaces.sampled(
+                        COLUMNS,
+                        ROWS,
+                        PITCH,
+                        (column, row) -> height.applyAsDouble(column * PITCH, (ROWS - row) * PITCH))
+                .heights();
     }
 
     private static HeightMap field(double[] heights) {

@@ -32,10 +32,8 @@ import sunbeam.precompute.spectrum.PeriodInterpolation;
 /** Parses methods, ranges and certificates from command lines. */
 class MethodOptionsTest {
     private static Choices parse(String options) {
-        CommandLine line = new CommandLine(new MethodOptions());
-        MethodOptions parsed = line.getCommand();
-        line.parseArgs(options.isEmpty() ? new String[0] : options.split(" "));
-        return parsed.choices();
+        String[] words = options.isEmpty() ? new String[0] : options.split(" ", -1);
+        return CommandLine.populateCommand(new MethodOptions(), words).choices();
     }
 
     private static Method method(String options) {
@@ -144,27 +142,19 @@ class MethodOptionsTest {
 
     private final Range.Converter converter = new Range.Converter();
 
-    @Test
-    void holdsBothEnds() {
-        Range range = converter.convert("380:780:5");
-        assertThat(range.count()).isEqualTo(81);
-        assertThat(range.values()).startsWith(380, 385).endsWith(780);
-    }
-
-    @Test
-    void roundingOfTheStepLosesNoEnd() {
-        assertThat(converter.convert("0:0.3:0.1").values()).hasSize(4).endsWith(0.3);
-    }
-
-    @Test
-    void stopsBelowAnEndThatTheStepDoesNotMeet() {
-        assertThat(converter.convert("0:10:4").values()).containsExactly(0, 4, 8);
-    }
-
     @ParameterizedTest
-    @ValueSource(strings = {"550:550:1", "550"})
-    void oneValueIsARange(String text) {
-        assertThat(converter.convert(text).values()).containsExactly(550);
+    @CsvSource({
+        "380:780:5, 81, 380, 780",
+        "0:0.3:0.1, 4, 0, 0.3",
+        "0:10:4, 3, 0, 8",
+        "550:550:1, 1, 550, 550",
+        "550, 1, 550, 550"
+    })
+    void aRangeHasBothEndsUnlessTheStepDoesNotMeetTheLast(String text, int count, double first, double last) {
+        assertThat(converter.convert(text).values())
+                .hasSize(count)
+                .startsWith(first)
+                .endsWith(last);
     }
 
     @ParameterizedTest

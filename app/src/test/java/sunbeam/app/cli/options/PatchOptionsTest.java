@@ -22,17 +22,12 @@ class PatchOptionsTest extends CommandLineFixture {
     }
 
     private static Choices method(String... words) {
-        CommandLine line = new CommandLine(new MethodOptions());
-        MethodOptions parsed = line.getCommand();
-        line.parseArgs(words);
-        return parsed.choices();
+        return CommandLine.populateCommand(new MethodOptions(), words).choices();
     }
 
     private Patch load(Choices method) throws IOException {
-        CommandLine line = new CommandLine(new PatchOptions());
-        PatchOptions parsed = line.getCommand();
-        line.parseArgs("--patch", scan().toString(), "--width", "4um", "--height-unit", "nm");
-        return parsed.load(method);
+        String[] words = {"--patch", scan().toString(), "--width", "4um", "--height-unit", "nm"};
+        return CommandLine.populateCommand(new PatchOptions(), words).load(method);
     }
 
     @Test

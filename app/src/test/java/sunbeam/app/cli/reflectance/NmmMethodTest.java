@@ -103,8 +103,7 @@ class NmmMethodTest {
         double thesis = blueness(probe.colors(orders, "--method nmm --preset thesis"));
         assertThat(weighted / full).isBetween(0.99, 1.01);
         // An order at 450 nm is (450 / 600)^2 = 0.56 times as wide as one at 600 nm; unweighted, it counts as much. On
-        // average over an
-        // order's colors, at least a tenth more blue.
+        // average over an order's colors, at least a tenth more blue.
         assertThat(thesis / full).isGreaterThan(1.1);
     }
 
@@ -152,7 +151,6 @@ class NmmMethodTest {
     }
 
     @Test
-    @NeedsDisplay
     void colorsFollowTheGratingEquation() {
         MethodProbe probe = new MethodProbe(home, "--patch blaze");
         // Spacing 1 um: the first order of 460 nm, 560 nm and 680 nm, and the dark between the orders.
@@ -172,7 +170,6 @@ class NmmMethodTest {
 
     /** The sum of the bumps in X, Y and Z over all orders with a visible wavelength, across the lines. */
     @Test
-    @NeedsDisplay
     void theThesissFormIsALineOfAllVisibleOrders() {
         MethodProbe probe = new MethodProbe(home, "--patch blaze");
         double u = 0.75;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntBinaryOperator;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -235,38 +236,30 @@ class BuiltInPatchesTest {
             boolean contains(int p, int q);
         }
 
-        private interface Visitor {
-            void visit(int p, int q, double meanSquare);
-        }
-
-        private void forEach(Bins bins, Visitor visitor) {
+        private double[] sums(Bins bins, IntBinaryOperator index, int count) {
+            double[] sums = new double[count];
             for (int q = spectrum.bandY().first(); q <= spectrum.bandY().last(); q++) {
                 for (int p = spectrum.bandX().first(); p <= spectrum.bandX().last(); p++) {
                     if (bins.contains(p, q)) {
-                        visitor.visit(p, q, spectrum.at(p, q));
+                        sums[index.applyAsInt(p, q)] += spectrum.at(p, q);
                     }
                 }
             }
+            return sums;
         }
 
         double meanSquare(Bins bins) {
-            double[] sum = new double[1];
-            forEach(bins, (p, q, meanSquare) -> sum[0] += meanSquare);
-            return sum[0];
+            return sums(bins, (p, q) -> 0, 1)[0];
         }
 
         /** Mean squares of these bins by their absolute number of periods along x. */
         double[] byP(Bins bins) {
-            double[] sums = new double[spectrum.bandX().last() + 1];
-            forEach(bins, (p, q, meanSquare) -> sums[Math.abs(p)] += meanSquare);
-            return sums;
+            return sums(bins, (p, q) -> Math.abs(p), spectrum.bandX().last() + 1);
         }
 
         /** Mean squares of these bins by their absolute number of periods along y. */
         double[] byQ(Bins bins) {
-            double[] sums = new double[spectrum.bandY().last() + 1];
-            forEach(bins, (p, q, meanSquare) -> sums[Math.abs(q)] += meanSquare);
-            return sums;
+            return sums(bins, (p, q) -> Math.abs(q), spectrum.bandY().last() + 1);
         }
     }
 }
