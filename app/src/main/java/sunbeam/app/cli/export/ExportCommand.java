@@ -139,16 +139,16 @@ public final class ExportCommand extends FileCommand {
         }
         UsageException.requireWithin("--samples", samples == null ? 0 : samples, 0, MOST_SAMPLES);
         Energy rule = energy.choices().get(ENERGY);
-        if (rule != Energy.SCALAR && !format.dividesByLight()) {
+        if (rule != Energy.SCALAR && format != Format.NPZ && format != Format.BSDF) {
             throw new UsageException("--energy conserve is for --format npz and bsdf, and " + format
                     + " has no divisor by direction of light; leave it out");
         }
-        double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance();
+        double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
         TableWriter writer = writer(asked, tolerance);
         GridBaker.Limit limit = new GridBaker.Limit(writer, output, most());
         format.check(output, overwrite());
         if (size != null) {
-            limit.requireRoom();
+            limit.requireRoom(limit.most());
         }
         PrintWriter err = err();
         DiffractionSetup setup =
@@ -224,7 +224,7 @@ public final class ExportCommand extends FileCommand {
 
     private long most() {
         try {
-            return ByteSize.parse(size == null ? format.size() : size);
+            return ByteSize.parse(size == null ? format.size : size);
         } catch (IllegalArgumentException wrong) {
             throw new UsageException("--size " + wrong.getMessage());
         }
@@ -246,18 +246,6 @@ public final class ExportCommand extends FileCommand {
             this.size = size;
             this.tolerance = tolerance;
             this.ending = ending;
-        }
-
-        String size() {
-            return size;
-        }
-
-        double tolerance() {
-            return tolerance;
-        }
-
-        boolean dividesByLight() {
-            return this == NPZ || this == BSDF;
         }
 
         @Override

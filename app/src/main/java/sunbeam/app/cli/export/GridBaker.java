@@ -26,11 +26,7 @@ final class GridBaker {
         // A table may take this fraction of Java's heap; a writer needs as much again for its copy.
         private static final int HEAP_SHARE = 3;
 
-        void requireRoom() {
-            requireRoom(most);
-        }
-
-        private void requireRoom(long bytes) {
+        void requireRoom(long bytes) {
             AtomicFile.requireRoom(output, bytes, "it may take", "give a --size that is less");
         }
 
@@ -44,10 +40,6 @@ final class GridBaker {
             return bytes <= most
                     && numbers < Integer.MAX_VALUE
                     && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
-        }
-
-        boolean holds(ColorGrid grid) {
-            return writer.bytes(grid) <= most;
         }
 
         UsageException refusal(GridShape coarsest) {
@@ -88,7 +80,7 @@ final class GridBaker {
     ColorGrid finest(GridShape.AngleRange range, Limit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
         GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
-        GridShape.Box box = bake(widest, whole).brightBox();
+        GridShape.Box box = bake(cie, widest, whole).brightBox();
         ColorGrid best = null;
         GridShape coarsest = null;
         for (int number = levels.size() - 1; number >= 0; number--) {
@@ -98,8 +90,8 @@ final class GridBaker {
             if (!limit.mayHold(shape)) {
                 break;
             }
-            ColorGrid grid = bake(level, shape);
-            if (!limit.holds(grid)) {
+            ColorGrid grid = bake(cie, level, shape);
+            if (limit.writer().bytes(grid) > limit.most()) {
                 break;
             }
             best = grid;
@@ -119,7 +111,7 @@ final class GridBaker {
     /** Returns the grid of the same part of the plane, with orders and texels {@code 2^doublings} times as wide. */
     ColorGrid coarser(ColorGrid grid, int doublings) {
         ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
-        return bake(wider, grid.shape().coarser(1 << doublings));
+        return bake(cie, wider, grid.shape().coarser(1 << doublings));
     }
 
     /** Returns grids with the same texels that hold spectral bands in place of X, Y, Z, {@link SpectralBands#TOGETHER} each. */
@@ -131,10 +123,6 @@ final class GridBaker {
 
     ColorGrid under(CieTable functions, ColorGrid grid) {
         return bake(functions, grid.level(), grid.shape());
-    }
-
-    private ColorGrid bake(ColorTable.Level level, GridShape shape) {
-        return bake(cie, level, shape);
     }
 
     private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {

@@ -44,10 +44,6 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
         double radius() {
             return REACH * Math.sin(largest);
         }
-
-        double leastDepth() {
-            return REACH * Math.cos(largest);
-        }
     }
 
     record Box(double left, double right, double bottom, double top) {
@@ -61,7 +57,7 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
     static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
         double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
         double sliceStep = TableDesign.within(tolerance, level.area(), relief).sliceStep();
-        double least = range.leastDepth();
+        double least = REACH * Math.cos(range.largest);
         int slices = Math.max(TableDesign.TAPS, 1 + (int) Math.ceil((REACH - least) / sliceStep));
         Axis depth = new Axis(least, (REACH - least) / (slices - 1), slices);
         return new GridShape(

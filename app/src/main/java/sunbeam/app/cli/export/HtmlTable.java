@@ -103,7 +103,8 @@ final class HtmlTable implements TableWriter {
                     int column = texel % columns;
                     boolean seen = slice < shape.slicesAt(column, texel / columns);
                     for (int c = 0; c < CHANNELS; c++) {
-                        double color = grid.level().scale() * square(grid.roots()[slice][CHANNELS * texel + c]);
+                        double root = grid.roots()[slice][CHANNELS * texel + c];
+                        double color = grid.level().scale() * (root * root);
                         steps[c] = (int) Math.round(Math.log1p(color / FLOOR) / Math.log(2) / octaves);
                     }
                     for (int c = 0; c < CHANNELS; c++) {
@@ -127,10 +128,6 @@ final class HtmlTable implements TableWriter {
                 before = now;
             }
             return new QuantizedGrid(rounded, ExrFile.deflated(codes, Deflater.BEST_COMPRESSION), most);
-        }
-
-        private static double square(double value) {
-            return value * value;
         }
 
         /** Predicts a texel's change from that of the left and the lower neighbor and the corner (median predictor of JPEG-LS). */

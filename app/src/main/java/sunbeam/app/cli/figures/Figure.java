@@ -181,10 +181,6 @@ record Figure(
             direction.set(1, new DoubleNode(sine * x + cosine * y));
         }
 
-        boolean isMap() {
-            return command.contains("--no-annotate");
-        }
-
         /** Returns rows of label, the number's name, the thesis's number, Sunbeam's and their difference, for all results that exist. */
         List<List<String>> numbers() {
             if (picture.numbers() == null || !Files.isRegularFile(beside(".json"))) {

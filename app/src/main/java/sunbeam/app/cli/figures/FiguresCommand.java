@@ -227,7 +227,7 @@ public final class FiguresCommand extends FileCommand {
     }
 
     private String picture(Figure.Drawing drawing) {
-        String kind = drawing.isMap() ? " class=\"map\"" : "";
+        String kind = drawing.command().contains("--no-annotate") ? " class=\"map\"" : "";
         String file = escape(output.relativize(drawing.file()).toString().replace('\\', '/'));
         String label = (drawing.patch().isEmpty() ? "" : drawing.patch() + ": ")
                 + drawing.picture().label();
