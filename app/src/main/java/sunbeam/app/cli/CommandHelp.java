@@ -34,21 +34,11 @@ final class CommandHelp {
     private static final Set<String> EXPERT =
             Set.of("--tone --primaries --linear --tev --light-cone --strokes --version --debug --quiet".split(" ", -1));
 
-    private static final Set<Setting<?>> COMMON = Set.of(
-            PatchSettings.PATCH,
-            PatchSettings.WIDTH,
-            PatchSettings.MAX_HEIGHT,
-            SceneSettings.MESH,
-            SceneSettings.TEXTURE,
-            SceneSettings.ROTATE_PATCH,
-            SceneSettings.EXPOSURE,
-            LightOptions.THETA_I,
-            LightOptions.PHI_I,
-            LightSettings.ILLUMINANT,
-            METHOD,
-            TOLERANCE,
-            COHERENCE_LENGTH);
-
+    // Settings that most users need.
+    private static final Set<String> COMMON =
+            Set.of(("--patch --width --max-height --mesh --texture --rotate-patch --exposure --theta-i --phi-i"
+                            + " --illuminant --method --tolerance --coherence-length")
+                    .split(" ", -1));
     private static final String EVERY = "Of every command";
     private static final String EXPERT_METHOD =
             "Method, for experts: parts of the plan that otherwise follow from the tolerance";
@@ -106,8 +96,8 @@ final class CommandHelp {
     }
 
     private static boolean isCommon(OptionSpec option) {
-        return option.userObject() instanceof Setting<?> setting
-                ? COMMON.contains(setting)
+        return option.userObject() instanceof Setting<?>
+                ? COMMON.contains(option.longestName())
                 : !EXPERT.contains(option.longestName());
     }
 

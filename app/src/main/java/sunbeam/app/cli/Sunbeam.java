@@ -25,7 +25,6 @@ import sunbeam.app.cli.figures.FiguresCommand;
 import sunbeam.app.cli.inspect.InspectCommand;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.orders.OrdersCommand;
-import sunbeam.app.cli.precompute.PrecomputeCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
 import sunbeam.app.cli.render.RenderCommand;
 import sunbeam.app.cli.sample.SampleCommand;

@@ -179,9 +179,7 @@ public final class BenchmarkCommand extends FileCommand {
 
         /** True if the user has chosen neither a method nor a setting that only some methods have. */
         static boolean isMethodOpen(Choices choices) {
-            List<Setting<?>> common = new ArrayList<>(List.of(TOLERANCE));
-            common.addAll(GaussianArea.SETTINGS);
-            common.addAll(LightSettings.ALL);
+            List<Setting<?>> common = Setting.union(List.of(TOLERANCE), GaussianArea.SETTINGS, LightSettings.ALL);
             return choices.only(Methods.SETTINGS).without(common).chosen().isEmpty();
         }
 

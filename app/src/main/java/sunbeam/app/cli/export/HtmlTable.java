@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.zip.Deflater;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
-import sunbeam.precompute.colortable.ColorTable;
 
 /** A self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
 final class HtmlTable implements TableWriter {
@@ -19,8 +18,7 @@ final class HtmlTable implements TableWriter {
     private static final long MOST_TEXELS = 1 << 24;
 
     private final double tolerance;
-    // Level of {@code packed}: sizes and contents of one grid are needed several times, but compressed once.
-    private ColorTable.Level packedLevel;
+    // The last grid: its size and contents are needed several times, but compressed once.
     private QuantizedGrid packed;
 
     HtmlTable(double tolerance) {
@@ -43,9 +41,8 @@ final class HtmlTable implements TableWriter {
     }
 
     private QuantizedGrid packed(ColorGrid grid) {
-        if (!grid.level().equals(packedLevel)) {
+        if (packed == null || !grid.level().equals(packed.grid().level())) {
             packed = QuantizedGrid.of(grid, OCTAVES_PER_TOLERANCE * tolerance);
-            packedLevel = grid.level();
         }
         return packed;
     }

@@ -42,7 +42,7 @@ record Figure(
         String title,
         String thesis,
         String ours,
-        Check check,
+        Measure.Check check,
         List<String> patches,
         boolean compared,
         List<Picture> pictures) {
@@ -202,7 +202,7 @@ record Figure(
         }
     }
 
-    Optional<Check.Verdict> verdict(List<Drawing> drawings) {
+    Optional<Measure.Check.Verdict> verdict(List<Drawing> drawings) {
         return check.verdict(own(drawings));
     }
 

@@ -191,8 +191,9 @@ public final class FiguresCommand extends FileCommand {
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
             html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
             html.append(escape(figure.ours())).append("<br><b>Check:</b> ");
-            html.append(escape(
-                    figure.verdict(drawings).map(Check.Verdict::toString).orElse("a picture or a number is missing")));
+            html.append(escape(figure.verdict(drawings)
+                    .map(Measure.Check.Verdict::toString)
+                    .orElse("a picture or a number is missing")));
             html.append("</p>\n").append(table(figure, drawings));
             for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");

@@ -1,7 +1,6 @@
 package sunbeam.app.cli.options;
 
 import java.io.PrintWriter;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -43,9 +42,8 @@ public final class MethodOptions extends SettingOptions {
 
     /** Returns the options of commands that compute a color table for all directions. */
     public static SettingOptions ofTables(Map<Setting<?>, String> helpTexts) {
-        List<Setting<?>> settings = new ArrayList<>(List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH));
-        settings.addAll(LightSettings.ALL);
-        return new SettingOptions(settings, helpTexts);
+        List<Setting<?>> own = List.of(MethodSettings.TOLERANCE, MethodSettings.COHERENCE_LENGTH);
+        return new SettingOptions(Setting.union(own, LightSettings.ALL), helpTexts);
     }
 
     /** Returns the options of a command that chooses the average itself if none is given; {@code chosen} is the help's text for it. */

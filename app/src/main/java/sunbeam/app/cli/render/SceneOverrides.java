@@ -10,7 +10,6 @@ import static sunbeam.precompute.plan.MethodSettings.PRESET;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
@@ -37,7 +36,8 @@ import sunbeam.precompute.units.Decimals;
 
 /** Applies command-line options that override a scene's settings. */
 public final class SceneOverrides {
-    public static final List<Setting<?>> SETTINGS = settings();
+    public static final List<Setting<?>> SETTINGS =
+            Setting.union(SceneSettings.OVERRIDABLE, PatchSettings.ALL, Methods.SETTINGS);
 
     /** Texts of the help about defaults of settings that a scene may leave out. */
     public static final Map<Setting<?>, String> STANDARDS = Map.of(
@@ -59,13 +59,6 @@ public final class SceneOverrides {
         public Iterator<String> iterator() {
             return Scenes.builtIn().iterator();
         }
-    }
-
-    private static List<Setting<?>> settings() {
-        List<Setting<?>> all = new ArrayList<>(SceneSettings.OVERRIDABLE);
-        all.addAll(PatchSettings.ALL);
-        all.addAll(Methods.SETTINGS);
-        return all;
     }
 
     /** Returns the scene with these choices in place of its own; throws a {@code SettingException} for contradictions. */

@@ -1,4 +1,4 @@
-package sunbeam.app.cli.precompute;
+package sunbeam.app.cli;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;

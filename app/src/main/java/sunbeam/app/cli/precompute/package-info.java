@@ -1,2 +1,0 @@
-/** Fourier tables as HDF5 files. */
-package sunbeam.app.cli.precompute;
