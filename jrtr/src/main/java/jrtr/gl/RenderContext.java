@@ -52,16 +52,16 @@ public final class RenderContext implements AutoCloseable {
     /** Compiles a shader for {@link #drawFullScreen}, without inputs. A failure names file and line. */
     public ShaderProgram createFullScreenProgram(ShaderSource fragment) {
         if (!info().software()) {
-            return ShaderProgram.create(device, fullScreenVertices, fragment);
+            return new ShaderProgram(device, fullScreenVertices, fragment);
         }
         FlatUniforms flat =
                 FlatUniforms.of(fullScreenVertices, fragment, device.limits().varyings());
-        return ShaderProgram.create(device, flat.vertex(), flat.fragment());
+        return new ShaderProgram(device, flat.vertex(), flat.fragment());
     }
 
     /** Compiles a shader for {@link #draw}; its inputs are the outputs of jrtr/mesh.vert.glsl. A failure names file and line. */
     public ShaderProgram createMeshProgram(ShaderSource fragment) {
-        return ShaderProgram.create(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
+        return new ShaderProgram(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
     }
 
     public VertexBuffer createVertexBuffer(String label, VertexData data) {

@@ -18,40 +18,30 @@ import org.joml.Vector3fc;
  * multiply column vectors from the left, {@code M * v}, as in GLSL and JOML.
  */
 public final class ShaderProgram extends Resource {
-    private final int name;
+    // 0 until it is linked.
+    private int name;
     private final GlUniforms uniforms;
 
-    private ShaderProgram(GlDevice device, String label, int name, String sources) {
-        super(device, label);
-        this.name = name;
-        GL3 gl = device.gl();
-        try {
-            this.uniforms = new GlUniforms(gl, name, label, sources);
-            device.check(gl, "linking " + label);
-        } catch (RuntimeException failure) {
-            close();
-            throw failure;
-        }
+    ShaderProgram(GlDevice device, ShaderSource vertex, ShaderSource fragment) {
+        super(device, vertex.name() + " + " + fragment.name());
+        uniforms = orClose(() -> build(gl(), vertex, fragment), this::close);
     }
 
-    static ShaderProgram create(GlDevice device, ShaderSource vertex, ShaderSource fragment) {
-        int name = build(device.gl(), vertex, fragment);
-        return new ShaderProgram(
-                device, vertex.name() + " + " + fragment.name(), name, vertex.text() + fragment.text());
-    }
-
-    private static int build(GL3 gl, ShaderSource vertex, ShaderSource fragment) {
+    private GlUniforms build(GL3 gl, ShaderSource vertex, ShaderSource fragment) {
         int vertexShader = compile(gl, vertex, GL3.GL_VERTEX_SHADER);
         try {
             int fragmentShader = compile(gl, fragment, GL3.GL_FRAGMENT_SHADER);
             try {
-                return link(gl, vertexShader, fragmentShader, vertex, fragment);
+                name = link(gl, vertexShader, fragmentShader, vertex, fragment);
             } finally {
                 gl.glDeleteShader(fragmentShader);
             }
         } finally {
             gl.glDeleteShader(vertexShader);
         }
+        GlUniforms found = new GlUniforms(gl, name, label(), vertex.text() + fragment.text());
+        device().check(gl, "linking " + label());
+        return found;
     }
 
     private static int compile(GL3 gl, ShaderSource source, int stage) {
