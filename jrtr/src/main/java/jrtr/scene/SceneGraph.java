@@ -57,8 +57,7 @@ public record SceneGraph(Node root, View view) {
      * Clears the tile to zeros and draws the scene there; no pixel outside is touched. Tiles that cover the target give the same picture as
      * one draw, bit for bit. Pixels without a shape stay zero.
      *
-     * @param area part of the picture that the target shows; it has the target's size in pixels
-     * @param target target with depth
+     * @param area part of the picture that the target, which has depth, shows; it has the target's size in pixels
      * @throws IllegalArgumentException if the scene has more than {@link Node.Light#MOST} lights
      */
     public void draw(RenderContext context, View.Area area, FloatTarget target, Tile tile) {

@@ -38,7 +38,7 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
         if (aspect < leastAspect) {
             whole.m11(whole.m11() * aspect / leastAspect);
         }
-        return area.isWhole() ? whole : area.wholeToPart().mul(whole);
+        return area.wholeToPart().mul(whole);
     }
 
     public Matrix4f worldToClip(Area area) {
@@ -87,10 +87,6 @@ public record View(Camera camera, float verticalFieldOfView, float leastAspect, 
 
         public static Area whole(int width, int height) {
             return new Area(width, height, Tile.whole(width, height));
-        }
-
-        boolean isWhole() {
-            return part.width() == pictureWidth && part.height() == pictureHeight;
         }
 
         Area within(Tile tile) {

@@ -98,8 +98,7 @@ enum Action {
     private static final double STEP_RADIANS = Math.toRadians(2);
     private static final double STEP_SHARE = 0.02;
 
-    final Group group;
-    private final String description;
+    final Help help;
     private final String keys;
 
     @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
@@ -148,8 +147,7 @@ enum Action {
             String keys,
             BiConsumer<Viewer, KeyStroke> effect,
             Optional<Predicate<Viewer>> state) {
-        this.group = group;
-        this.description = description;
+        this.help = new Help(group, names(keys), description);
         this.keys = keys;
         this.effect = effect;
         this.state = state;
@@ -197,21 +195,19 @@ enum Action {
                 .toList();
     }
 
-    Help help() {
-        String names = Arrays.stream(keys.split(", ", -1))
+    private static String names(String keys) {
+        return Arrays.stream(keys.split(", ", -1))
                 .filter(key -> !key.startsWith("released"))
                 .map(key -> Arrays.stream(key.replace("typed ", "").split(" ", -1))
                         .map(Action::capitalized)
                         .collect(Collectors.joining("+")))
                 .collect(Collectors.joining(", "));
-        return new Help(group, names, description);
     }
 
     private static String capitalized(String word) {
         return word.length() < 2 || word.matches("F[0-9]+")
                 ? word
-                : word.substring(0, 1).toUpperCase(Locale.ROOT)
-                        + word.substring(1).toLowerCase(Locale.ROOT);
+                : Character.toUpperCase(word.charAt(0)) + word.substring(1).toLowerCase(Locale.ROOT);
     }
 
     void run(Viewer viewer, KeyStroke stroke) {

@@ -37,7 +37,7 @@ record Help(Group group, String input, String description) {
     static List<Help> rows(Group group) {
         return Stream.concat(
                         Stream.of(MouseControls.Gesture.values()).map(gesture -> gesture.help),
-                        Stream.of(Action.values()).map(Action::help))
+                        Stream.of(Action.values()).map(action -> action.help))
                 .filter(row -> row.group == group)
                 .toList();
     }

@@ -33,9 +33,9 @@ public final class KeyControls {
         window.picture().setFocusable(true);
         Map<String, JMenu> menus = new LinkedHashMap<>();
         for (Action action : Action.values()) {
-            boolean hasMenu = action.group.hasMenu;
+            boolean hasMenu = action.help.group().hasMenu;
             if (hasMenu) {
-                JMenu menu = menus.computeIfAbsent(action.group.title, title -> new JMenu(title));
+                JMenu menu = menus.computeIfAbsent(action.help.group().title, title -> new JMenu(title));
                 menu.add(item(viewer, action, menu));
             }
             if (action == Action.LOAD_TEXTURE) {
@@ -73,7 +73,7 @@ public final class KeyControls {
     }
 
     private static JMenuItem item(Viewer viewer, Action action, JMenu menu) {
-        String description = action.help().description();
+        String description = action.help.description();
         String text = description.substring(0, 1).toUpperCase(Locale.ROOT) + description.substring(1);
         JMenuItem item = action.isSwitch() ? new JCheckBoxMenuItem(text) : new JMenuItem(text);
         KeyStroke stroke = action.strokes().get(0);
@@ -90,7 +90,7 @@ public final class KeyControls {
         button.setName(action.name());
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.setFocusable(false);
-        button.setToolTipText(action.help().description() + " (" + action.help().input() + ")");
+        button.setToolTipText(action.help.description() + " (" + action.help.input() + ")");
         button.addActionListener(event -> action.run(viewer, action.strokes().get(0)));
         viewer.player().onChange(() -> button.setSelected(action.isOn(viewer)));
         return button;

@@ -17,7 +17,7 @@ import sunbeam.precompute.color.Srgb;
 
 /**
  * Automatic exposure of the last metered picture. While light, camera or model move, it follows the displayed pictures, so that it does not
- * jump when the final picture is metered.
+ * jump when the final picture is metered. Scenes that set their exposure do not change it.
  */
 final class CachedExposure {
     // Longer side of the reduced picture, in pixels: half of the meter's, since each frame waits for the estimate.
@@ -44,7 +44,6 @@ final class CachedExposure {
         return known(data).orElseGet(() -> store(data, meter.getAsDouble()));
     }
 
-    /** Caches the metered exposure, unless the scene sets its exposure; returns the metered one. */
     double store(SceneData data, double value) {
         if (data.scene().get(SceneSettings.EXPOSURE).isEmpty()) {
             last = data;
@@ -55,7 +54,6 @@ final class CachedExposure {
         return value;
     }
 
-    /** Stores the exposure on screen of the metered picture, unless the scene sets its exposure. */
     void storeOnScreen(BufferedImage image, double used, Scene scene) {
         if (scene.get(SceneSettings.EXPOSURE).isEmpty()) {
             shownWhenMetered = onScreen(image, used, scene);

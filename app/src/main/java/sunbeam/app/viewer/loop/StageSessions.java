@@ -85,7 +85,7 @@ final class StageSessions implements AutoCloseable {
                 - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
-    /** Returns one session for each patch and Fresnel component; empty before the first update. */
+    /** One for each patch and Fresnel component; empty before the first update. */
     List<SceneSession> parts() {
         return parts;
     }
@@ -133,7 +133,7 @@ final class StageSessions implements AutoCloseable {
         private static final double SLOWEST = 2.5;
         private static final double NEWEST = 0.25;
 
-        // Recorded time of a frame at each scale; 0 before the first.
+        // By scale; 0 before the first frame.
         private final double[] recorded = new double[DIVISORS.length];
         private int scale;
         // Time of the last frame at the current scale, and running mean, in nanoseconds; 0 before the first.

@@ -38,10 +38,7 @@ public final class ViewerModel {
     private Optional<Opening> opening = Optional.empty();
     private final History history = new History();
 
-    /**
-     * @param load number of the load
-     * @param before the scene that comes back if the load fails
-     */
+    /** @param before the scene that comes back if the load of this number fails */
     private record Opening(long load, Scene before, Runnable opened) {}
 
     public ViewerModel(Scene scene, Loading loading, Background background) {

@@ -53,7 +53,7 @@ public record SkinPoint(Scene scene, Pick pick) {
         return new Direction(tangent.dot(direction), bitangent.dot(direction), normal.dot(direction));
     }
 
-    /** Returns the direction to a light in the point's tangent frame. */
+    /** In the point's tangent frame. */
     public Direction light(Vector3fc towards) {
         return within(pick.tangent(), pick.bitangent(), pick.normal(), towards);
     }

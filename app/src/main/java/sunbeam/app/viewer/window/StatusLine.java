@@ -33,7 +33,6 @@ public final class StatusLine extends JPanel {
     private String rate = "";
     // Text about a running load, shown instead of texts about the outdated picture; empty if none.
     private String loading = "";
-    // Text pattern and start of the current work, from which the remaining time is estimated.
     private String progressPattern = "";
     private long progressStart;
 
