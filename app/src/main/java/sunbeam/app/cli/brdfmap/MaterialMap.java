@@ -49,8 +49,7 @@ import sunbeam.precompute.shader.ShaderTables;
  * as in scenes, the ensemble under a shorter window has the same blur at 550 nm.
  */
 final class MaterialMap {
-    // Distance between the directions that stand for a lamp, in deviations of an order under the shorter window, as
-    // that of the taps in footprint.glsl.
+    // Distance between a lamp's directions, in deviations of an order under the shorter window, as in footprint.glsl.
     private static final double SPACING = 1.6;
     private static final int MOST_DIRECTIONS = 8;
 

@@ -111,10 +111,7 @@ public final class Collection {
                 .map(spec -> spec.originalStringValues().get(0));
     }
 
-    /**
-     * Runs the command for all surfaces; prints a summary, and a line on standard error for each that failed. Returns the exit code of the
-     * first one that failed, else 3 if a surface has it.
-     */
+    /** Runs the command for all surfaces. Returns the exit code of the first one that failed, else 3 if a surface has it. */
     public int run(PrintWriter out, PrintWriter err, ProgressDisplay display) {
         check();
         List<Item> all = items();

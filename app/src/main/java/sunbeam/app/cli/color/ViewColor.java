@@ -80,10 +80,7 @@ record ViewColor(
                 uncertainty(exposed, 3 * scale.tolerance()));
     }
 
-    /**
-     * Returns the color with the largest product of purity and the cube root of its luminance, relative to a bright color of the list. So a
-     * dark color does not win, and the exposure has no influence.
-     */
+    /** Returns the color of largest purity times the cube root of luminance, relative to a bright one: a dark color does not win. */
     static Optional<ViewColor> purest(List<ViewColor> colors) {
         double[] luminances =
                 colors.stream().mapToDouble(color -> color.xyz()[1]).sorted().toArray();

@@ -28,11 +28,7 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
     /** A photograph in linear light, covered by its alpha; {@code clipped} where any channel of any of the file's pixels was. */
     record Linear(ScenePicture picture, boolean[] clipped) {}
 
-    /**
-     * Reads a PNG, JPEG or TIFF of 8 or 16 bits; without a profile its colors are sRGB.
-     *
-     * @throws sunbeam.precompute.files.InputException if the file cannot be read or its colors are unknown
-     */
+    /** Reads a PNG, JPEG or TIFF of 8 or 16 bits, without a profile as sRGB; refuses unknown colors. */
     static Photograph read(Path file) {
         BufferedImage decoded = FILES.read(file, Runtime.getRuntime().maxMemory());
         PhotoTags tags = PhotoTags.read(file);

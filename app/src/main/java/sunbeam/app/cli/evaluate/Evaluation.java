@@ -35,10 +35,7 @@ import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 
-/**
- * A patch's response in the plane of incidence, and the period of its heights to compare it with, among those that the options allow
- * (docs/evaluation.md). The ridge of the first order is empty, with a reason, if the orders overlap, or if none is found.
- */
+/** A patch's response in the plane of incidence, the period of its heights (docs/evaluation.md), and the first order's ridge, if any. */
 record Evaluation(
         Patch patch,
         GratingPeriod period,
@@ -194,10 +191,7 @@ record Evaluation(
         });
     }
 
-    /**
-     * Plot as in the thesis's figures 4.9 to 4.11: the response, its brightest angles, and the grating equation for the period of the heights,
-     * for both ends of its interval, and for the mean period of the brightest angles.
-     */
+    /** Plot as in the thesis's figures 4.9 to 4.11: the response, its brightest angles, and curves of the grating equation. */
     BufferedImage plot(String method) {
         return new Sheet(WIDTH)
                 .heading(patch.name() + ": " + verdict().sentence())

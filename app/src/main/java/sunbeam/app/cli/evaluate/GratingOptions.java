@@ -29,8 +29,8 @@ public final class GratingOptions extends SettingOptions {
     private static final int FEWEST = 3;
     // Limit of pairs of angle and wavelength: 160 MB of doubles.
     private static final long MOST_DIRECTIONS = 20_000_000;
-    // Largest step between angles, in standard deviations of the window's spectrum. A ridge is 1.7 deviations wide at
-    // half its height, so three samples lie on its top.
+    // Largest step between angles, in deviations of the window's spectrum: three samples lie on the top half of a
+    // ridge.
     private static final double COARSEST_STEP = 0.6;
     private static final Setting<Double> THETA_I = LightOptions.THETA_I.withStandard(Math.toRadians(75));
     private static final Setting<Double> PHI_I = new Setting<>(

@@ -210,8 +210,7 @@ record BsdfMaterial(
      */
     record Shape(
             int phis, int thetas, double largest, int side, int rows, int columns, WavelengthBand.SpectralBands bands) {
-        // Largest angle of the first direction to the normal, radians: beyond it the division by its cosine is
-        // unstable.
+        // Largest angle of the first direction to the normal: beyond it the division by its cosine is unstable.
         private static final double LARGEST_ANGLE = Math.toRadians(88);
         private static final int LEAST_COLUMNS = 48;
         // Angle between first directions, radians, by the root of the grid's step: an order's place errs by its square.

@@ -14,10 +14,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
 import sunbeam.precompute.colortable.NumberFormat;
 
-/**
- * A folder for renderers: shader source that evaluates the color for light and view, and the table as textures; for GLSL, HLSL and WGSL
- * with mip levels and a page, or for Open Shading Language, whose renderers filter by averaging samples.
- */
+/** A folder for renderers: shader source and textures; for those that do not filter by averaging samples, with mip levels. */
 record FolderTable(boolean isGlsl) implements TableWriter {
     /** Mip levels of the KTX2 texture beside the finest. */
     private static final int MOST_DOUBLINGS = 4;
@@ -117,12 +114,7 @@ record FolderTable(boolean isGlsl) implements TableWriter {
         return halves;
     }
 
-    /**
-     * A texture file in Khronos's format KTX 2.0: layers of four half floats, with mip levels.
-     *
-     * @param levels half floats, the finest level first; layer by layer, row by row from the bottom
-     * @param metadata text that is stored under the key {@code sunbeam}
-     */
+    /** A texture file in Khronos's format KTX 2.0: layers of four half floats, row by row from the bottom; mip levels, the finest first. */
     private record Ktx2File(int width, int height, int layers, List<short[]> levels, String metadata) {
         private static final byte[] IDENTIFIER = {
             (byte) 0xab, 'K', 'T', 'X', ' ', '2', '0', (byte) 0xbb, '\r', '\n', 0x1a, '\n'
@@ -179,8 +171,7 @@ record FolderTable(boolean isGlsl) implements TableWriter {
             ints(head, 1 | 1 << Short.SIZE, 0, TEXEL_BYTES, 0);
             for (int channel = 0; channel < CHANNELS; channel++) {
                 int kind = channel == CHANNELS - 1 ? 15 : channel;
-                // Fields: bit offset, bit length, channel and signed float; position; least and largest value, -1 and
-                // 1.
+                // Fields: bit offset and length, channel and signed float; position; least and largest value, -1 and 1.
                 ints(head, 16 * channel | 15 << 16 | (kind | 0xc0) << 24, 0, 0xbf800000, 0x3f800000);
             }
         }

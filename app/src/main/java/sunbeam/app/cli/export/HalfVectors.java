@@ -15,10 +15,7 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
     // Decrease of the density with |(u, v)|: fewer pairs of directions reach long (u, v) than short ones.
     private static final double FEWER_OUTSIDE = 0.35;
 
-    /**
-     * A density that is linear between nodes at distance 1, as tensor files define it along each axis, with its integral up to each node;
-     * the values are not negative, not all 0.
-     */
+    /** A density, linear between nodes at distance 1, not negative, not all 0, with its integral up to each node. */
     record Density(double[] sums, double[] values) {
         static Density of(double[] values) {
             double[] sums = new double[values.length];

@@ -225,10 +225,7 @@ enum Measure {
         }
     }
 
-    /**
-     * Reads a number that the command wrote beside the picture, or into it; NaN if there is none. At the end of the JSON pointer, _nm and
-     * _nm2 stand for numbers in meters (_m, _m2).
-     */
+    /** Reads a number that the command wrote; NaN if there is none. A pointer's _nm and _nm2 stand for numbers in meters (_m, _m2). */
     static double number(Figure.Drawing drawing, String pointer) {
         Path file = drawing.beside(".json");
         try {

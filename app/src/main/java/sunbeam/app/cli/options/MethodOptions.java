@@ -1,10 +1,10 @@
 package sunbeam.app.cli.options;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import picocli.CommandLine.Option;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -34,10 +34,10 @@ public final class MethodOptions extends SettingOptions {
 
     /** Returns the options that at least one of these methods has, and {@code --method} if there are several. */
     public static MethodOptions of(MethodType... types) {
-        Stream<Setting<?>> settings =
-                Arrays.stream(types).flatMap(type -> type.settings().stream()).distinct();
-        Stream<Setting<?>> method = types.length > 1 ? Stream.of(Methods.METHOD) : Stream.of();
-        return new MethodOptions(Stream.concat(method, settings).toList(), Map.of());
+        List<Setting<?>> method = types.length > 1 ? List.of(Methods.METHOD) : List.of();
+        List<Setting<?>> settings = new ArrayList<>();
+        Arrays.stream(types).forEach(type -> settings.addAll(type.settings()));
+        return new MethodOptions(Setting.union(method, settings), Map.of());
     }
 
     /** Returns the options of commands that compute a color table for all directions. */

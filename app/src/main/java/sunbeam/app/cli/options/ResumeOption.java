@@ -127,10 +127,7 @@ public final class ResumeOption {
         text.put(EXIT_CODE, Integer.toString(code.code()));
     }
 
-    /**
-     * Returns the exit code of the earlier run that wrote these files, the linear one by the hash in the picture's text. Empty without
-     * {@code --resume}, if a file is missing, or if it was made with other options.
-     */
+    /** Returns the exit code of the earlier run that wrote these files with the same options; empty without {@code --resume}. */
     public Optional<Integer> finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
         if (!resume) {
             return Optional.empty();

@@ -23,10 +23,7 @@ import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
-/**
- * Efficiencies of a surface's orders over wavelength and angle of incidence (docs/evaluation.md), for an azimuth of the light in degrees;
- * light and observer are for the orders' colors.
- */
+/** Efficiencies of a surface's orders over wavelength and angle of incidence, for one azimuth of the light in degrees. */
 record OrderTable(
         Patch patch,
         GratingPeriod period,

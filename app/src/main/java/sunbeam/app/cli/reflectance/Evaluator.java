@@ -23,10 +23,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.shader.ShaderTables;
 
-/**
- * Evaluates the rows of a list of directions by the shaders or by the reference: for a row with a wavelength to coherent power,
- * ensemble-averaged power, rho and BRDF; without wavelengths to X, Y, Z and gain.
- */
+/** Evaluates rows of directions: with a wavelength to coherent and ensemble power, rho and BRDF; without, to X, Y, Z and gain. */
 record Evaluator(DirectionList list, ProgressDisplay display) {
     private static final int RHO = 2;
     private static final int BRDF = 3;

@@ -150,11 +150,9 @@ public final class ReflectanceCommand extends FileCommand {
     /** Returns the direction of light of all rows, by which their colors are divided over wavelength. */
     private Direction light(DirectionList list) {
         Direction light = list.pair(0).wi();
-        for (int row = 1; row < list.size(); row++) {
-            if (!list.pair(row).wi().equals(light)) {
-                throw new UsageException("--energy conserve divides by direction of light and wavelength: give "
-                        + directions + " one light, or the column wavelength");
-            }
+        if (list.pairs().stream().anyMatch(pair -> !pair.wi().equals(light))) {
+            throw new UsageException("--energy conserve divides by direction of light and wavelength: give "
+                    + directions + " one light, or the column wavelength");
         }
         return light;
     }

@@ -78,10 +78,7 @@ public final class FrameSequence implements AutoCloseable {
     private LitPixels lit = LitPixels.NONE;
     private boolean drawn;
 
-    /**
-     * Prepares to draw frames of the scene that these sessions, which are closed with this object, hold together; {@code viewer} shows
-     * tiles as they are drawn, or is null.
-     */
+    /** Prepares to draw frames of the scene that these sessions, which it closes, hold together; {@code viewer} may be null. */
     public FrameSequence(
             RenderContext context,
             List<SceneSession> sessions,
@@ -255,8 +252,7 @@ public final class FrameSequence implements AutoCloseable {
             Certificate certificate = new Certificate.SceneCertifier(size.width(), size.height(), samples)
                     .certify(new PartSum(sessions), scene, new PartSum(exact), drawn, exposure, count);
             report.put("certificate", ReportFields.of(certificate));
-            // Errors of the table at the footprints of this picture's pixels; a larger --supersample does not reduce
-            // them.
+            // A larger --supersample does not reduce the errors of the table at the footprints of these pixels.
             List<ErrorStatistics> tables = sessions.stream()
                     .flatMap(part -> part.tableErrors(scene, size.width(), size.height(), samples).stream())
                     .toList();

@@ -19,10 +19,7 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 
-/**
- * Writer of an endless animated GIF. Each frame has its own palette of 256 colors, which ImageIO's writer chooses, and is dithered by error
- * diffusion (Floyd and Steinberg 1976), so that smooth colors have no bands.
- */
+/** Writer of an endless animated GIF, dithered by error diffusion (Floyd and Steinberg 1976) so that smooth colors have no bands. */
 final class GifAnimation {
     private static final String FRAME_FORMAT = "javax_imageio_gif_image_1.0";
 

@@ -36,8 +36,7 @@ final class SampleRows {
     private static final int CHANNELS = 3;
     // Number of first rows of a file whose colors are compared with direct sums over wavelengths.
     private static final int CHECKED_ROWS = 500;
-    // Values of |w|, relative to the largest possible, at which each cell of the (u, v) plane is evaluated for its
-    // weight.
+    // Values of |w|, relative to the largest possible, at which each cell is evaluated for its weight.
     private static final double[] DEPTHS = {0.95, 0.7, 0.4};
     // Least standard deviation of an order, in sides of a cell: narrower ones would be missed between cell centers.
     private static final double LEAST_WIDTH = 0.6;

@@ -55,10 +55,7 @@ public record Certificate(
             return new Limits(tolerance, ErrorStatistics.PERCENTILE_95_LIMIT * tolerance, Double.POSITIVE_INFINITY);
         }
 
-        /**
-         * Returns the limits of an exported table. Half of the compared pairs of directions are aimed at orders. On their steep flanks the
-         * 95th percentile of the table's errors is four to nine tolerances; ten are allowed.
-         */
+        /** Returns the limits of an exported table: on the steep flanks of orders the 95th percentile is four to nine tolerances. */
         public static Limits ofExport(double tolerance) {
             return new Limits(tolerance, 10 * tolerance, Double.POSITIVE_INFINITY);
         }
