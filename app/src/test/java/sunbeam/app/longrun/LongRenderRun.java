@@ -12,6 +12,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -61,8 +64,7 @@ final class LongRenderRun {
         private static final int LOOKS_TO_AVERAGE = 5;
 
         private final List<Look> looks = new ArrayList<>();
-        private final Thread thread;
-        private volatile boolean ended;
+        private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor();
 
         /**
          * One look.
@@ -74,20 +76,7 @@ final class LongRenderRun {
 
         /** @param milliseconds between two looks */
         Footprint(long milliseconds) {
-            thread = new Thread(() -> watch(milliseconds), "footprint");
-            thread.setDaemon(true);
-            thread.start();
-        }
-
-        private void watch(long milliseconds) {
-            try {
-                while (!ended) {
-                    look();
-                    Thread.sleep(milliseconds);
-                }
-            } catch (InterruptedException end) {
-                Thread.currentThread().interrupt();
-            }
+            thread.scheduleAtFixedRate(this::look, 0, milliseconds, TimeUnit.MILLISECONDS);
         }
 
         private synchronized void look() {
@@ -120,8 +109,7 @@ final class LongRenderRun {
 
         @Override
         public void close() {
-            ended = true;
-            thread.interrupt();
+            thread.shutdownNow();
         }
     }
 }

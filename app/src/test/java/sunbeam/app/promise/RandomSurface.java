@@ -4,7 +4,7 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import sunbeam.precompute.optics.HeightMap;
 
-/** ValueKind of made-up surfaces, drawn with random shapes and sizes. */
+/** Kinds of made-up surfaces, drawn with random shapes and sizes. */
 enum RandomSurface {
     FLAT,
     STEP,
