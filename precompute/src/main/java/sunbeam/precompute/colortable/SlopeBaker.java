@@ -48,7 +48,7 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
     @Override
     public float[] bake(float[] uvw, ColorBaker.Token token) {
         float[] xyz = new float[uvw.length];
-        int[] columns = DirectBaker.columns(uvw);
+        int[] columns = RadialBaker.DirectBaker.columns(uvw);
         Map<Integer, Nodes> nodes = new ConcurrentHashMap<>();
         IntStream.range(0, columns.length - 1).parallel().forEach(column -> {
             int end;
@@ -78,7 +78,7 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
         // Relief widens orders least at the shortest wavelength.
         double shortest = CieTable.MINIMUM_WAVELENGTH;
         double order = sigmaFrequency(table, level, depth, shortest) * shortest / radius;
-        return DirectBaker.halvings(WIDEST_STEP, ORDER_STEP * order);
+        return RadialBaker.DirectBaker.halvings(WIDEST_STEP, ORDER_STEP * order);
     }
 
     private Slice slice(WavelengthNodes nodes, double depth) {

@@ -7,7 +7,8 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
-import sunbeam.precompute.reference.AxisWeights.Axis;
+import sunbeam.precompute.reference.SurfaceSums.AxisWeights;
+import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
 
 /**
  * Diffracted power of a patch by direct summation in double precision (docs/theory.md):

@@ -7,8 +7,9 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.reference.AxisWeights.Axis;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
+import sunbeam.precompute.reference.SurfaceSums.AxisWeights;
+import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
 
 /**
  * Exact light of evenly lit replicas of a patch with sharp edges, by direct summation in double precision:

@@ -28,7 +28,7 @@ final class PowerBasis {
     PowerBasis(FourierTable table, double tolerance) {
         Expansion expansion = table.expansion();
         nodes = PhaseNodes.of(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
-        PhaseOctaves octaves = new PhaseOctaves(nodes);
+        PhaseOctaves octaves = PhaseOctaves.of(nodes);
         BinPowers powers = new BinPowers(table, nodes);
         double[][] rows =
                 Arrays.stream(sample(powers, table.bins())).mapToObj(powers::at).toArray(double[][]::new);
@@ -179,25 +179,21 @@ final class PowerBasis {
         return projections;
     }
 
-    private static final class PhaseOctaves {
-        private final PhaseNodes nodes;
-        private final int[] first;
-        private final int[] end;
-
-        PhaseOctaves(PhaseNodes nodes) {
-            this.nodes = nodes;
-            first = new int[nodes.count()];
-            end = new int[nodes.count()];
-            for (int q = 0, low = 0, high = 0; q < first.length; q++) {
+    /** Octave around each node: its first node, and the node after its last. */
+    private record PhaseOctaves(PhaseNodes nodes, int[] first, int[] end) {
+        static PhaseOctaves of(PhaseNodes nodes) {
+            PhaseOctaves octaves = new PhaseOctaves(nodes, new int[nodes.count()], new int[nodes.count()]);
+            for (int q = 0, low = 0, high = 0; q < nodes.count(); q++) {
                 while (nodes.node(low) * Math.sqrt(2) < nodes.node(q)) {
                     low++;
                 }
-                while (high < first.length && nodes.node(high) <= nodes.node(q) * Math.sqrt(2)) {
+                while (high < nodes.count() && nodes.node(high) <= nodes.node(q) * Math.sqrt(2)) {
                     high++;
                 }
-                first[q] = low;
-                end[q] = high;
+                octaves.first[q] = low;
+                octaves.end[q] = high;
             }
+            return octaves;
         }
 
         double[] means(double[] values) {
