@@ -162,7 +162,7 @@ public final class ShaderTablesFile {
         CRC32C checksum = new CRC32C();
         checksum.update(map(channel, 0, PREFIX + headerBytes));
         List<TableArray> arrays = new ArrayList<>();
-        long position = PREFIX + headerBytes;
+        long position = (long) PREFIX + headerBytes;
         for (ArrayLayout layout : header.layouts()) {
             List<FloatBuffer> layers = new ArrayList<>();
             int bytes = Float.BYTES * layout.floatsPerLayer();
