@@ -64,6 +64,7 @@ public final class MouseControls extends MouseAdapter {
                 (view, event) -> isDoubleClick(event),
                 MouseControls::pick);
 
+        @SuppressWarnings("ImmutableEnumChecker") // a record of texts
         final Help help;
 
         @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
