@@ -65,7 +65,7 @@ class BadPatchTest extends InWorkplace {
         "--width 65um --max-height 0nm, '--max-height 0 m is out of range; give 1 pm to 1 m'",
         "--width 65um --max-height -1nm, '--max-height -1 nm is out of range; give'",
         "--width 65um --max-height 375m, '--max-height 375 m is out of range; give'",
-        "--width 65um --max-height 375mm, '--max-height 375 mm is absurd for the full scale of whole numbers'"
+        "--width 65um --max-height 375mm, '--max-height 375 mm makes a relief of'"
     })
     void aScaleThatCannotBe(String options, String words) throws Exception {
         assertRefused(Complaint.USAGE, "--patch scan.png " + options, words);

@@ -152,12 +152,6 @@ record MeasuredHeights(HeightMap map, String source, List<String> channels, List
                 .orElse(pitchX * channel.extent().aspect());
         boolean own = channel.extent().width().isPresent();
         Plausibility.requireSides(pitchX * channel.columns(), pitchY * channel.rows(), file, own);
-        if (fromFullScale && metersPerUnit.get() > Plausibility.LARGEST_RELIEF) {
-            throw new SettingException(
-                    MAX_HEIGHT,
-                    "is absurd for the full scale of whole numbers; the most is "
-                            + Lengths.format(Plausibility.LARGEST_RELIEF) + " (is the unit right?)");
-        }
         Setting<?> from = choices.has(HEIGHT_UNIT) ? HEIGHT_UNIT : MAX_HEIGHT;
         double[] heights = channel.samples().scale(metersPerUnit.get(), 0).read();
         HeightMap map = new HeightMap(channel.columns(), channel.rows(), pitchX, pitchY, heights);

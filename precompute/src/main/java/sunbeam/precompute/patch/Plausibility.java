@@ -30,7 +30,7 @@ public final class Plausibility {
     static final double SHORTEST_LONG_SIDE = 100e-9;
 
     static final double LONGEST_SIDE = 0.1;
-    static final double LARGEST_RELIEF = 1e-3;
+    private static final double LARGEST_RELIEF = 1e-3;
     static final double SMALLEST_RELIEF = 1e-12;
     /** Meters; a smaller relief scatters a few ten-thousandths of the light, as a mirror. */
     static final double FLATTEST_RELIEF = 1e-9;

@@ -162,6 +162,19 @@ class FileScaleTest {
         assertThat(load(file, WIDTH, width, MAX_HEIGHT, maxHeight).warnings()).anyMatch(line -> line.contains(warning));
     }
 
+    /** Counts of 1 pm in 32 bits have a full scale of 4.3 mm; here 0 to 3 of 65535 are 183 nm. */
+    @Test
+    void theReliefCountsNotTheFullScale() throws IOException {
+        Path file = TestImages.write(TestImages.gray16(4, 4, (c, r, b) -> c), folder.resolve("few.png"));
+
+        // Two roundings.
+        assertThat(load(file, WIDTH, "4um", MAX_HEIGHT, "4mm").scan().relief())
+                .isCloseTo(3 * 4e-3 / 65_535, within(1e-20));
+        assertThatThrownBy(() -> load(file, WIDTH, "4um", MAX_HEIGHT, "400mm"))
+                .isInstanceOf(SettingException.class)
+                .hasMessageContaining("--max-height 400 mm makes a relief of 18.3108 um");
+    }
+
     @Test
     void wholeNumbersHaveNoUnit() throws IOException {
         Path file = TestImages.write(TestImages.gray8(4, 4, (c, r, b) -> c), folder.resolve("grey.png"));

@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import javax.imageio.ImageIO;
 import sunbeam.app.cli.options.PatchOptions.TaskPart;
@@ -42,8 +43,10 @@ final class CollectionFolder {
     private static final List<String> COLUMNS = List.of(
             ("/theta_i_deg /verdict_code /verdict /period_m /period_low_m /period_high_m /about_m /direction_deg"
                             + " /first_orders_deg /purest/srgb /purest/theta_r_deg /purest/dominant_m /purest/purity"
-                            + " /faults /notes")
+                            + " /faults /notes /warnings")
                     .split(" ", -1));
+    private static final List<String> INSPECTED =
+            List.of("/width_m /height_m /columns /rows /relief_m /roughness_m /rms_slope".split(" ", -1));
     private static final String REPORTS = "reports";
     private final ObjectMapper json = new ObjectMapper();
     private final Path folder;
@@ -149,7 +152,7 @@ final class CollectionFolder {
         List<Path> written = new ArrayList<>();
         String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
         AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
-        String table = CsvWriter.text(rows.stream().map(CollectionFolder::cells).toList());
+        String table = CsvWriter.text(rows.stream().map(row -> cells(command, row)).toList());
         written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, AtomicFile.StreamContent.of(table)));
         written.add(file(REPORTS, ".jsonl"));
         Map<String, Long> files = rows.stream()
@@ -177,12 +180,14 @@ final class CollectionFolder {
         return file.getFileName().toString();
     }
 
-    private static Map<String, String> cells(ObjectNode row) {
+    private static Map<String, String> cells(String command, ObjectNode row) {
         Map<String, String> cells = new LinkedHashMap<>();
         List.of("file", "exit_code", "message")
                 .forEach(name -> cells.put(name, row.get(name).asText()));
-        COLUMNS.forEach(pointer -> cells.put(
-                pointer.substring(1).replace('/', '_'), cell(row.path("report").at(pointer))));
+        Stream.concat(COLUMNS.stream(), command.equals("inspect") ? INSPECTED.stream() : Stream.empty())
+                .forEach(pointer -> cells.put(
+                        pointer.substring(1).replace('/', '_'),
+                        cell(row.path("report").at(pointer))));
         cells.put("picture", row.get("picture").asText());
         return cells;
     }

@@ -1,5 +1,6 @@
 package sunbeam.app.cli.collection;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.File;
 import java.io.IOException;
@@ -9,7 +10,6 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -20,6 +20,8 @@ import sunbeam.precompute.patch.builtin.BuiltInPatches;
 final class Surfaces {
     /** Largest size of a descriptor, bytes; the reader of patches refuses larger ones. */
     private static final long LARGEST_DESCRIPTOR = 1 << 20;
+
+    private static final String HEIGHTS = "heights";
 
     private Surfaces() {}
 
@@ -40,18 +42,19 @@ final class Surfaces {
                 .toList();
     }
 
-    /** Returns a folder's own files without hidden ones and those that a descriptor of the folder names. */
+    /** Returns a folder's own files without hidden ones, those that a descriptor of the folder names, and other JSON and Markdown. */
     private static List<String> files(Path folder) {
         try (Stream<Path> listed = Files.list(folder)) {
             List<Path> files = listed.filter(file -> Files.isRegularFile(file)
-                            && !file.getFileName().toString().startsWith("."))
+                            && !file.getFileName().toString().matches("(?i)\\..*|.*\\.md")
+                            && json(file).map(tree -> tree.has(HEIGHTS)).orElse(true))
                     .sorted()
                     .toList();
             Set<Path> described = new HashSet<>();
             files.forEach(file -> heights(file).ifPresent(described::add));
             if (files.isEmpty()) {
                 throw new InputException("the folder " + folder
-                        + " has no file; folders below it and hidden files do not count, name the folder of the scans");
+                        + " has no scan; folders below it and hidden files do not count, name the folder of the scans");
             }
             return files.stream()
                     .filter(file -> !described.contains(file.normalize()))
@@ -65,16 +68,21 @@ final class Surfaces {
     /** Returns the file of the heights that a descriptor names; empty if the file is no descriptor. */
     static Optional<Path> heights(Path file) {
         try {
-            if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || Files.size(file) > LARGEST_DESCRIPTOR) {
-                return Optional.empty();
-            }
-            return Optional.ofNullable(
-                            new ObjectMapper().readTree(file.toFile()).get("heights"))
-                    .map(name -> name.textValue())
-                    .filter(Objects::nonNull)
+            return json(file)
+                    .map(tree -> tree.path(HEIGHTS).textValue())
                     .map(name -> file.resolveSibling(name).normalize());
-        } catch (IOException | InvalidPathException noDescriptor) {
-            // The command reads the file later and reports what is wrong.
+        } catch (InvalidPathException noDescriptor) {
+            return Optional.empty();
+        }
+    }
+
+    /** Empty if the file is no JSON, or cannot be read: the command reads it later and reports what is wrong. */
+    private static Optional<JsonNode> json(Path file) {
+        try {
+            return file.toString().toLowerCase(Locale.ROOT).endsWith(".json") && Files.size(file) <= LARGEST_DESCRIPTOR
+                    ? Optional.of(new ObjectMapper().readTree(file.toFile()))
+                    : Optional.empty();
+        } catch (IOException broken) {
             return Optional.empty();
         }
     }

@@ -78,6 +78,11 @@ final class CollectionTest extends CommandLineFixture {
         // First orders of 2 um lie at asin(0.4 / 2) = 11.5 to asin(0.7 / 2) = 20.5 degrees, wider by the interval.
         assertThat(row.getField("first_orders_deg"))
                 .matches("1[01]\\.\\d+ to 2[01]\\.\\d+; -1[01]\\.\\d+ to -2[01]\\.\\d+");
+        assertThat(Double.parseDouble(row.getField("width_m"))).isCloseTo(16e-6, within(1e-20));
+        assertThat(row.getField("columns")).isEqualTo("64");
+        // A sine's deviation: its amplitude over sqrt(2).
+        assertThat(Double.parseDouble(row.getField("roughness_m"))).isCloseTo(50e-9 / Math.sqrt(2), within(1e-9));
+        assertThat(row.getField("warnings")).contains("constant along one axis", "; sampling too coarse: samples are");
         BufferedImage sheet = ImageIO.read(report.resolve("sheet.png").toFile());
         // Two thumbnails with black and white stripes lie side by side; the sheet is empty to the right of them.
         assertThat(darkest(sheet, 16, 300)).isLessThan(80);
@@ -94,6 +99,18 @@ final class CollectionTest extends CommandLineFixture {
             }
         }
         return darkest;
+    }
+
+    @Test
+    void readMeFilesAndOtherJsonAreNoSurfaces() throws IOException {
+        Files.writeString(scans.resolve("README.md"), "# 1 2 3");
+        Files.writeString(scans.resolve("settings.json"), "{\"note\": \"shed skin\"}");
+
+        assertSuccess(inspect("@scans"));
+
+        assertThat(table("table.csv")).hasSize(1);
+        Files.delete(scans.resolve("grating.txt"));
+        assertComplaint(ExitCode.UNUSABLE_INPUT, "inspect @scans --output @report --force", "has no scan");
     }
 
     @Test
@@ -216,7 +233,7 @@ final class CollectionTest extends CommandLineFixture {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            inspect @empty --output @report               | UNUSABLE_INPUT | the folder & empty has no file
+            inspect @empty --output @report               | UNUSABLE_INPUT | the folder & empty has no scan
             inspect blaze --resume --output @report       | USAGE          | --resume is for several
             inspect blaze --theta-i 0:80 --output @report | USAGE          | --theta-i & min:max:step
             color @scans --with blaze --output @report    | USAGE          | --with is for one patch
