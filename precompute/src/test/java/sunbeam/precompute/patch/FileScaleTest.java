@@ -45,7 +45,7 @@ class FileScaleTest {
 
     @Test
     void filesWithAScaleNeedNoSettings() throws IOException {
-        HeightMap map = load(file(HEADER + NUMBERS)).heights();
+        HeightMap map = load(file(HEADER + NUMBERS)).scan();
 
         assertThat(map.width()).isCloseTo(4e-6, within(1e-20));
         assertThat(map.height()).isCloseTo(3e-6, within(1e-20));
@@ -131,7 +131,7 @@ class FileScaleTest {
                 .hasMessageContainingAll(
                         "--max-height 534 nm makes a relief of 0.285156 pm",
                         "less than a hundredth of an atom; check both units");
-        HeightMap map = load(file, WIDTH, "4um", HEIGHT_UNIT, "m").heights();
+        HeightMap map = load(file, WIDTH, "4um", HEIGHT_UNIT, "m").scan();
         // Seven digits of a float.
         assertThat(map.relief()).isCloseTo(534e-9, within(5e-14));
     }

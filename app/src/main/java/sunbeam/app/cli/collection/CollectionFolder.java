@@ -152,7 +152,8 @@ final class CollectionFolder {
         List<Path> written = new ArrayList<>();
         String lines = rows.stream().map(row -> row + "\n").collect(Collectors.joining());
         AtomicFile.write(file(REPORTS, ".jsonl"), Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
-        String table = CsvWriter.text(rows.stream().map(row -> cells(command, row)).toList());
+        String table =
+                CsvWriter.text(rows.stream().map(row -> cells(command, row)).toList());
         written.add(AtomicFile.write(file("table", ".csv"), Overwrite.REPLACE, AtomicFile.StreamContent.of(table)));
         written.add(file(REPORTS, ".jsonl"));
         Map<String, Long> files = rows.stream()
