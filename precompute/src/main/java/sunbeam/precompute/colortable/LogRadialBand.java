@@ -94,7 +94,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         return Math.log(low) - MARGIN * positionStep;
     }
 
-    /** For {@code sectors()}, the number of rays. */
+    /** Returns the number of rays for {@code sectors()}. */
     private int firstRay(int sector) {
         return (int) ((long) rays * sector / sectors);
     }
@@ -239,7 +239,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
             return end;
         }
 
-        /** In radians; negative for margin rays before ray 0 of the band. */
+        /** Returns radians; negative for margin rays before ray 0 of the band. */
         private double angle(int ray) {
             return 2 * Math.PI * (firstRay + ray) / rays;
         }

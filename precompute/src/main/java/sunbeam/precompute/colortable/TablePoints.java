@@ -68,7 +68,7 @@ public record TablePoints(VisibleRange visible) {
         return light().map(light -> 1 + Math.hypot(light.x(), light.y())).orElse(TableSpace.AllLights.REACH);
     }
 
-    /** For one light uniform on an orthographic map. */
+    /** Returns directions for validation; those of one light are uniform on an orthographic map. */
     public List<DirectionPair> samples() {
         Random random = new Random(SEED);
         List<DirectionPair> samples = new ArrayList<>(visible.pairs());

@@ -144,7 +144,7 @@ public record TileGrid(
         return new int[] {tile % columns, tile % perSlice() / columns, tile / perSlice()};
     }
 
-    /** At the ends all slices are on one side of the position. */
+    /** Returns the first slice to read; at the ends all are on one side of the position. */
     int firstSlice(double slice) {
         return Math.max(0, Math.min((int) slice - 1, slices() - taps()));
     }

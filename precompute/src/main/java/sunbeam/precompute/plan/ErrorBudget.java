@@ -83,7 +83,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return average == Average.ENSEMBLE ? 2 * amplitude : amplitude;
     }
 
-    /** In standard deviations of the Gaussian. */
+    /** Returns standard deviations of the Gaussian. */
     private double skirt(Average average) {
         if (roughness.isRough()) {
             return ROUGH_SKIRT;

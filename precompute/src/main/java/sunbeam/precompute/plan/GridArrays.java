@@ -181,7 +181,7 @@ final class GridArrays {
      * pixel's reads are adjacent; others, beyond the limits of a row and of Java's heap, are in further layers.
      */
     record TermsLayout(int texels, int together, ArrayLayout array) {
-        // Of a layer that is computed in the heap at a time.
+        // Limit of a layer, which is computed in the heap at a time.
         private static final long LARGEST_LAYER_BYTES = 1L << 28;
 
         static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {

@@ -69,7 +69,7 @@ public record VisibleRange(
         return light.isPresent() || !pairs.isEmpty();
     }
 
-    /** For cache keys; all uses of the same intervals share tables. */
+    /** Returns a text for cache keys; all uses of the same intervals share tables. */
     @Override
     public String toString() {
         return Text.format(

@@ -108,7 +108,7 @@ public record Crop(double left, double right, double bottom, double top) {
                 samples.endRow - samples.firstRow);
     }
 
-    /** At or beyond the position, in meters, lies the sample's center. */
+    /** Returns the index of the first sample whose center lies at or beyond a position, meters. */
     private static int first(double position, double pitch) {
         return (int) Math.ceil(position / pitch - 0.5 - SLACK);
     }

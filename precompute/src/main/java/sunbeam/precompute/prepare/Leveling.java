@@ -38,7 +38,7 @@ public enum Leveling {
         };
     }
 
-    /** Then MEAN returns the same map, whose cached properties stay valid. */
+    /** If so, MEAN returns the same map, whose cached properties stay valid. */
     private static boolean isCentered(HeightMap field) {
         double[] heights = field.heights();
         return Math.abs(mean(heights, 0, heights.length)) <= ROUNDING * field.relief();

@@ -19,7 +19,7 @@ record SurfaceSums(HeightMap map, HeightLevels heights) {
                 : overRows(phases(w, wavelength), alongY);
     }
 
-    /** Without a table of p by height; reads memory sequentially. */
+    /** Sums without a table of p by height; reads memory sequentially. */
     Sums overSamples(double w, double wavelength, AxisWeights... alongY) {
         double phasePerMeter = 2 * Math.PI / wavelength * w;
         return overRows(

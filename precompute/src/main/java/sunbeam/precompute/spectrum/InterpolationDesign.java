@@ -79,7 +79,7 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
 
     static final class Spread {
         private static final int SPECTRUM_SAMPLES = 256;
-        // In standard deviations.
+        // Distances at which errors are measured, in standard deviations.
         private static final double DISTANCE_STEP = 0.6;
         // Between two grid points.
         private static final int POSITIONS = 4;
