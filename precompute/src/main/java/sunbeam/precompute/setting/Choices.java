@@ -76,24 +76,22 @@ public final class Choices {
     }
 
     public <T> Choices with(Setting<T> setting, T value, Origin origin) {
-        T checked;
-        try {
-            checked = setting.kind().check(value);
-        } catch (IllegalArgumentException wrong) {
-            throw new SettingException(setting, Sentence.of(wrong.getMessage()), origin, "", wrong);
-        }
-        Map<Setting<?>, Choice> all = new LinkedHashMap<>(choices);
-        all.put(setting, new Choice(checked, origin));
-        return new Choices(all, home);
+        return with(setting, origin, () -> setting.kind().check(value));
     }
 
     /** Returns these choices with a value given as text; throws SettingException if it is none of the setting. */
     public <T> Choices parsed(Setting<T> setting, String text, Origin origin) {
+        return with(setting, origin, () -> setting.kind().parse(text));
+    }
+
+    private <T> Choices with(Setting<T> setting, Origin origin, Supplier<T> value) {
+        Map<Setting<?>, Choice> all = new LinkedHashMap<>(choices);
         try {
-            return with(setting, setting.kind().parse(text), origin);
+            all.put(setting, new Choice(value.get(), origin));
         } catch (IllegalArgumentException wrong) {
             throw new SettingException(setting, Sentence.of(wrong.getMessage()), origin, "", wrong);
         }
+        return new Choices(all, home);
     }
 
     /** Returns these choices with a setting's standard value, if it has one and was not chosen. */
