@@ -35,8 +35,8 @@ class PreparationTest {
         return new SplittableRandom(i).nextDouble() * 10e-9;
     }
 
-    private static double largest(HeightMap field) {
-        return Arrays.stream(field.heights()).map(Math::abs).max().orElseThrow();
+    private static double largest(HeightMap map) {
+        return Math.max(Math.abs(map.minimum()), Math.abs(map.maximum()));
     }
 
     @Test
@@ -129,9 +129,8 @@ class PreparationTest {
     void blendedEdgesOfAGratingContinueItsWaves() {
         int side = 384;
         double amplitude = 83e-9;
-        double[] heights = new double[side * side];
-        Arrays.setAll(heights, i -> amplitude * Math.sin(2 * Math.PI * (0.0283 * (i % side) + 0.012 * (i / side))));
-        HeightMap grating = new HeightMap(side, side, 50e-9, 50e-9, heights);
+        HeightMap grating = Surfaces.sampled(
+                side, side, PITCH, (c, r) -> amplitude * Math.sin(2 * Math.PI * (0.0283 * c + 0.012 * r)));
         HeightMap treated = Edges.BLEND.apply(grating);
         double squares = 0;
         for (int row = 0; row < treated.rows(); row++) {
@@ -173,15 +172,11 @@ class PreparationTest {
     private static final double ROUNDING_OF_OFFSET = 2.2e-19;
 
     private static HeightMap map(int columns, int rows, Surfaces.Samples samples) {
-        return Surfaces.sampled(columns, rows, 50e-9, samples);
+        return Surfaces.sampled(columns, rows, PITCH, samples);
     }
 
     private static double mean(HeightMap map) {
         return Arrays.stream(map.heights()).average().orElseThrow();
-    }
-
-    private static double largestHeight(HeightMap map) {
-        return Math.max(Math.abs(map.minimum()), Math.abs(map.maximum()));
     }
 
     @Test
@@ -206,7 +201,7 @@ class PreparationTest {
         HeightMap tilted = map(columns, rows, (c, r) -> OFFSET + 3e-9 * c - 7e-9 * r);
 
         // Half a unit of the samples' rounding, and a few operations on 1e-7 m.
-        assertThat(largestHeight(Leveling.PLANE.apply(tilted))).isLessThan(2 * ROUNDING_OF_OFFSET);
+        assertThat(largest(Leveling.PLANE.apply(tilted))).isLessThan(2 * ROUNDING_OF_OFFSET);
     }
 
     @Test
@@ -230,7 +225,7 @@ class PreparationTest {
                 map(9, 9, (c, r) -> c >= 5 && r >= 5 ? Double.NaN : 4e-9 * (leveling == Leveling.PLANE ? c : 1));
         HeightMap leveled = leveling.apply(map);
 
-        assertThat(largestHeight(leveled)).isLessThan(1e-22);
+        assertThat(largest(leveled)).isLessThan(1e-22);
         assertThat(Arrays.stream(leveled.heights()).filter(Double::isNaN).count())
                 .isEqualTo(16);
     }
@@ -239,7 +234,7 @@ class PreparationTest {
     void planeTakesTheSlopeAlongTheLineWhenOnlyALineIsKnown() {
         HeightMap diagonal = map(5, 5, (c, r) -> c == r ? 2e-9 * c : Double.NaN);
 
-        assertThat(largestHeight(Leveling.PLANE.apply(diagonal))).isLessThan(1e-23);
+        assertThat(largest(Leveling.PLANE.apply(diagonal))).isLessThan(1e-23);
     }
 
     @ParameterizedTest
