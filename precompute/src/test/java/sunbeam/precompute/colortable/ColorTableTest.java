@@ -13,19 +13,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ReferenceEvaluator;
 
 class ColorTableTest {
-    private static final GaussianArea ENSEMBLE =
-            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(12e-6)).with(Average.ENSEMBLE);
+    private static final GaussianArea ENSEMBLE = RadialBakerTest.ensemble(12e-6);
 
     private static double ensemble(HeightMap map, GaussianArea area, double u, double v) {
         // Only the sum of both directions counts.

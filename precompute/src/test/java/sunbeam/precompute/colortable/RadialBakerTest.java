@@ -32,7 +32,7 @@ class RadialBakerTest {
     private static final GaussianArea ENSEMBLE = ensemble(10e-6);
     private static final double STEP = 0.0018 * 65 / 10;
 
-    private static GaussianArea ensemble(double coherenceLength) {
+    static GaussianArea ensemble(double coherenceLength) {
         return GaussianArea.STANDARD
                 .with(CoherenceWindow.ofCoherenceLength(coherenceLength))
                 .with(Average.ENSEMBLE);
@@ -207,17 +207,12 @@ class RadialBakerTest {
         assertThatThrownBy(() -> colors.direct().bake(places(40), canceled)).isInstanceOf(CancellationException.class);
     }
 
-    private static final GaussianArea AREA =
-            GaussianArea.STANDARD.with(CoherenceWindow.ofCoherenceLength(8e-6)).with(Average.ENSEMBLE);
+    private static final GaussianArea AREA = ensemble(8e-6);
     private static final double SLOPES = 0.08;
     // Standard deviations, beyond which a normal distribution has 1e-4; and the number of slopes summed between, closer
     // than orders are wide.
     private static final double FARTHEST = 4;
     private static final int SIDE = 36;
-
-    private static PowerSpectrum slopeSpectrum(HeightMap map, ColorTable table) {
-        return spectrum(map, AREA, table.widest(), 1e-4);
-    }
 
     /** The mean over slopes, by a sum over an even grid of them. */
     private static double[] mean(RadialBaker points, double[] place) {
@@ -244,7 +239,7 @@ class RadialBakerTest {
     void colorsAreMeansOverSlopes() {
         HeightMap map = Surfaces.random(24, 20, 250e-9, 300e-9, 3);
         ColorTable table = ColorTable.within(1e-2, AREA, map.relief(), false, SLOPES);
-        PowerSpectrum slopeSpectrum = slopeSpectrum(map, table);
+        PowerSpectrum slopeSpectrum = spectrum(map, AREA, table.widest(), 1e-4);
         CieTable cie = CieTable.load();
         SlopeBaker colors = new SlopeBaker(slopeSpectrum, cie, SlopeBaker.pyramid(slopeSpectrum, table), table, 0);
         RadialBaker points = new RadialBaker(slopeSpectrum, cie, AREA, new TableDesign(0.01, 21), 2, true);

@@ -16,11 +16,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import sunbeam.precompute.errors.ErrorStatistics;
-import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 
 /** Tables checked at directions between their samples. */
@@ -246,10 +243,7 @@ class ValidatedTableTest {
 
     @Test
     void mapsUseCachedTilesOfAllLightsUnlessTilesAreMissingOrErr() {
-        GaussianArea area = GaussianArea.STANDARD
-                .with(CoherenceWindow.ofCoherenceLength(6e-6))
-                .with(Average.ENSEMBLE);
-        ColorTable levels = ColorTable.within(TOLERANCE, area, 0.3e-6, false, 0);
+        ColorTable levels = ColorTable.within(TOLERANCE, RadialBakerTest.ensemble(6e-6), 0.3e-6, false, 0);
         ColorBaker smooth = ValidatedTableTest::smooth;
         ColorBaker other = (uvw, token) -> colors(uvw, place -> 3 + Math.sin(place[0]));
         BitSet tiles = ONE_LIGHT.tiles(TileGrid.of(levels.levels().get(0)));
