@@ -110,7 +110,8 @@ class SceneFileTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-                    "mesh"               | "mush"             | line 1  | mesh          | missing
+                    "mesh"               | "mush"             | line 1  | mesh          | missing, and "mush" is unknown
+                    "light"              | "lights"           | line 1  | light         | missing, and "lights" is unknown
                     "rotatePatch"        | "rotatepatch"      | line 8  | rotatepatch   | unknown key
                     "30 deg"             | 30                 | line 8  | rotatePatch   | unit
                     "10 cm"              | "10 parsec"        | line 4  | camera.position | unknown unit

@@ -102,6 +102,10 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         Dialogs.answer("Scale of waves.png", "Cancel");
         assertThat(modelScene()).isEqualTo(scene());
         SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
+        Dialogs.answer("Scale of waves.png", "OK");
+        awaitComplaint("is no length", "such as 65um");
+        assertThat(modelScene()).isEqualTo(scene());
+        SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
         Dialogs.type("Scale of waves.png", "2 um", "300 nm");
         Dialogs.answer("Scale of waves.png", "OK");
         awaitPatch(file.toString());

@@ -204,8 +204,16 @@ public record GratingPeriod(
         return wave.azimuth();
     }
 
-    static long degrees(SpatialFrequency wave) {
-        return Math.floorMod(Math.round(Math.toDegrees(wave.azimuth())), 180L);
+    /** Returns the azimuth rounded to parts of a degree, above -90 and at most 90. */
+    private static double degrees(SpatialFrequency wave, int parts) {
+        long rounded = Math.round(parts * Math.toDegrees(wave.azimuth()));
+        return (double) (rounded == -90L * parts ? -rounded : rounded) / parts;
+    }
+
+    /** "1 degree", "-86 degrees". */
+    static String direction(SpatialFrequency wave) {
+        double degrees = degrees(wave, 1);
+        return Text.format(Math.abs(degrees) == 1 ? "%.0f degree" : "%.0f degrees", degrees);
     }
 
     /** Returns "1000.0 nm, 95 % interval 998.9 to 1001.1 nm" with reliable digits. */
@@ -224,21 +232,20 @@ public record GratingPeriod(
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
 
-    /** Returns the azimuths of all waves in whole degrees, 0 to below 180, ascending. */
+    /** Returns the azimuths of all waves in whole degrees, above -90 and at most 90, ascending. */
     public List<Long> directions() {
         return Stream.concat(Stream.of(wave), others.stream())
-                .map(GratingPeriod::degrees)
+                .map(some -> (long) degrees(some, 1))
                 .sorted()
                 .toList();
     }
 
     public String describe() {
         if (!isSure()) {
-            return isSeen() ? estimate() + ", in direction " + degrees(wave) + " degrees" : "unknown: " + reason;
+            return isSeen() ? estimate() + ", in direction " + direction(wave) : "unknown: " + reason;
         }
         // A scanner's axes are known to tenths of a degree.
-        double tenths = Math.floorMod(Math.round(10 * Math.toDegrees(azimuth())), 1800L) / 10.0;
-        String line = interval() + Text.format(", in direction %.1f", tenths);
+        String line = interval() + Text.format(", in direction %.1f", degrees(wave, 10));
         return isExact()
                 ? line + " degrees: the patch repeats"
                 : line

@@ -86,15 +86,15 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     private static String grating(GratingPeriod period) {
         String crossing = period.others().stream()
                 .map(other -> ", crossed by lines of about " + Lengths.rounded(other.period(), DIGITS) + " across "
-                        + GratingPeriod.degrees(other) + " degrees")
+                        + GratingPeriod.direction(other))
                 .collect(Collectors.joining());
         String kind = !period.isSure()
                 ? "Probably a grating of about "
                 : period.isExact() ? "A repeated patch with a period of " : "A grating of ";
-        return kind + length(period, 1) + " across " + GratingPeriod.degrees(period.wave()) + " degrees" + crossing;
+        return kind + length(period, 1) + " across " + GratingPeriod.direction(period.wave()) + crossing;
     }
 
-    /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across 34 and 94 degrees". */
+    /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across -86 and 34 degrees". */
     private static String lattice(GratingPeriod period) {
         double sine = period.wave().sineTo(period.others().get(0));
         boolean hexagonal = Math.abs(sine - Math.sqrt(0.75)) < SLANT;
@@ -151,9 +151,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     }
 
     private static String words(Band band) {
-        if (Math.abs(band.red()) == HORIZON) {
-            return Text.format("from %.0f degrees on", rounded(band.blue(), 1));
-        }
         int parts = Math.abs(rounded(band.red(), 10) - rounded(band.blue(), 10)) < NARROW ? 10 : 1;
         return Text.format(
                 parts > 1 ? "at %.1f to %.1f degrees" : "at %.0f to %.0f degrees",

@@ -20,6 +20,9 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
         if (!(firstNanometers >= MINIMUM && lastNanometers <= MAXIMUM)) {
             throw new IllegalArgumentException("reaches beyond 380 to 780 nm");
         }
+        if (lastNanometers < firstNanometers) {
+            throw new IllegalArgumentException("is reversed");
+        }
         if (!(lastNanometers - firstNanometers >= LINE_NANOMETERS - 1e-6)) {
             throw new IllegalArgumentException("is narrower than 1 nm, which a single wavelength stands for");
         }

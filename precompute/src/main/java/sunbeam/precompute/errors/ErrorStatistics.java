@@ -39,6 +39,11 @@ public record ErrorStatistics(
                         100 * chance);
     }
 
+    /** "1 pair of directions". */
+    public String pairs() {
+        return count + (count == 1 ? " pair" : " pairs") + " of directions";
+    }
+
     @Override
     public String toString() {
         return Text.format("median %.2g, 95th percentile %.2g, maximum %.2g", median, percentile95, maximum);

@@ -30,6 +30,7 @@ import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Quoted;
+import sunbeam.precompute.text.Similar;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 
@@ -145,8 +146,15 @@ public final class JsonObject {
     public JsonNode required(String key, String example) {
         return find(key)
                 .orElseThrow(() -> new InputException(Text.format(
-                        "%s, line %d: the key %s is missing; add for example %s: %s",
-                        parser.name, parser.lines.get(place), Quoted.of(path + key), Quoted.of(key), example)));
+                        "%s, line %d: the key %s is missing%s; add for example %s: %s",
+                        parser.name,
+                        parser.lines.get(place),
+                        Quoted.of(path + key),
+                        Similar.nearest(key, others())
+                                .map(name -> ", and " + Quoted.of(name) + " is unknown")
+                                .orElse(""),
+                        Quoted.of(key),
+                        example)));
     }
 
     public JsonObject object(String key, String example) {

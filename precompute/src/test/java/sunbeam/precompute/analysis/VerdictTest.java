@@ -106,7 +106,7 @@ class VerdictTest {
      */
     @ParameterizedTest
     @CsvSource({
-        "1.2e-6, 30, at -10 to 5 degrees and from -56 degrees on",
+        "1.2e-6, 30, at -10 to 5 degrees and at -90 to -56 degrees",
         "1.9e-6, 10, at 2 to 11 degrees and at -33 to -23 degrees"
     })
     void obliqueLightHasAscendingAnglesOnEitherSideOfItsMirrorDirection(double period, double light, String angles) {
@@ -118,6 +118,18 @@ class VerdictTest {
     void directionsHaveTenthsOfADegree() {
         assertThat(GratingPeriod.of(piece((x, y) -> sine(y, 1.2e-6))).describe())
                 .contains(", in direction 90.0 +- 0.1 degrees; seen 12.5 times");
+    }
+
+    /** As in JSON: above -90 and at most 90 degrees. */
+    @Test
+    void oneRangeHoldsForAllDirections() {
+        double slope = Math.tan(Math.toRadians(-1.2));
+        GratingPeriod period = GratingPeriod.of(piece((x, y) -> sine(x + slope * y, 1.2e-6)));
+        assertThat(period.describe()).contains(", in direction -1.2 +- 0.1 degrees");
+        assertThat(period.directions()).containsExactly(-1L);
+        assertThat(verdict(piece((x, y) -> sine(x + slope * y, 1.2e-6)))).contains(" across -1 degree: ");
+        // To -89.9 degrees.
+        assertThat(period.turned(Math.toRadians(-88.7)).directions()).containsExactly(90L);
     }
 
     /** The lines end in the middle of the scan: the part that was measured has its period. */
@@ -134,7 +146,7 @@ class VerdictTest {
 
     /** Waves of one length in directions 60 or 90 degrees apart. */
     @ParameterizedTest
-    @CsvSource({"3, 60, hexagonal, '5, 65 and 125', 1.38", "2, 90, square, '5 and 95', 1.2"})
+    @CsvSource({"3, 60, hexagonal, '-55, 5 and 65', 1.38", "2, 90, square, '-85 and 5', 1.2"})
     void gratingsAlikeInTwoOrThreeDirectionsAreALattice(
             int count, double step, String kind, String directions, String constant) {
         DoubleBinaryOperator waves = (x, y) -> IntStream.range(0, count)
@@ -167,7 +179,7 @@ class VerdictTest {
         assertThat(verdict(repeated(cell)))
                 .matches(
                         "A hexagonal lattice with a constant of 0\\.(600|601|602) um, its lines 52\\d(\\.\\d+)? nm apart across"
-                                + " 30, 90 and 150 degrees: first-order colors from 50 degrees on under light from above");
+                                + " -30, 30 and 90 degrees: first-order colors at 50 to 90 degrees under light from above");
     }
 
     /** Smoothed noise in patches of descriptors and of scans: the strongest wave is noise. */

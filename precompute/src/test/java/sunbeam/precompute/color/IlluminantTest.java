@@ -100,6 +100,7 @@ class IlluminantTest {
         assertThatThrownBy(() -> WavelengthBand.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContainingAll(text, "532nm");
+        assertThatThrownBy(() -> WavelengthBand.parse("600nm..500nm")).hasMessageContaining("is reversed");
     }
 
     private static final CieTable CIE = CieTable.load();

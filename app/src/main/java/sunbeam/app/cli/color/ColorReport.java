@@ -39,6 +39,9 @@ record ColorReport(
         List<ViewColor> colors,
         Spectrum spectrum,
         Optional<ViewColor> purest) {
+    // Luminance relative to the largest; a darker color has no hue.
+    private static final double BLACK = 1e-9;
+
     /**
      * Relative radiance by wavelength from 380 to 780 nm in steps of 1 nm, and the band that makes the color, meters: half of the light
      * lies within it, a quarter below and a quarter above. Unlike a width at half maximum, it hardly changes with a single bright grain of
@@ -147,11 +150,19 @@ record ColorReport(
     static AtomicFile.StreamContent csv(List<ColorReport> reports) {
         List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {
+            double black = BLACK
+                    * report.colors.stream()
+                            .mapToDouble(color -> color.xyz()[1])
+                            .max()
+                            .orElse(0);
             for (ViewColor color : report.colors) {
                 Map<String, Object> cells = new LinkedHashMap<>(Map.of("patch", report.patch.name()));
+                boolean hueless = color.xyz()[1] < black;
                 color.fields().forEach((name, value) -> {
                     if (name.equals("dominant_m")) {
-                        cells.put("dominant_nm", cell(value == null ? null : 1e9 * (Double) value));
+                        cells.put("dominant_nm", cell(value == null || hueless ? null : 1e9 * (Double) value));
+                    } else if (name.equals("purity") && hueless) {
+                        cells.put(name, "");
                     } else {
                         cells.put(name.replaceFirst("^(phi|phi_i|theta_i|theta_r)_deg$", "$1"), cell(value));
                     }

@@ -80,14 +80,14 @@ final class BsdfTable implements TableWriter {
         errors = errors(material, grid, metadata);
         note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
-                        + " the reference at %d pairs of directions %s",
+                        + " the reference at %s %s",
                 shape.phis(),
                 shape.thetas(),
                 shape.side(),
                 shape.side(),
                 shape.bands().count(),
                 LEAST_POWER,
-                errors.count(),
+                errors.pairs(),
                 errors);
         return Map.of(".bsdf", stream -> write(stream, fields(material, metadata)));
     }

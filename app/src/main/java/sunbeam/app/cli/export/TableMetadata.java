@@ -67,7 +67,7 @@ record TableMetadata(
     }
 
     private static String comparedWith(String what, ErrorStatistics errors) {
-        return "beside " + what + " at " + errors.count() + " pairs of directions " + errors;
+        return "beside " + what + " at " + errors.pairs() + " " + errors;
     }
 
     /** Returns the angle of light with which an exported page begins, degrees. */

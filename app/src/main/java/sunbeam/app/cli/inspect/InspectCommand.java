@@ -249,7 +249,7 @@ public final class InspectCommand extends FileCommand {
             }
             String title = Text.format(
                     "Profile through the center, direction %.1f degrees",
-                    Math.floorMod(Math.round(10 * Math.toDegrees(direction)), 1800L) / 10.0);
+                    Math.rint(10 * Math.toDegrees(direction)) / 10 + 0.0);
             return panel(title, "position / um", "height / nm")
                     .line("heights", positions, heights)
                     .draw();

@@ -117,7 +117,8 @@ public final class OrdersCommand extends FileCommand {
             FileGroup.named(output, ENDINGS, overwrite(output)).checkWritable();
         }
         Patch patch = patchOptions.load(Choices.none());
-        Messages.scanWarning(patch.name(), patch.warnings(), "inspect").ifPresent(err()::println);
+        Messages.scanWarning(patch.name(), patch.warnings(), "inspect --explain")
+                .ifPresent(err()::println);
         Path name = output != null ? output : Path.of(patch.name() + "-orders");
         FileGroup files = FileGroup.named(name, ENDINGS, overwrite(output));
         files.checkWritable();

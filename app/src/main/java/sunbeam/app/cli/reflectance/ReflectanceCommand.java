@@ -74,7 +74,11 @@ public final class ReflectanceCommand extends FileCommand {
     @Mixin
     private CertifyOption certify;
 
-    @Option(names = "--directions", paramLabel = "IN.csv", required = true, description = "The directions.")
+    @Option(
+            names = "--directions",
+            paramLabel = "IN.csv",
+            required = true,
+            description = "The directions; - is standard input.")
     private Path directions;
 
     @Option(names = "--both-averages", description = "Write power_coherent and power_ensemble, whichever is chosen.")

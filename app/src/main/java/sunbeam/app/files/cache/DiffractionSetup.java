@@ -80,7 +80,7 @@ public record DiffractionSetup(
         ScanLimit limit = ScanLimit.of(choices, patch);
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
-        Messages.scanWarning(patch.name(), warnings, "inspect").ifPresent(err::println);
+        Messages.scanWarning(patch.name(), warnings, "inspect --explain").ifPresent(err::println);
         return limit.choices();
     }
 

@@ -37,10 +37,11 @@ public record DirectionList(List<String> columns, List<double[]> rows, double tu
     private static final int MOST_ROWS = 10_000_000;
     private static final int LONGEST_ROW = 1 << 16;
 
-    /** Throws InputException if the file cannot be used; the message names line, column and value. */
+    /** Reads a file, or standard input if it is "-"; throws InputException with line, column and value if it cannot be used. */
     public static DirectionList read(Path file) {
         InputException.refuseIf(Files.isDirectory(file), "cannot read " + file + ": it is a folder; name a file in it");
-        return InputException.naming(file, () -> read(Files.newInputStream(file)));
+        return InputException.naming(
+                file, () -> read(file.equals(Path.of("-")) ? System.in : Files.newInputStream(file)));
     }
 
     private static DirectionList read(InputStream stream) throws IOException {

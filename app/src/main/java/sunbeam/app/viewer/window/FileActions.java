@@ -152,8 +152,8 @@ public final class FileActions {
             return Optional.of(new PatchRequest(named));
         }
         JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
-        JTextField width = field(form, PatchSettings.WIDTH, "65um");
-        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT, "375nm");
+        JTextField width = field(form, PatchSettings.WIDTH);
+        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT);
         if (!confirms(form, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
             return Optional.empty();
         }
@@ -167,8 +167,8 @@ public final class FileActions {
         return answer == JOptionPane.OK_OPTION;
     }
 
-    private static JTextField field(JPanel form, Setting<Double> setting, String first) {
-        JTextField field = new JTextField(first, 10);
+    private static JTextField field(JPanel form, Setting<Double> setting) {
+        JTextField field = new JTextField(10);
         field.setToolTipText(ControlOrigin.INSTANCE.tip(setting, ""));
         form.add(new JLabel(ControlOrigin.INSTANCE.name(setting)));
         form.add(field);

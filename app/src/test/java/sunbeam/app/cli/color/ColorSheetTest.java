@@ -4,10 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -26,20 +31,24 @@ class ColorSheetTest {
     private static final double EXPOSURE = 0.3;
 
     private static ViewColor seen(boolean along, double thetaR) {
+        return seen(along, thetaR, 1);
+    }
+
+    private static ViewColor seen(boolean along, double thetaR, double factor) {
         Direction wr = Direction.ofDegrees(Math.abs(thetaR), thetaR < 0 ? 180 : 0);
         ViewColor.View view = new ViewColor.View(
                 along, along ? 0 : 90, 0, 0, thetaR, List.of(new DirectionPair(Direction.ofDegrees(0, 0), wr)));
         // Orange.
         return ViewColor.of(
                 view,
-                new double[] {0.6, 0.5, 0.1},
+                new double[] {0.6 * factor, 0.5 * factor, 0.1 * factor},
                 new ViewColor.Scale(new DisplayTransform(EXPOSURE, Tone.COMPRESS), 1e-3, CIE));
     }
 
     private static ColorReport report(String name) {
         List<ViewColor> colors = Stream.of(true, false)
                 .flatMap(along -> IntStream.rangeClosed(-8, 8).mapToObj(i -> seen(along, 10 * i)))
-                .toList();
+                .collect(Collectors.toCollection(ArrayList::new));
         ViewColor purest = seen(true, -30);
         HeightMap flat = new HeightMap(2, 2, 1e-6, 1e-6, new double[4]);
         Patch patch = new Patch(name, flat, name, List.of());
@@ -82,6 +91,20 @@ class ColorSheetTest {
         int x = 130 + (50 * (1280 - 160)) / 160;
         assertThat(String.format("#%06x", sheet("beetle").getRGB(x, 80) & 0xffffff))
                 .isEqualTo(told);
+    }
+
+    @Test
+    void blackHasNoHueInTheTable() throws IOException {
+        ColorReport report = report("beetle");
+        report.colors().set(0, seen(true, -80, 1e-10));
+        ByteArrayOutputStream table = new ByteArrayOutputStream();
+        ColorReport.csv(List.of(report)).writeTo(table);
+        List<String> lines = table.toString(StandardCharsets.UTF_8).lines().toList();
+        List<String> names = List.of(lines.get(0).split(",", -1));
+        for (String name : List.of("dominant_nm", "purity")) {
+            assertThat(lines.get(1).split(",", -1)[names.indexOf(name)]).isEmpty();
+            assertThat(lines.get(2).split(",", -1)[names.indexOf(name)]).isNotEmpty();
+        }
     }
 
     @Test

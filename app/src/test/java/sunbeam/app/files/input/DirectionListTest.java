@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Collectors;
@@ -54,6 +57,17 @@ final class DirectionListTest {
     void filesFromOtherSystemsAreRead() throws IOException {
         DirectionList list = read("\uFEFF" + HEADER + ",wavelength\r\n\r\n1,2,0,0,550\r\n3,4,0,0,600");
         assertThat(list.rows()).containsExactly(new double[] {1, 2, 0, 0, 550}, new double[] {3, 4, 0, 0, 600});
+    }
+
+    @Test
+    void aHyphenIsStandardInput() throws IOException {
+        InputStream terminal = System.in;
+        System.setIn(new ByteArrayInputStream((HEADER + "\n1,2,3,4\n").getBytes(StandardCharsets.UTF_8)));
+        try {
+            assertThat(DirectionList.read(Path.of("-")).rows()).containsExactly(new double[] {1, 2, 3, 4});
+        } finally {
+            System.setIn(terminal);
+        }
     }
 
     @Test
