@@ -13,27 +13,34 @@ import sunbeam.app.scene.Scene;
  * @param width samples per row of the whole picture
  * @param height rows of samples of the whole picture
  * @param tile tile to draw, in samples; inside the picture
- * @param samples samples of a pixel
- * @param stride every stride-th sample of every stride-th row is drawn; a power of two
+ * @param samples samples along a pixel's side
+ * @param across one of this many columns of samples is drawn
+ * @param down one of this many rows of samples is drawn; if fewer than {@code across}, rows differ in the columns that are drawn
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
- * @param chosen the samples of the tile that are drawn, row by row, without a stride; empty for all
- * @param footprintScale factor of the footprints' axes: side of the square that a sample stands for, in samples
+ * @param chosen the tile's pixels that are drawn, row by row; empty for all
  */
 public record DrawRequest(
         Scene scene,
         int width,
         int height,
         Tile tile,
-        PixelSamples samples,
-        int stride,
+        int samples,
+        int across,
+        int down,
         boolean isCoarsest,
-        Optional<BitSet> chosen,
-        double footprintScale) {
+        Optional<BitSet> chosen) {
     /** Returns a request for all samples of a tile of pixels. */
-    public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, PixelSamples samples) {
+    public static DrawRequest ofPixels(Scene scene, int width, int height, Tile tile, int samples) {
+        return first(scene, width, height, tile, PixelSamples.uniform(samples));
+    }
+
+    /** Returns a request for the samples that all pixels of a tile have. */
+    static DrawRequest first(Scene scene, int width, int height, Tile tile, PixelSamples samples) {
         int side = samples.side();
         Tile inSamples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
-        return new DrawRequest(scene, side * width, side * height, inSamples, samples, 1, false, Optional.empty(), 1);
+        int across = side / samples.firstAcross();
+        return new DrawRequest(
+                scene, side * width, side * height, inSamples, side, across, 1, false, Optional.empty());
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */
@@ -42,42 +49,42 @@ public record DrawRequest(
     }
 
     DrawRequest with(Scene other) {
-        return new DrawRequest(other, width, height, tile, samples, stride, isCoarsest, chosen, footprintScale);
+        return new DrawRequest(other, width, height, tile, samples, across, down, isCoarsest, chosen);
     }
 
     DrawRequest coarsest() {
-        return new DrawRequest(scene, width, height, tile, samples, stride, true, chosen, footprintScale);
+        return new DrawRequest(scene, width, height, tile, samples, across, down, true, chosen);
     }
 
-    DrawRequest only(BitSet samplesOfTile) {
-        return only(samplesOfTile, 1);
+    DrawRequest only(BitSet pixels) {
+        return new DrawRequest(scene, width, height, tile, samples, across, down, isCoarsest, Optional.of(pixels));
     }
 
-    private DrawRequest only(BitSet samplesOfTile, double scale) {
-        return new DrawRequest(
-                scene, width, height, tile, samples, stride, isCoarsest, Optional.of(samplesOfTile), scale);
+    SceneBlocks blocks() {
+        return SceneBlocks.of(width, height, samples);
     }
 
-    /**
-     * Returns the request for the samples that are drawn in any case. One in {@link PixelSamples#side} adaptive samples is drawn; their
-     * footprints share the pixel's area.
-     */
-    DrawRequest first() {
-        return samples.isAdaptive()
-                ? only(samples.first(tile.width(), tile.height()), Math.sqrt(samples.side()))
-                : this;
+    /** Returns the column, in samples from the tile's left, of a drawn sample by its column and row among these. */
+    int x(int column, int row) {
+        return across * column + (across > down ? PixelSamples.firstColumn(row % across, across) : 0);
     }
 
-    /** True if a sample is drawn; x and y count from the tile's top left. */
+    /** True if a sample is drawn whose column and row are drawn; x and y count samples from the tile's top left. */
     boolean draws(int x, int y) {
-        return chosen.isEmpty() || chosen.get().get(y * tile.width() + x);
+        return chosen.isEmpty() || chosen.get().get(y / samples * (tile.width() / samples) + x / samples);
     }
 
-    int columns() {
-        return SceneBlocks.ceilDiv(tile.width(), stride);
+    /** Returns the number of drawn samples in a row of a part of the tile. */
+    int columns(Tile part) {
+        return SceneBlocks.ceilDiv(part.width(), across);
     }
 
-    int rows() {
-        return SceneBlocks.ceilDiv(tile.height(), stride);
+    int rows(Tile part) {
+        return SceneBlocks.ceilDiv(part.height(), down);
+    }
+
+    /** Returns the side of the square that a drawn sample stands for, in samples. */
+    double footprintScale() {
+        return Math.sqrt(across * down);
     }
 }

@@ -36,8 +36,7 @@ final class GeometryBuffers implements AutoCloseable {
         changeTo(wanted);
         GeometryBuffer buffer = buffers.get(block);
         if (buffer == null) {
-            makeRoom();
-            buffer = GeometryBuffer.create(context, layout, block);
+            buffer = newBuffer(block);
             buffers.put(block, buffer);
         }
         // Draws the whole block at once, since the draw of each part would process all vertices.
@@ -65,12 +64,18 @@ final class GeometryBuffers implements AutoCloseable {
         geometry = wanted;
     }
 
-    private void makeRoom() {
+    /** Returns the oldest buffer again if there is no room for another and it is as large as the block: new memory takes time. */
+    private GeometryBuffer newBuffer(Tile block) {
         if (buffers.size() == CAPACITY) {
             Tile oldest = buffers.keySet().iterator().next();
-            buffers.remove(oldest).close();
+            GeometryBuffer free = buffers.remove(oldest);
             drawn.remove(oldest);
+            if (oldest.width() == block.width() && oldest.height() == block.height()) {
+                return free;
+            }
+            free.close();
         }
+        return GeometryBuffer.create(context, layout, block);
     }
 
     private void closeBuffers() {

@@ -70,15 +70,15 @@ final class Ground implements AutoCloseable {
      * Draws the ground into those samples of a part of a block that show no mesh. All samples of a pixel get the same value, since the
      * ground is smooth.
      *
-     * @param pixels {@link ScenePicture#rgba} of every stride-th sample of every stride-th row of the part, top row first; changed
-     * @param block block of the picture, in samples
-     * @param part part of the block, in samples from the block's corner
+     * @param pixels {@link ScenePicture#rgba} of the piece's drawn samples, top row first; changed
      */
-    void fillUncovered(
-            float[] pixels, Scene scene, SkinGeometry geometry, Tile block, Tile part, int stride, int samples) {
+    void fillUncovered(float[] pixels, DrawRequest request, SkinGeometry geometry, SceneBlocks.Piece piece) {
+        Tile block = piece.block();
+        Tile part = piece.inBlock();
+        int samples = request.samples();
         FloatTarget drawn =
                 target.of(SceneBlocks.ceilDiv(block.width(), samples), SceneBlocks.ceilDiv(block.height(), samples));
-        set(program, scene, geometry, block);
+        set(program, request.scene(), geometry, block);
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
         int right = (part.x() + part.width() - 1) / samples;
@@ -89,15 +89,17 @@ final class Ground implements AutoCloseable {
         context.drawFullScreen(program, textures(geometry), drawn, seen);
         float[] ground = drawn.read(0, seen);
         int i = 0;
-        for (int row = 0; row < part.height(); row += stride) {
-            int y = top - (highest - row) / samples;
-            for (int column = 0; column < part.width(); column += stride, i += CHANNELS) {
-                if (pixels[i + 3] == 0) {
-                    int from = CHANNELS * (y * seen.width() + (part.x() + column) / samples - left);
+        for (int row = 0; row < request.rows(part); row++) {
+            int y = request.down() * row;
+            int from = CHANNELS * (top - (highest - y) / samples) * seen.width();
+            for (int column = 0; column < request.columns(part); column++, i += CHANNELS) {
+                int x = request.x(column, row);
+                if (pixels[i + 3] == 0 && request.draws(piece.x() + x, piece.y() + y)) {
+                    int at = from + CHANNELS * ((part.x() + x) / samples - left);
                     for (int c = 0; c < 3; c++) {
-                        pixels[i + c] = ground[from + c];
+                        pixels[i + c] = ground[at + c];
                     }
-                    pixels[i + 3] = Math.min(ground[from + 3], MOST_OPAQUE);
+                    pixels[i + 3] = Math.min(ground[at + 3], MOST_OPAQUE);
                 }
             }
         }

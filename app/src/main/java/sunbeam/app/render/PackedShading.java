@@ -45,14 +45,12 @@ final class PackedShading implements AutoCloseable {
      *     missing, the body's color without diffraction and the coverage {@link #MISSING_COVERAGE}
      */
     float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
-        int stride = request.stride();
         Tile part = piece.inBlock();
         int[] covered = covered(buffer.views(part), piece, request);
-        float[] lit = new float
-                [CHANNELS * SceneBlocks.ceilDiv(part.width(), stride) * SceneBlocks.ceilDiv(part.height(), stride)];
+        float[] lit = new float[CHANNELS * request.columns(part) * request.rows(part)];
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
-            upload(packing, covered, first, buffer, part, stride);
+            upload(packing, covered, first, buffer, part, request);
             float[] drawn = UploadedTables.requireWholeSums(shade(skin, request, buffer, packing));
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
@@ -100,7 +98,7 @@ final class PackedShading implements AutoCloseable {
     }
 
     private float[] meanOfDraws(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
-        int draws = skin.draws(request.scene(), request.samples().side());
+        int draws = skin.draws(request.scene(), request.samples());
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
             float[] drawn = draw(skin, buffer, packing, new SkinSurface.Pass(request, draw, true));
@@ -121,13 +119,13 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    /** Adds the footprints of a part of a block to the feedback. The request's stride is 1. */
+    /** Adds the footprints of a part of a block to the feedback. */
     void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
         Tile part = piece.inBlock();
         int[] covered = covered(buffer.views(part), piece, request);
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
-            upload(packing, covered, first, buffer, part, 1);
+            upload(packing, covered, first, buffer, part, request);
             addFeedback(skin, request, buffer, packing);
         }
     }
@@ -140,24 +138,22 @@ final class PackedShading implements AutoCloseable {
         }
     }
 
-    /**
-     * Returns the indices of the request's pixels that show skin, ordered square by square; the indices count row by row from the part's top
-     * left.
-     */
+    /** Returns the indices, among the drawn samples of the piece, of those that show skin, ordered square by square. */
     private static int[] covered(float[] views, SceneBlocks.Piece piece, DrawRequest request) {
         Tile part = piece.inBlock();
-        int stride = request.stride();
-        int columns = SceneBlocks.ceilDiv(part.width(), stride);
-        int rows = SceneBlocks.ceilDiv(part.height(), stride);
+        int columns = request.columns(part);
+        int rows = request.rows(part);
         int[] pixels = new int[columns * rows];
         int count = 0;
         for (int top = 0; top < rows; top += SQUARE) {
             for (int left = 0; left < columns; left += SQUARE) {
-                for (int y = top; y < Math.min(top + SQUARE, rows); y++) {
-                    for (int x = left; x < Math.min(left + SQUARE, columns); x++) {
-                        if (views[CHANNELS * stride * (y * part.width() + x) + 3] > 0
+                for (int row = top; row < Math.min(top + SQUARE, rows); row++) {
+                    for (int column = left; column < Math.min(left + SQUARE, columns); column++) {
+                        int x = request.x(column, row);
+                        int y = request.down() * row;
+                        if (views[CHANNELS * (y * part.width() + x) + 3] > 0
                                 && request.draws(piece.x() + x, piece.y() + y)) {
-                            pixels[count++] = y * columns + x;
+                            pixels[count++] = row * columns + column;
                         }
                     }
                 }
@@ -167,13 +163,13 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Uploads for each slot the index of the geometry buffer's texel that it shades; -1 for none. */
-    private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, int stride) {
-        int columns = SceneBlocks.ceilDiv(part.width(), stride);
+    private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, DrawRequest request) {
+        int columns = request.columns(part);
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
         for (int i = 0; i < packing.count(); i++) {
-            int x = part.x() + stride * (covered[first + i] % columns);
-            int y = part.y() + stride * (covered[first + i] / columns);
-            slots[packing.slot(i)] = buffer.texel(x, y);
+            int row = covered[first + i] / columns;
+            int x = request.x(covered[first + i] % columns, row);
+            slots[packing.slot(i)] = buffer.texel(part.x() + x, part.y() + request.down() * row);
         }
         sources.upload(slots);
     }

@@ -45,21 +45,22 @@ public final class PartSum {
     }
 
     /**
-     * Draws a tile of a picture. Adaptive samples that a pixel does not need are copies of its first ones.
+     * Draws a tile of a picture. With adaptive samples, pixels whose first samples differ are drawn again with all samples.
      *
-     * @param exposure factor of linear colors, for the differences between samples on the display
+     * @param tile tile in pixels
+     * @param exposure factor of linear colors, for the display
      */
-    public ScenePicture draw(DrawRequest request, double exposure) {
-        ScenePicture picture = draw(request.first());
-        if (!request.samples().isAdaptive()) {
-            return picture;
+    public PixelPicture draw(Scene scene, int width, int height, Tile tile, PixelSamples samples, double exposure) {
+        int side = samples.side();
+        var pixels = new PixelPicture(
+                tile.width(), tile.height(), scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
+        ScenePicture first = draw(DrawRequest.first(scene, width, height, tile, samples));
+        BitSet differing = pixels.setAll(first, samples.firstAcross(), side);
+        if (samples.isAdaptive() && !differing.isEmpty()) {
+            DrawRequest all = DrawRequest.ofPixels(scene, width, height, tile, side);
+            pixels.set(differing, draw(all.only(differing)), side, side);
         }
-        Scene scene = request.scene();
-        BitSet needed = request.samples().spread(picture, scene.display(exposure), scene.get(SceneSettings.BACKGROUND));
-        if (!needed.isEmpty()) {
-            picture.replace(draw(request.only(needed)), needed);
-        }
-        return picture;
+        return pixels;
     }
 
     private ScenePicture draw(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
@@ -125,22 +126,22 @@ public final class PartSum {
                     y,
                     Math.min(stride * coarseTile.width(), width - x),
                     Math.min(stride * coarseTile.height(), height - y));
-            DrawRequest request = new DrawRequest(
-                    scene, width, height, tile, PixelSamples.uniform(1), stride, false, Optional.empty(), 1);
+            DrawRequest request =
+                    new DrawRequest(scene, width, height, tile, 1, stride, stride, false, Optional.empty());
             light.put(light(request, SceneSession::drawResident), coarseTile.x(), coarseTile.y());
         });
         if (!isWhole) {
             return Optional.empty();
         }
         ScenePicture body =
-                body(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), PixelSamples.uniform(1)));
+                body(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
         return Optional.of(over(body, light.enlarged(stride, body, white), scene));
     }
 
     private ScenePicture light(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
         Scene scene = request.scene();
         DrawRequest diffracted = request.with(scene.withoutBody());
-        ScenePicture light = ScenePicture.empty(request.columns(), request.rows());
+        ScenePicture light = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
         sessions.forEach(session -> add(drawing.apply(session, diffracted), light));
         return light;
     }

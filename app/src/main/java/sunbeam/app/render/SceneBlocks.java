@@ -18,15 +18,21 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     // Longest side of a block in pixels; all known cards with OpenGL 3.3 have render targets of this size.
     private static final int LONGEST_SIDE = 1 << 11;
 
-    static SceneBlocks of(int width, int height) {
-        int blockWidth = part(width, LONGEST_SIDE);
+    /** @param multiple divisor of the sides of the picture and of all blocks, so that a block has whole pixels of so many samples */
+    static SceneBlocks of(int width, int height, int multiple) {
+        int blockWidth = part(width, LONGEST_SIDE, multiple);
         return new SceneBlocks(
-                width, height, blockWidth, part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth)));
+                width, height, blockWidth, part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth), multiple));
     }
 
-    /** Divides a side into as few nearly equal parts as possible, none above a length, and returns the length of the longest part. */
-    private static int part(int side, int longest) {
-        return ceilDiv(side, ceilDiv(side, longest));
+    /**
+     * Divides a side into as few nearly equal parts as possible, none above a length, and returns the length of the longest part. One part
+     * more is taken if all are then equal, since equal blocks share buffers.
+     */
+    private static int part(int side, int longest, int multiple) {
+        int units = side / multiple;
+        int fewest = ceilDiv(units, longest / multiple);
+        return multiple * ceilDiv(units, units % fewest != 0 && units % (fewest + 1) == 0 ? fewest + 1 : fewest);
     }
 
     /**
@@ -62,7 +68,7 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     }
 
     static List<Piece> split(int width, int height) {
-        return of(width, height).split(Tile.whole(width, height));
+        return of(width, height, 1).split(Tile.whole(width, height));
     }
 
     List<Piece> split(Tile tile) {

@@ -1,6 +1,6 @@
 package sunbeam.app.render;
 
-import java.util.BitSet;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -41,32 +41,36 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** Replaces some pixels by those of another picture of the same size. */
-    void replace(ScenePicture other, BitSet pixels) {
-        for (int i = pixels.nextSetBit(0); i >= 0; i = pixels.nextSetBit(i + 1)) {
-            System.arraycopy(other.rgba, CHANNELS * i, rgba, CHANNELS * i, CHANNELS);
-        }
-    }
-
     /**
      * Returns a picture whose pixels are means of {@code factor x factor} samples of this one, without the ground, which counts as
      * background.
      */
     public ScenePicture reduced(int factor) {
         ScenePicture small = empty(width / factor, height / factor);
-        float share = 1f / (factor * factor);
-        for (int row = 0; row < height; row++) {
-            for (int column = 0; column < width; column++) {
-                int to = CHANNELS * (row / factor * small.width + column / factor);
-                int from = CHANNELS * (row * width + column);
-                if (isMesh(from)) {
+        for (int row = 0; row < small.height; row++) {
+            for (int column = 0; column < small.width; column++) {
+                int corner = factor * (row * width + column);
+                small.setMean(row * small.width + column, this, corner, factor, factor);
+            }
+        }
+        return small;
+    }
+
+    /** Sets a pixel to the mean of a rectangle of samples, as {@link #reduced}. */
+    void setMean(int pixel, ScenePicture samples, int corner, int across, int down) {
+        int to = CHANNELS * pixel;
+        Arrays.fill(rgba, to, to + CHANNELS, 0);
+        float share = 1f / (across * down);
+        for (int y = 0; y < down; y++) {
+            int begin = CHANNELS * (corner + y * samples.width);
+            for (int from = begin; from < begin + CHANNELS * across; from += CHANNELS) {
+                if (samples.isMesh(from)) {
                     for (int c = 0; c < CHANNELS; c++) {
-                        small.rgba[to + c] += share * rgba[from + c];
+                        rgba[to + c] += share * samples.rgba[from + c];
                     }
                 }
             }
         }
-        return small;
     }
 
     private boolean isMesh(int from) {

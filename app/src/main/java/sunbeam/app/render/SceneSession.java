@@ -95,7 +95,7 @@ public final class SceneSession implements AutoCloseable {
      * @param samples samples along a pixel's side
      */
     public static List<Tile> tiles(int width, int height, int samples) {
-        return SceneBlocks.of(samples * width, samples * height).tiles(samples, TILE_SIDE);
+        return SceneBlocks.of(samples * width, samples * height, samples).tiles(samples, TILE_SIDE);
     }
 
     /**
@@ -127,29 +127,16 @@ public final class SceneSession implements AutoCloseable {
     }
 
     private ScenePicture underOneLight(DrawRequest request) {
-        int stride = request.stride();
         SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
         Optional<Ground> ground = uploaded.ground(request.scene());
-        ScenePicture part = ScenePicture.empty(request.columns(), request.rows());
-        for (SceneBlocks.Piece piece :
-                SceneBlocks.of(request.width(), request.height()).split(request.tile())) {
-            Tile inBlock = piece.inBlock();
+        ScenePicture part = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
+        for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
             float[] pixels = shading.shade(uploaded.skin(), request, drawn(geometry, piece), piece);
-            ground.ifPresent(below -> below.fillUncovered(
-                    pixels,
-                    request.scene(),
-                    geometry,
-                    piece.block(),
-                    inBlock,
-                    stride,
-                    request.samples().side()));
+            ground.ifPresent(below -> below.fillUncovered(pixels, request, geometry, piece));
             part.put(
-                    new ScenePicture(
-                            SceneBlocks.ceilDiv(inBlock.width(), stride),
-                            SceneBlocks.ceilDiv(inBlock.height(), stride),
-                            pixels),
-                    piece.x() / stride,
-                    piece.y() / stride);
+                    new ScenePicture(request.columns(piece.inBlock()), request.rows(piece.inBlock()), pixels),
+                    piece.x() / request.across(),
+                    piece.y() / request.down());
         }
         return part;
     }
@@ -174,7 +161,7 @@ public final class SceneSession implements AutoCloseable {
                     virtualTexture().ifPresent(VirtualTexture::clearFeedback);
                     return false;
                 }
-                addFeedback(parts.get(i).first().perLight().get(light));
+                addFeedback(parts.get(i).perLight().get(light));
             }
         }
         return true;
@@ -182,16 +169,15 @@ public final class SceneSession implements AutoCloseable {
 
     private void addFeedback(DrawRequest part) {
         SkinGeometry geometry = uploaded.geometry(part.scene(), part.width(), part.height(), false);
-        for (SceneBlocks.Piece piece :
-                SceneBlocks.of(part.width(), part.height()).split(part.tile())) {
+        for (SceneBlocks.Piece piece : part.blocks().split(part.tile())) {
             shading.addFeedback(uploaded.skin(), part, drawn(geometry, piece), piece);
         }
     }
 
-    /** Returns requests for all {@link #tiles} of a picture. */
+    /** Returns requests for the first samples of all {@link #tiles} of a picture. */
     public static List<DrawRequest> parts(Scene scene, int width, int height, PixelSamples samples) {
         return tiles(width, height, samples.side()).stream()
-                .map(tile -> DrawRequest.ofPixels(scene, width, height, tile, samples))
+                .map(tile -> DrawRequest.first(scene, width, height, tile, samples))
                 .toList();
     }
 

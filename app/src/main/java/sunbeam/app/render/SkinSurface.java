@@ -123,9 +123,9 @@ final class SkinSurface implements AutoCloseable {
                     texture.get().table(),
                     scene,
                     MOST_TAPS,
-                    request.samples().side() / request.footprintScale(),
+                    Math.max(1, request.samples() / request.footprintScale()),
                     request.isCoarsest());
-            program.set("footprintScale", (float) (request.stride() * request.footprintScale()));
+            program.set("footprintScale", (float) request.footprintScale());
             program.set("lookUps", pass.hasColors() ? 1 : 0);
             program.set("nextLevel", (float) (pass.hasColors() ? 0 : pass.draw()));
             textures.putAll(texture.get().textures());

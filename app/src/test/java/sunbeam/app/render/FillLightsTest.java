@@ -162,8 +162,8 @@ class FillLightsTest extends InAScene {
         float[] drawn = draw(GROUND, scene -> scene);
         ScenePicture picture = new ScenePicture(SIDE, SIDE, drawn);
         DisplayTransform display = new DisplayTransform(1, Tone.CLIP);
-        BufferedImage onBlack = SceneDisplay.image(picture, 1, display, new SceneColor(0));
-        BufferedImage onRed = SceneDisplay.image(picture, 1, display, new SceneColor(0xff0000));
+        BufferedImage onBlack = PixelPicture.image(picture, display, new SceneColor(0));
+        BufferedImage onRed = PixelPicture.image(picture, display, new SceneColor(0xff0000));
         for (int x = 0; x < SIDE; x++) {
             assertThat(onRed.getRGB(x, SIDE / 4)).as("column %d", x).isEqualTo(onBlack.getRGB(x, SIDE / 4));
         }

@@ -112,7 +112,7 @@ public abstract class InAScene extends InAContext {
             Scene scene = parts.get(0).scene();
             PartSum sum = new PartSum(sessions);
             return sum.draw(
-                    DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), PixelSamples.uniform(1)));
+                    DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
         } finally {
             sessions.forEach(SceneSession::close);
         }

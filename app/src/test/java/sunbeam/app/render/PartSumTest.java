@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import java.util.stream.IntStream;
 import jrtr.Tile;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
@@ -57,40 +56,33 @@ class PartSumTest extends InAScene {
     @Test
     void aPixelWhoseFirstSamplesDifferEqualsThatOfAllSamples() {
         Scene scene = Scenes.load("elaphe");
+        Tile whole = Tile.whole(SIZE, SIZE);
         PixelSamples adaptive = new PixelSamples(4, true);
         try (SceneSession session = session(scene)) {
             PartSum sum = new PartSum(List.of(session));
-            DrawRequest request = DrawRequest.ofPixels(scene, SIZE, SIZE, Tile.whole(SIZE, SIZE), adaptive);
-            float[] all = sum.draw(request).rgba();
-            float[] few = sum.draw(request.first()).rgba();
-            float[] drawn = sum.draw(request, 1).rgba();
-            BitSet first = adaptive.first(4 * SIZE, 4 * SIZE);
-            int refined = 0;
+            PixelPicture first =
+                    new PixelPicture(SIZE, SIZE, scene.display(1), scene.get(SceneSettings.BACKGROUND));
+            BitSet differing =
+                    first.setAll(sum.draw(DrawRequest.first(scene, SIZE, SIZE, whole, adaptive)), 1, 4);
+            PixelPicture all = sum.draw(scene, SIZE, SIZE, whole, PixelSamples.uniform(4), 1);
+            PixelPicture drawn = sum.draw(scene, SIZE, SIZE, whole, adaptive, 1);
             for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
-                int corner = 16 * SIZE * (pixel / SIZE) + 4 * (pixel % SIZE);
-                boolean isRefined = !repeatsFirstSamples(drawn, corner, first);
-                refined += isRefined ? 1 : 0;
-                for (int row = 0; row < 4; row++) {
-                    for (int sample = corner + 4 * SIZE * row; sample < corner + 4 * SIZE * row + 4; sample++) {
-                        float[] expected = isRefined ? all : few;
-                        if (isRefined || first.get(sample)) {
-                            assertThat(Arrays.copyOfRange(drawn, 4 * sample, 4 * sample + 4))
-                                    .as("sample %d of pixel %d", sample, pixel)
-                                    .isEqualTo(Arrays.copyOfRange(expected, 4 * sample, 4 * sample + 4));
-                        }
-                    }
-                }
+                PixelPicture expected = differing.get(pixel) ? all : first;
+                assertThat(light(drawn, pixel)).as("pixel %d", pixel).isEqualTo(light(expected, pixel));
+                assertThat(drawn.image().getRGB(pixel % SIZE, pixel / SIZE))
+                        .isEqualTo(expected.image().getRGB(pixel % SIZE, pixel / SIZE));
             }
             // A body of many scales, most of whose rims are within a pixel of this small picture; ground around it.
-            assertThat(refined).isBetween(SIZE * SIZE / 20, SIZE * SIZE / 2);
+            assertThat(differing.cardinality()).isBetween(SIZE * SIZE / 20, SIZE * SIZE / 2);
+
+            int pixel = differing.nextSetBit(SIZE * SIZE / 2);
+            Tile alone = new Tile(pixel % SIZE, pixel / SIZE, 1, 1);
+            assertThat(light(sum.draw(scene, SIZE, SIZE, alone, adaptive, 1), 0)).isEqualTo(light(drawn, pixel));
         }
     }
 
-    private static boolean repeatsFirstSamples(float[] rgba, int corner, BitSet first) {
-        return IntStream.range(0, 4).map(row -> corner + 4 * SIZE * row).allMatch(begin -> {
-            int from = 4 * first.nextSetBit(begin);
-            return IntStream.range(4 * begin, 4 * begin + 16).allMatch(i -> rgba[i] == rgba[from + i % 4]);
-        });
+    private static float[] light(PixelPicture picture, int pixel) {
+        return Arrays.copyOfRange(picture.light().rgba(), 4 * pixel, 4 * pixel + 4);
     }
 
     private static int[] brightest(float[] rgba) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,8 +18,6 @@ import sunbeam.precompute.setting.Choices;
 
 /** Samples of pixels, their means, and the lit ones among them. */
 class PixelSamplesTest {
-    private static final DisplayTransform DISPLAY = new DisplayTransform(1, Tone.COMPRESS);
-
     /** 480 x 270 had 5 x 5, 16 % fewer in all, and missed its own certificate by a mean CIEDE2000 of 1.1. */
     @ParameterizedTest
     @CsvSource({"320,240,8", "480,270,6", "640,360,4", "1280,720,4", "3000,2000,4"})
@@ -30,27 +29,13 @@ class PixelSamplesTest {
     @ParameterizedTest
     @ValueSource(ints = {4, 6, 8})
     void theFirstSamplesShareNoRowAndNoColumnAndTheirMeanIsThePixelsCenter(int side) {
-        BitSet first = new PixelSamples(side, true).first(side, side);
-
-        assertThat(first.stream().map(i -> i / side).distinct().count()).isEqualTo(side);
-        assertThat(first.stream().map(i -> i % side).distinct().count()).isEqualTo(side);
-        assertThat(first.stream().map(i -> i % side).average()).hasValue(0.5 * (side - 1));
-    }
-
-    /** The left one of two pixels is flat, the right one has a rim between its rows. */
-    @Test
-    void onlyAPixelWhoseFirstSamplesDifferNeedsAllSamples() {
-        PixelSamples samples = new PixelSamples(4, true);
-        ScenePicture picture = ScenePicture.empty(8, 4);
-        samples.first(8, 4).stream()
-                .forEach(i -> Arrays.fill(picture.rgba(), 4 * i, 4 * i + 4, i % 8 >= 4 && i >= 16 ? 0.5f : 0.2f));
-
-        BitSet needed = samples.spread(picture, DISPLAY, new SceneColor(0));
-
-        assertThat(needed.stream().map(i -> i % 8)).hasSize(16).allMatch(column -> column >= 4);
-        for (int i = 0; i < 32; i++) {
-            assertThat(picture.rgba()[4 * i]).isEqualTo(i % 8 >= 4 && i >= 16 ? 0.5f : 0.2f);
-        }
+        assertThat(IntStream.range(0, side).map(row -> PixelSamples.firstColumn(row, side)))
+                .hasSize(side)
+                .doesNotHaveDuplicates()
+                .allMatch(column -> column >= 0 && column < side)
+                .satisfies(columns -> assertThat(
+                                columns.stream().mapToInt(i -> i).average())
+                        .hasValue(0.5 * (side - 1)));
     }
 
     private static final DisplayTransform CLIP = new DisplayTransform(1, Tone.CLIP);
@@ -119,5 +104,43 @@ class PixelSamplesTest {
 
         assertThat(pixel.linear().luminance(0)).isEqualTo(0.25f);
         assertThat(pixel.rgba()[3]).as("coverage").isEqualTo(0.25f);
+    }
+
+    private final PixelPicture pixels =
+            new PixelPicture(2, 1, CLIP, new SceneColor(0));
+
+    /** Two columns of four samples, one column for each pixel; the right one has a rim between its rows. */
+    private static ScenePicture rim() {
+        ScenePicture samples = ScenePicture.empty(2, 4);
+        for (int i = 0; i < 8; i++) {
+            Arrays.fill(samples.rgba(), 4 * i, 4 * i + 3, i % 2 == 1 && i >= 4 ? 0.5f : 0.2f);
+            samples.rgba()[4 * i + 3] = 1;
+        }
+        return samples;
+    }
+
+    @Test
+    void samplesDifferAcrossARim() {
+        BitSet differing = pixels.setAll(rim(), 1, 4);
+
+        assertThat(differing.stream()).containsExactly(1);
+        // A mean of two and two samples, within float32.
+        assertThat(pixels.light().rgba()[4]).isCloseTo(0.35f, within(1e-6f));
+    }
+
+    @Test
+    void onlyTheNamedPixelsChange() {
+        pixels.setAll(rim(), 1, 4);
+        int left = pixels.image().getRGB(0, 0);
+        ScenePicture finer = ScenePicture.empty(4, 2);
+        Arrays.fill(finer.rgba(), 1);
+        BitSet right = new BitSet();
+        right.set(1);
+
+        assertThat(pixels.set(right, finer, 2, 2).isEmpty()).as("equal samples").isTrue();
+
+        assertThat(pixels.image().getRGB(0, 0)).isEqualTo(left);
+        assertThat(pixels.light().rgba()[0]).isCloseTo(0.2f, within(1e-6f));
+        assertThat(pixels.light().rgba()[4]).isEqualTo(1);
     }
 }

@@ -65,7 +65,7 @@ class SceneMethodsTest extends InAScene {
         try (SceneSession session = session(with(many))) {
             // The session refuses partial sums.
             assertThat(session.draw(DrawRequest.ofPixels(
-                                    session.scene(), 8, 6, Tile.whole(8, 6), PixelSamples.uniform(1)))
+                                    session.scene(), 8, 6, Tile.whole(8, 6), 1))
                             .rgba())
                     .hasSize(4 * 8 * 6);
         }

@@ -121,11 +121,11 @@ class SceneSessionTest extends InAScene {
     void tilesMakeUpTheVeryPictureOfOneDraw() {
         int width = 2060; // wider than a block
         ScenePicture whole = session.draw(
-                DrawRequest.ofPixels(session.scene(), width, 24, Tile.whole(width, 24), PixelSamples.uniform(1)));
+                DrawRequest.ofPixels(session.scene(), width, 24, Tile.whole(width, 24), 1));
         ScenePicture tiled = ScenePicture.empty(width, 24);
         for (Tile tile : Tile.cover(width, 24, 333)) {
             tiled.put(
-                    session.draw(DrawRequest.ofPixels(session.scene(), width, 24, tile, PixelSamples.uniform(1))),
+                    session.draw(DrawRequest.ofPixels(session.scene(), width, 24, tile, 1)),
                     tile.x(),
                     tile.y());
         }

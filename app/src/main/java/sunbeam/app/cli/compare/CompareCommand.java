@@ -28,8 +28,8 @@ import sunbeam.app.files.plot.HeatMap.ColorMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.render.LoadingScene;
+import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
-import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
@@ -156,8 +156,7 @@ public final class CompareCommand extends FileCommand {
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
-        PixelSamples samples = PixelSamples.uniform(
-                PixelSamples.of(scene.method(), size.width(), size.height()).side());
+        PixelSamples samples = PixelSamples.of(scene.method(), size.width(), size.height());
         try (LoadingScene loading = LoadingScene.start(loader, scene);
                 RenderContext context = loading.offscreen();
                 FrameSequence frames = new FrameSequence(
@@ -221,7 +220,7 @@ public final class CompareCommand extends FileCommand {
     }
 
     private static BufferedImage shown(ScenePicture picture, double exposure, SceneColor background) {
-        return SceneDisplay.image(picture, 1, new DisplayTransform(exposure, Tone.CLIP), background);
+        return PixelPicture.image(picture, new DisplayTransform(exposure, Tone.CLIP), background);
     }
 
     private static BufferedImage difference(ScenePicture photo, PhotoComparison comparison, int height) {

@@ -6,15 +6,13 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import jrtr.GraphicsException;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -34,6 +32,7 @@ import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
 import sunbeam.app.render.LitPixels;
 import sunbeam.app.render.PartSum;
+import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneDisplay;
@@ -48,7 +47,6 @@ import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
-import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.FullMethod;
@@ -59,8 +57,6 @@ import sunbeam.precompute.units.Decimals;
 
 /** Draws frames, tile by tile, and writes each as soon as it is finished. */
 public final class FrameSequence implements AutoCloseable {
-    // Most drawn tiles that wait for their conversion to screen colors, about a MB each.
-    private static final int MOST_WAITING = 8;
     // Least width for a statement about lit pixels: those of a smaller picture may all lie between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
     // Tolerance of the exact points of a certificate: a quarter of the limit of the picture's median error.
@@ -145,21 +141,19 @@ public final class FrameSequence implements AutoCloseable {
         PartSum parts = new PartSum(sessions);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         try (Progress progress = display.start("rendering", (long) size.width() * size.height())) {
-            drawTiles(
-                    parts,
-                    scene,
-                    progress,
-                    (tile, drawn) -> picture.put(drawn.reduced(samples.side()), tile.x(), tile.y()));
+            drawTiles(parts, progress, tile -> {
+                int side = samples.side();
+                ScenePicture drawn =
+                        parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, side));
+                picture.put(drawn.reduced(side), tile.x(), tile.y());
+            });
         }
         return picture;
     }
 
-    /** @param use receives the samples of a tile, {@code side x side} for each pixel */
-    private void drawTiles(PartSum parts, Scene scene, Progress progress, BiConsumer<Tile, ScenePicture> use) {
+    private void drawTiles(PartSum parts, Progress progress, Consumer<Tile> drawing) {
         for (Tile tile : SceneSession.tiles(size.width(), size.height(), samples.side())) {
-            use.accept(
-                    tile,
-                    parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, samples), exposure));
+            drawing.accept(tile);
             progress.step(tile.pixels());
         }
         parts.validate();
@@ -191,19 +185,10 @@ public final class FrameSequence implements AutoCloseable {
         if (viewer != null) {
             viewer.create(file.toString(), size.width(), size.height());
         }
-        // Tiles are converted to screen colors while the next one is drawn.
-        Deque<BackgroundTask<BufferedImage>> conversions = new ArrayDeque<>();
-        drawTiles(parts, scene, progress, (tile, drawn) -> {
-            conversions.add(BackgroundTask.start(() -> {
-                BufferedImage part =
-                        SceneDisplay.image(drawn, samples.side(), display, scene.get(SceneSettings.BACKGROUND));
-                image.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
-                return part;
-            }));
-            if (conversions.size() > MOST_WAITING) {
-                conversions.remove().get();
-            }
-            ScenePicture pixels = drawn.reduced(samples.side());
+        drawTiles(parts, progress, tile -> {
+            PixelPicture drawn = parts.draw(scene, size.width(), size.height(), tile, samples, exposure);
+            image.getRaster().setDataElements(tile.x(), tile.y(), drawn.image().getRaster());
+            ScenePicture pixels = drawn.light();
             if (missing) {
                 lit = lit.plus(LitPixels.of(pixels, display));
             }
@@ -220,7 +205,6 @@ public final class FrameSequence implements AutoCloseable {
                         pixels.linear().xyz());
             }
         });
-        conversions.forEach(BackgroundTask::get);
         if (linear != null) {
             AtomicFile.write(
                     linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));

@@ -232,8 +232,8 @@ public record Certificate(
 
         private List<double[]> drawn(PartSum parts, Scene scene, double exposure, List<Tile> pixels) {
             return pixels.stream()
-                    .map(pixel -> DrawRequest.ofPixels(scene, width, height, pixel, samples))
-                    .map(request -> parts.draw(request, exposure).reduced(samples.side()))
+                    .map(pixel -> parts.draw(scene, width, height, pixel, samples, exposure)
+                            .light())
                     .map(picture -> Comparison.xyz(picture.rgba(), 0))
                     .toList();
         }
@@ -253,7 +253,7 @@ public record Certificate(
                 return Optional.empty();
             }
             ScenePicture mean = exact.draw(
-                            DrawRequest.ofPixels(scene, width, height, pixel, PixelSamples.uniform(POINTS)))
+                            DrawRequest.ofPixels(scene, width, height, pixel, POINTS))
                     .reduced(POINTS);
             return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS)
                     ? Optional.of(Comparison.xyz(mean.rgba(), 0))

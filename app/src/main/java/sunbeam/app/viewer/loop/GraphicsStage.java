@@ -16,12 +16,11 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.PatchStrokes;
 import sunbeam.app.render.Pick;
+import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneDisplay;
-import sunbeam.app.render.ScenePicture;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.SceneShape;
 import sunbeam.app.render.TimedTiles;
@@ -223,7 +222,9 @@ public final class GraphicsStage implements Stage {
                             * samples().side()
                             * samples().side();
                     double seconds = pixels * current.tiles().secondsPerPixel();
-                    return new Preview(image(picture, 1, exposure), stride, true, exposure, seconds);
+                    BufferedImage image = PixelPicture.image(
+                            picture, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
+                    return new Preview(image, stride, true, exposure, seconds);
                 });
     }
 
@@ -239,18 +240,13 @@ public final class GraphicsStage implements Stage {
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
         boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
-            BufferedImage part = image(
-                    current.sum().draw(DrawRequest.ofPixels(scene(), width, height, tile, samples)),
-                    samples.side(),
-                    exposure);
+            BufferedImage part = current.sum()
+                    .draw(scene(), width, height, tile, samples, exposure)
+                    .image();
             whole.getRaster().setDataElements(tile.x(), tile.y(), part.getRaster());
             drawn.drawn(tile, part, (double) done.addAndGet(tile.pixels()) / ((double) width * height));
         });
         return isWhole ? Optional.of(new Final(whole, exposure)) : Optional.empty();
-    }
-
-    private BufferedImage image(ScenePicture picture, int samples, double exposure) {
-        return SceneDisplay.image(picture, samples, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
     }
 
     private Scene scene() {

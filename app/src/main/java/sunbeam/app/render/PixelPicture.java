@@ -1,0 +1,141 @@
+package sunbeam.app.render;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.stream.IntStream;
+import sunbeam.app.scene.SceneColor;
+import sunbeam.precompute.color.DisplayTransform;
+
+/** Pixels of a picture, or of a tile of one, which are means of samples: linear light, and colors on a display. */
+public final class PixelPicture {
+    private static final int CHANNELS = 4;
+
+    // Least difference of a channel's display light, as a square root (about sRGB, 0 to 1), between samples of a pixel
+    // that differ: half as much changes pictures by a color difference of 0.02 in the mean.
+    private static final double LEAST_DIFFERENCE = 0.12;
+
+    private final ScenePicture light;
+    private final BufferedImage image;
+    private final DisplayTransform display;
+    private final double[] behind;
+
+    /** Creates black pixels without mesh. */
+    PixelPicture(int width, int height, DisplayTransform display, SceneColor background) {
+        this.light = ScenePicture.empty(width, height);
+        this.image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        this.display = display;
+        this.behind = background.light();
+    }
+
+    /** Returns a picture with one sample for each pixel in opaque sRGB, over its background, which is not exposed. */
+    public static BufferedImage image(ScenePicture picture, DisplayTransform display, SceneColor background) {
+        PixelPicture pixels = new PixelPicture(picture.width(), picture.height(), display, background);
+        pixels.setAll(picture, 1, 1);
+        return pixels.image;
+    }
+
+    /** Returns means of samples (see {@link ScenePicture#reduced}). */
+    public ScenePicture light() {
+        return light;
+    }
+
+    /** Returns opaque sRGB, over the background, which is not exposed. */
+    public BufferedImage image() {
+        return image;
+    }
+
+    BitSet setAll(ScenePicture samples, int across, int down) {
+        BitSet all = new BitSet();
+        all.set(0, light.width() * light.height());
+        return set(all, samples, across, down);
+    }
+
+    /**
+     * Sets pixels to means of their samples. These are transformed to display light before averaging, so that thin bright lines keep their
+     * color and smooth edges.
+     *
+     * @param pixels indices of pixels, row by row
+     * @param samples samples of all pixels, {@code across x down} for each
+     * @return those of these pixels whose samples differ visibly
+     */
+    BitSet set(BitSet pixels, ScenePicture samples, int across, int down) {
+        boolean[] differ = new boolean[light.width() * light.height()];
+        IntStream.range(0, light.height()).parallel().forEach(row -> {
+            Mean mean = new Mean(samples);
+            int end = (row + 1) * light.width();
+            for (int i = pixels.nextSetBit(end - light.width()); i >= 0 && i < end; i = pixels.nextSetBit(i + 1)) {
+                differ[i] = mean.set(i, across, down);
+            }
+        });
+        BitSet differing = new BitSet(differ.length);
+        IntStream.range(0, differ.length).filter(i -> differ[i]).forEach(differing::set);
+        return differing;
+    }
+
+    /** Computes pixels one after the other, on one thread. */
+    private final class Mean {
+        private final int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        private final ScenePicture samples;
+        private final double[] sample = new double[CHANNELS - 1];
+        private final double[] sum = new double[CHANNELS - 1];
+        private final double[] least = new double[CHANNELS - 1];
+        private final double[] most = new double[CHANNELS - 1];
+        private int last = -1;
+
+        Mean(ScenePicture samples) {
+            this.samples = samples;
+        }
+
+        /** Returns true if the pixel's samples differ visibly. */
+        boolean set(int pixel, int across, int down) {
+            Arrays.fill(sum, 0);
+            Arrays.fill(least, 1);
+            Arrays.fill(most, 0);
+            int corner = pixel / light.width() * down * samples.width() + pixel % light.width() * across;
+            for (int y = 0; y < down; y++) {
+                for (int x = 0; x < across; x++) {
+                    add(CHANNELS * (corner + y * samples.width() + x));
+                }
+            }
+            light.setMean(pixel, samples, corner, across, down);
+            boolean differ = false;
+            for (int c = 0; c < sum.length; c++) {
+                sum[c] /= across * down;
+                differ |= Math.sqrt(most[c]) - Math.sqrt(least[c]) > LEAST_DIFFERENCE;
+            }
+            rgb[pixel] = DisplayTransform.packed(sum);
+            return differ;
+        }
+
+        private void add(int from) {
+            // All samples of a pixel that show the ground below the mesh are equal, so that one transform serves them.
+            if (last < 0 || !areEqual(samples.rgba(), last, from)) {
+                transform(from);
+                last = from;
+            }
+            for (int c = 0; c < sum.length; c++) {
+                sum[c] += sample[c];
+                least[c] = Math.min(least[c], sample[c]);
+                most[c] = Math.max(most[c], sample[c]);
+            }
+        }
+
+        /** Computes a sample's display light over the background; the sample's light is premultiplied by coverage. */
+        private void transform(int from) {
+            float uncovered = Math.max(0, 1 - samples.rgba()[from + CHANNELS - 1]);
+            display.light(samples.rgba(), from, sample);
+            for (int c = 0; c < sample.length; c++) {
+                sample[c] = Math.min(1, sample[c] + uncovered * behind[c]);
+            }
+        }
+
+        private static boolean areEqual(float[] rgba, int one, int other) {
+            return rgba[one] == rgba[other]
+                    && rgba[one + 1] == rgba[other + 1]
+                    && rgba[one + 2] == rgba[other + 2]
+                    && rgba[one + 3] == rgba[other + 3];
+        }
+    }
+}
