@@ -46,36 +46,31 @@ final class PackedShading implements AutoCloseable {
      */
     float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
         Tile part = piece.inBlock();
-        int[] covered = covered(buffer.views(part), piece, request);
         float[] lit = new float[CHANNELS * request.columns(part) * request.rows(part)];
-        for (int first = 0; first < covered.length; first += Packing.MOST) {
-            Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
-            upload(packing, covered, first, buffer, part, request);
-            float[] drawn = UploadedTables.requireWholeSums(shade(skin, request, buffer, packing));
-            for (int i = 0; i < packing.count(); i++) {
-                copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
+        int[] missing = shade(skin, request, buffer, part, covered(buffer.views(part), piece, request), lit);
+        if (missing.length > 0 && !skin.virtualTexture().orElseThrow().isScheduled()) {
+            addFeedback(skin, request, buffer, part, missing);
+            skin.virtualTexture().get().bakeFeedback();
+            if (shade(skin, request, buffer, part, missing, lit).length > 0) {
+                throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
             }
         }
         return lit;
     }
 
-    private float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
-        if (skin.virtualTexture().isEmpty()) {
-            return meanOfDraws(skin, request, buffer, packing);
+    /** Shades some pixels and returns those of them whose color is missing. */
+    private int[] shade(
+            SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered, float[] lit) {
+        for (int first = 0; first < covered.length; first += Packing.MOST) {
+            Packing packing = upload(covered, first, buffer, part, request);
+            float[] drawn = UploadedTables.requireWholeSums(meanOfDraws(skin, request, buffer, packing));
+            for (int i = 0; i < packing.count(); i++) {
+                copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
+            }
         }
-        VirtualTexture tiles = skin.virtualTexture().get();
-        SkinSurface.Pass pass = new SkinSurface.Pass(request, 0, true);
-        float[] drawn = draw(skin, buffer, packing, pass);
-        if (!isMissing(drawn) || tiles.isScheduled()) {
-            return drawn;
-        }
-        addFeedback(skin, request, buffer, packing);
-        tiles.bakeFeedback();
-        drawn = draw(skin, buffer, packing, pass);
-        if (isMissing(drawn)) {
-            throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
-        }
-        return drawn;
+        return Arrays.stream(covered)
+                .filter(i -> lit[CHANNELS * i + CHANNELS - 1] == MISSING_COVERAGE)
+                .toArray();
     }
 
     private float[] draw(SkinSurface skin, GeometryBuffer buffer, Packing packing, SkinSurface.Pass pass) {
@@ -122,19 +117,19 @@ final class PackedShading implements AutoCloseable {
     /** Adds the footprints of a part of a block to the feedback. */
     void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
         Tile part = piece.inBlock();
-        int[] covered = covered(buffer.views(part), piece, request);
-        for (int first = 0; first < covered.length; first += Packing.MOST) {
-            Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
-            upload(packing, covered, first, buffer, part, request);
-            addFeedback(skin, request, buffer, packing);
-        }
+        addFeedback(skin, request, buffer, part, covered(buffer.views(part), piece, request));
     }
 
-    /** Adds the footprints of the uploaded pixels to the feedback, in all levels that they read. */
-    private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
-        for (int level = 0; level < skin.levelsRead(request.scene()); level++) {
-            skin.shade(context, buffer, sources, target, packing.used(), new SkinSurface.Pass(request, level, false));
-            skin.virtualTexture().orElseThrow().addFeedback(footprints(packing), !request.isCoarsest());
+    /** Adds the footprints of some pixels to the feedback, in all levels that they read. */
+    private void addFeedback(
+            SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered) {
+        for (int first = 0; first < covered.length; first += Packing.MOST) {
+            Packing packing = upload(covered, first, buffer, part, request);
+            for (int level = 0; level < skin.levelsRead(request.scene()); level++) {
+                var pass = new SkinSurface.Pass(request, level, false);
+                skin.shade(context, buffer, sources, target, packing.used(), pass);
+                skin.virtualTexture().orElseThrow().addFeedback(footprints(packing), !request.isCoarsest());
+            }
         }
     }
 
@@ -162,8 +157,12 @@ final class PackedShading implements AutoCloseable {
         return Arrays.copyOf(pixels, count);
     }
 
-    /** Uploads for each slot the index of the geometry buffer's texel that it shades; -1 for none. */
-    private void upload(Packing packing, int[] covered, int first, GeometryBuffer buffer, Tile part, DrawRequest request) {
+    /**
+     * Uploads for each slot the index of the geometry buffer's texel that it shades; -1 for none. Returns the packing of the next pixels
+     * from the first.
+     */
+    private Packing upload(int[] covered, int first, GeometryBuffer buffer, Tile part, DrawRequest request) {
+        Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
         int columns = request.columns(part);
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
         for (int i = 0; i < packing.count(); i++) {
@@ -172,6 +171,7 @@ final class PackedShading implements AutoCloseable {
             slots[packing.slot(i)] = buffer.texel(part.x() + x, part.y() + request.down() * row);
         }
         sources.upload(slots);
+        return packing;
     }
 
     private static float[] unpacked(Packing packing, float[] packed) {
