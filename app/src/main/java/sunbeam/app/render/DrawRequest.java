@@ -39,8 +39,7 @@ public record DrawRequest(
         int side = samples.side();
         Tile inSamples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
         int across = side / samples.firstAcross();
-        return new DrawRequest(
-                scene, side * width, side * height, inSamples, side, across, 1, false, Optional.empty());
+        return new DrawRequest(scene, side * width, side * height, inSamples, side, across, 1, false, Optional.empty());
     }
 
     /** Returns one request per light; this request's picture is the sum of theirs. */

@@ -8,7 +8,6 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
-import sunbeam.app.gpu.colors.VirtualTexture;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
@@ -121,8 +120,7 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Adds the footprints of some pixels to the feedback, in all levels that they read. */
-    private void addFeedback(
-            SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered) {
+    private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(covered, first, buffer, part, request);
             for (int level = 0; level < skin.levelsRead(request.scene()); level++) {

@@ -133,8 +133,7 @@ public final class PartSum {
         if (!isWhole) {
             return Optional.empty();
         }
-        ScenePicture body =
-                body(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
+        ScenePicture body = body(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
         return Optional.of(over(body, light.enlarged(stride, body, white), scene));
     }
 

@@ -111,8 +111,7 @@ public abstract class InAScene extends InAContext {
             parts.forEach(part -> sessions.add(new SceneSession(context, part)));
             Scene scene = parts.get(0).scene();
             PartSum sum = new PartSum(sessions);
-            return sum.draw(
-                    DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
+            return sum.draw(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
         } finally {
             sessions.forEach(SceneSession::close);
         }

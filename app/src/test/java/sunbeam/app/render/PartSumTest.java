@@ -60,10 +60,8 @@ class PartSumTest extends InAScene {
         PixelSamples adaptive = new PixelSamples(4, true);
         try (SceneSession session = session(scene)) {
             PartSum sum = new PartSum(List.of(session));
-            PixelPicture first =
-                    new PixelPicture(SIZE, SIZE, scene.display(1), scene.get(SceneSettings.BACKGROUND));
-            BitSet differing =
-                    first.setAll(sum.draw(DrawRequest.first(scene, SIZE, SIZE, whole, adaptive)), 1, 4);
+            PixelPicture first = new PixelPicture(SIZE, SIZE, scene.display(1), scene.get(SceneSettings.BACKGROUND));
+            BitSet differing = first.setAll(sum.draw(DrawRequest.first(scene, SIZE, SIZE, whole, adaptive)), 1, 4);
             PixelPicture all = sum.draw(scene, SIZE, SIZE, whole, PixelSamples.uniform(4), 1);
             PixelPicture drawn = sum.draw(scene, SIZE, SIZE, whole, adaptive, 1);
             for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
@@ -77,7 +75,8 @@ class PartSumTest extends InAScene {
 
             int pixel = differing.nextSetBit(SIZE * SIZE / 2);
             Tile alone = new Tile(pixel % SIZE, pixel / SIZE, 1, 1);
-            assertThat(light(sum.draw(scene, SIZE, SIZE, alone, adaptive, 1), 0)).isEqualTo(light(drawn, pixel));
+            assertThat(light(sum.draw(scene, SIZE, SIZE, alone, adaptive, 1), 0))
+                    .isEqualTo(light(drawn, pixel));
         }
     }
 

@@ -33,9 +33,8 @@ class PixelSamplesTest {
                 .hasSize(side)
                 .doesNotHaveDuplicates()
                 .allMatch(column -> column >= 0 && column < side)
-                .satisfies(columns -> assertThat(
-                                columns.stream().mapToInt(i -> i).average())
-                        .hasValue(0.5 * (side - 1)));
+                .satisfies(columns ->
+                        assertThat(columns.stream().mapToInt(i -> i).average()).hasValue(0.5 * (side - 1)));
     }
 
     private static final DisplayTransform CLIP = new DisplayTransform(1, Tone.CLIP);
@@ -106,8 +105,7 @@ class PixelSamplesTest {
         assertThat(pixel.rgba()[3]).as("coverage").isEqualTo(0.25f);
     }
 
-    private final PixelPicture pixels =
-            new PixelPicture(2, 1, CLIP, new SceneColor(0));
+    private final PixelPicture pixels = new PixelPicture(2, 1, CLIP, new SceneColor(0));
 
     /** Two columns of four samples, one column for each pixel; the right one has a rim between its rows. */
     private static ScenePicture rim() {

@@ -64,8 +64,7 @@ class SceneMethodsTest extends InAScene {
                 .with(MethodSettings.WAVELENGTH_STEP, 4e-9);
         try (SceneSession session = session(with(many))) {
             // The session refuses partial sums.
-            assertThat(session.draw(DrawRequest.ofPixels(
-                                    session.scene(), 8, 6, Tile.whole(8, 6), 1))
+            assertThat(session.draw(DrawRequest.ofPixels(session.scene(), 8, 6, Tile.whole(8, 6), 1))
                             .rgba())
                     .hasSize(4 * 8 * 6);
         }

@@ -120,14 +120,10 @@ class SceneSessionTest extends InAScene {
     @Test
     void tilesMakeUpTheVeryPictureOfOneDraw() {
         int width = 2060; // wider than a block
-        ScenePicture whole = session.draw(
-                DrawRequest.ofPixels(session.scene(), width, 24, Tile.whole(width, 24), 1));
+        ScenePicture whole = session.draw(DrawRequest.ofPixels(session.scene(), width, 24, Tile.whole(width, 24), 1));
         ScenePicture tiled = ScenePicture.empty(width, 24);
         for (Tile tile : Tile.cover(width, 24, 333)) {
-            tiled.put(
-                    session.draw(DrawRequest.ofPixels(session.scene(), width, 24, tile, 1)),
-                    tile.x(),
-                    tile.y());
+            tiled.put(session.draw(DrawRequest.ofPixels(session.scene(), width, 24, tile, 1)), tile.x(), tile.y());
         }
         assertThat(tiled.rgba()).isEqualTo(whole.rgba());
         assertThat(picture(session, width, 24).rgba()).isEqualTo(whole.rgba());

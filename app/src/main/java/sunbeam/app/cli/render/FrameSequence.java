@@ -41,7 +41,6 @@ import sunbeam.app.render.ScenePicture;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -143,8 +142,7 @@ public final class FrameSequence implements AutoCloseable {
         try (Progress progress = display.start("rendering", (long) size.width() * size.height())) {
             drawTiles(parts, progress, tile -> {
                 int side = samples.side();
-                ScenePicture drawn =
-                        parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, side));
+                ScenePicture drawn = parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, side));
                 picture.put(drawn.reduced(side), tile.x(), tile.y());
             });
         }

@@ -252,8 +252,7 @@ public record Certificate(
             if (exact.pick(pixel.x(), pixel.y(), width, height).isEmpty()) {
                 return Optional.empty();
             }
-            ScenePicture mean = exact.draw(
-                            DrawRequest.ofPixels(scene, width, height, pixel, POINTS))
+            ScenePicture mean = exact.draw(DrawRequest.ofPixels(scene, width, height, pixel, POINTS))
                     .reduced(POINTS);
             return mean.rgba()[3] > 1 - 0.5f / (POINTS * POINTS)
                     ? Optional.of(Comparison.xyz(mean.rgba(), 0))

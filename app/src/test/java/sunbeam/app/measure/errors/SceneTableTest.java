@@ -189,8 +189,7 @@ class SceneTableTest extends InAScene {
                 SceneSession other = session(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE))) {
             float[] whole = picture(one, width, height).rgba();
             for (Tile tile : Tile.cover(width, height, 7)) {
-                float[] part = other.draw(
-                                DrawRequest.ofPixels(other.scene(), width, height, tile, 1))
+                float[] part = other.draw(DrawRequest.ofPixels(other.scene(), width, height, tile, 1))
                         .rgba();
                 int row = tile.y() * width + tile.x();
                 assertThat(Arrays.copyOf(part, 4 * tile.width()))
