@@ -143,7 +143,9 @@ public final class Scenes {
                 view(root.object("camera", "{ \"position\": ... }")),
                 orientation(),
                 light(root.object("light", "{ \"direction\": [0, 0, 1] }")),
-                fillLights(),
+                root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
+                        .map(Scenes::light)
+                        .toList(),
                 new SceneMethod(methodChoices));
         plan.ifPresent(JsonObject::requireNoOthers);
         weights.requireNoOthers();
@@ -226,12 +228,6 @@ public final class Scenes {
                 "direction", () -> new SceneLight(direction, choices.get(INTENSITY), choices.get(ANGULAR_DIAMETER)));
         light.requireNoOthers();
         return result;
-    }
-
-    private List<SceneLight> fillLights() {
-        return root.objects("fillLights", Scene.MOST_FILL_LIGHTS).stream()
-                .map(Scenes::light)
-                .toList();
     }
 
     private Quaternionfc orientation() {

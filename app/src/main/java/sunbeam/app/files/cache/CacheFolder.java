@@ -97,7 +97,10 @@ public record CacheFolder(Path path, String allowed) {
     public Optional<Path> open(Consumer<String> warning) {
         try {
             create();
-            keepPrivate();
+            // Others could read measured heights or plant files.
+            if (hasModes(path) && Files.isWritable(path)) {
+                Files.setPosixFilePermissions(path, OWNERS_FOLDER);
+            }
             // Also removes temporary files of killed processes.
             AtomicFile.checkWritable(path.resolve("probe"), Overwrite.REPLACE);
             return Optional.of(path);
@@ -115,13 +118,6 @@ public record CacheFolder(Path path, String allowed) {
             boolean modes = path.getFileSystem().supportedFileAttributeViews().contains("posix");
             FileAttribute<?> mode = PosixFilePermissions.asFileAttribute(OWNERS_FOLDER);
             Files.createDirectories(path, modes ? new FileAttribute<?>[] {mode} : new FileAttribute<?>[0]);
-        }
-    }
-
-    /** Others could read measured heights or plant files. */
-    private void keepPrivate() throws IOException {
-        if (hasModes(path) && Files.isWritable(path)) {
-            Files.setPosixFilePermissions(path, OWNERS_FOLDER);
         }
     }
 

@@ -157,10 +157,6 @@ public final class BuiltInMeshes {
             return vertices;
         }
 
-        private static Vector3d orthogonal(Vector3d vector, Vector3d normal) {
-            return new Vector3d(vector).fma(-vector.dot(normal), normal).normalize();
-        }
-
         private void join(int[] first, int[] second) {
             for (int column = 0; column < COLUMNS; column++) {
                 int a = first[column];
@@ -179,8 +175,8 @@ public final class BuiltInMeshes {
             for (int column = 0; column < COLUMNS; column++) {
                 double angle = angle(column + 0.5);
                 Vector3d outward = SnakeBody.point(places[0], angle).sub(tip);
-                int vertex = builder.vertex(
-                        new Mesh.Builder.Point(tip, forwards, orthogonal(outward, forwards)), 0, angle / (2 * Math.PI));
+                Vector3d tangent = outward.fma(-outward.dot(forwards), forwards).normalize();
+                int vertex = builder.vertex(new Mesh.Builder.Point(tip, forwards, tangent), 0, angle / (2 * Math.PI));
                 builder.triangle(ring[column], ring[column + 1], vertex);
             }
         }

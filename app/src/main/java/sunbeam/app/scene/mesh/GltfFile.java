@@ -153,15 +153,12 @@ final class GltfFile {
         InputException.refuseIf(
                 node.getSkin() != null,
                 "node " + number + " is moved by a skeleton; apply its pose and export it without one");
+        List<Float> weights = node.getWeights() == null ? mesh.getWeights() : node.getWeights();
         InputException.refuseIf(
-                isMoved(node.getWeights() == null ? mesh.getWeights() : node.getWeights()),
+                weights != null && weights.stream().anyMatch(weight -> weight != 0),
                 "node " + number + " is moved by the weights of targets; apply them and export it again");
         for (MeshPrimitive primitive : mesh.getPrimitives() == null ? List.<MeshPrimitive>of() : mesh.getPrimitives()) {
             primitives.add(primitive, place);
         }
-    }
-
-    private static boolean isMoved(List<Float> weights) {
-        return weights != null && weights.stream().anyMatch(weight -> weight != 0);
     }
 }

@@ -96,8 +96,9 @@ interface BodyColors {
             double mottled = 0.1 * mottle.at(along, around);
             Vector3dc ground = GROUND.lerp(FLANK, step(0.25, 0.7, side + mottled), new Vector3d());
             double wobble = 0.11 * outline.at(along, around);
-            Vector3dc marked = mark(ground, saddle(along, side) + wobble);
-            marked = mark(marked, blotch(along, side) + wobble);
+            double saddle = depth(along * SADDLES, 0.36, side, 0.42, saddleSizes);
+            double blotch = depth(along * SADDLES + 0.5, 0.24, side - 0.56, 0.13, blotchSizes);
+            Vector3dc marked = mark(mark(ground, saddle + wobble), blotch + wobble);
             Vector3dc skin = marked.mul(1 + 0.13 * grain.at(along, around) + mottled, new Vector3d());
             double share = step(BELLY_BEGIN - 0.02, BELLY_BEGIN + 0.04, side);
             return share == 0 ? skin : skin.lerp(belly(along, around), share, new Vector3d());
@@ -122,15 +123,7 @@ interface BodyColors {
             return all;
         }
 
-        /** Depth inside the nearest saddle: 1 in its middle, 0 on its outline. */
-        private double saddle(double along, double side) {
-            return depth(along * SADDLES, 0.36, side, 0.42, saddleSizes);
-        }
-
-        private double blotch(double along, double side) {
-            return depth(along * SADDLES + 0.5, 0.24, side - 0.56, 0.13, blotchSizes);
-        }
-
+        /** Depth inside the nearest marking: 1 in its middle, 0 on its outline. */
         private static double depth(double place, double halfLength, double beside, double halfWidth, double[] sizes) {
             int number = (int) place;
             double size = sizes[number];

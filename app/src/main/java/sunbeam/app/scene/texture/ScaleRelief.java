@@ -140,9 +140,8 @@ public final class ScaleRelief {
         List<Plate> others = new ArrayList<>();
         for (int row = floor(y - 1.5); row <= y + 1.5; row++) {
             double offset = 0.5 * (row & 1);
-            for (int scale = ceil(x - offset - 1);
-                    Math.abs(row) <= outermostRow && scale <= x - offset + FRONT_LENGTH;
-                    scale++) {
+            int first = -floor(-(x - offset - 1));
+            for (int scale = first; Math.abs(row) <= outermostRow && scale <= x - offset + FRONT_LENGTH; scale++) {
                 Plate plate = scale(row, scale, x - offset - scale, (y - row) / HALF_WIDTH);
                 if (plate.edge >= 1 && plate.edge < SHADED_EDGE && plate.along >= 0) {
                     others.add(plate);
@@ -179,10 +178,6 @@ public final class ScaleRelief {
     private static int floor(double value) {
         int whole = (int) value;
         return whole > value ? whole - 1 : whole;
-    }
-
-    private static int ceil(double value) {
-        return -floor(-value);
     }
 
     private double pale(Plate plate) {
