@@ -9,6 +9,7 @@ import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.InARendering;
 import jrtr.gl.RenderContext.Faces;
+import jrtr.scene.SceneGraph.Node;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;

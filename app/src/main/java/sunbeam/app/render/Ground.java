@@ -10,7 +10,7 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.Node;
+import jrtr.scene.SceneGraph.Node;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;

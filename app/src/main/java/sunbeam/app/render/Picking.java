@@ -9,7 +9,7 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.Node;
+import jrtr.scene.SceneGraph.Node;
 import jrtr.scene.View;
 import org.joml.Vector3f;
 import sunbeam.app.gpu.Shaders;

@@ -10,7 +10,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.Node;
+import jrtr.scene.SceneGraph.Node;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;

@@ -10,7 +10,7 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.Node;
+import jrtr.scene.SceneGraph.Node;
 import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;

@@ -25,7 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import jrtr.scene.Node;
+import jrtr.scene.SceneGraph.Node;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
