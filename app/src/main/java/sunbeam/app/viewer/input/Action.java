@@ -22,6 +22,7 @@ import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.app.viewer.window.Viewer;
 
 /** Key actions. Menus, key bindings, help and the table in docs/viewer.md derive from this enum. */
+@SuppressWarnings("ImmutableEnumChecker") // rows of texts, and lambdas without state
 enum Action {
     TURN(
             Group.LIGHT,
@@ -100,11 +101,7 @@ enum Action {
 
     final Help help;
     private final String keys;
-
-    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
     private final transient BiConsumer<Viewer, KeyStroke> effect;
-
-    @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
     private final transient Optional<Predicate<Viewer>> state;
 
     Action(Group group, String description, String keys, Consumer<Viewer> effect) {

@@ -24,6 +24,7 @@ import sunbeam.app.viewer.window.Viewer;
 /** Mouse listener that applies the {@link Gesture}s to the scene. */
 public final class MouseControls extends MouseAdapter {
     /** Mouse actions; handling, help and docs/viewer.md derive from this enum. The first constant that fits an event handles it. */
+    @SuppressWarnings("ImmutableEnumChecker") // rows of texts, and lambdas without state
     enum Gesture {
         DIVIDE(
                 new Help(Group.SKIN, "drag of the line between two methods", "moves it"),
@@ -64,13 +65,9 @@ public final class MouseControls extends MouseAdapter {
                 (view, event) -> isDoubleClick(event),
                 MouseControls::pick);
 
-        @SuppressWarnings("ImmutableEnumChecker") // a record of texts
         final Help help;
 
-        @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
         private final transient BiPredicate<PictureView, MouseEvent> fits;
-
-        @SuppressWarnings("ImmutableEnumChecker") // lambdas without state
         private final transient BiConsumer<MouseControls, MouseEvent> effect;
 
         Gesture(Help help, BiPredicate<PictureView, MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> effect) {
