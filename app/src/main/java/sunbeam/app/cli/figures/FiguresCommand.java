@@ -186,7 +186,8 @@ public final class FiguresCommand extends FileCommand {
     }
 
     private String page(List<Figure> figures, List<Figure.Drawing> drawings) {
-        StringBuilder html = new StringBuilder();
+        StringBuilder html =
+                new StringBuilder(quick ? "<p>Drawn with --quick: small pictures, coarse responses.</p>\n" : "");
         for (Figure figure : figures) {
             html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
             html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");

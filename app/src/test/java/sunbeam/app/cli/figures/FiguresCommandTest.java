@@ -155,8 +155,9 @@ class FiguresCommandTest extends CommandLineFixture {
     }
 
     @Test
-    void quickPicturesAreSmall() {
+    void quickPicturesAreSmallAsTheirPageSays() throws IOException {
         figures("--only 5.5,5.14 --quick");
+        assertThat(Files.readString(folder.resolve("index.html"))).contains("<p>Drawn with --quick: ");
         assertThat(runs.get(0)).containsSequence("--size", "96");
         assertThat(runs.get(runs.size() - 1)).containsSequence("--size", "160x120");
     }
