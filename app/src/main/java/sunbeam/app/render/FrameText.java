@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import sunbeam.app.files.input.PngText;
+import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;

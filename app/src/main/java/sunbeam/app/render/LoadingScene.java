@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 

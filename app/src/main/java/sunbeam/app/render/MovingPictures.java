@@ -2,8 +2,20 @@ package sunbeam.app.render;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
 import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
+import org.joml.Vector2f;
+import sunbeam.app.gpu.CachedTarget;
+import sunbeam.app.gpu.UploadedTables;
+import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 
 /** Draws pictures while something in the viewer moves, from resident tiles and with few taps per pixel. */
 final class MovingPictures implements AutoCloseable {
@@ -55,6 +67,90 @@ final class MovingPictures implements AutoCloseable {
     public void close() {
         if (buffers != null) {
             buffers.close();
+        }
+    }
+
+    /**
+     * Shading pass of pictures drawn while something moves (shaders/moving.frag): few taps per pixel in resident tiles of the color table, sRGB
+     * as the only output.
+     */
+    static final class MovingSkin implements AutoCloseable {
+        // Most taps along a footprint's major axis. Software renderers have time for one; a coarser level then blurs the
+        // major axis, too.
+        private static final int SOFTWARE_TAPS = 1;
+        private static final int HARDWARE_TAPS = 4;
+
+        private final RenderContext context;
+        private final int lights;
+        private final int mostTaps;
+        private final ShaderProgram program;
+        private final Optional<VirtualTexture> levels;
+        private final CachedTarget targets;
+
+        MovingSkin(RenderContext context, UploadedTables method, Optional<VirtualTexture> levels, int lights) {
+            this.context = context;
+            this.lights = lights;
+            this.mostTaps = context.info().software() ? SOFTWARE_TAPS : HARDWARE_TAPS;
+            this.program = method.program(
+                    "moving.frag", Map.of("MOST_TAPS", Integer.toString(mostTaps), "LIGHTS", Integer.toString(lights)));
+            this.levels = levels;
+            this.targets = new CachedTarget(context, "moving", FloatTarget.Format.RGBA8, true);
+        }
+
+        int lights() {
+            return lights;
+        }
+
+        ShaderProgram program() {
+            return program;
+        }
+
+        /**
+         * Draws a block of a picture.
+         *
+         * @param buffer attributes in {@link GeometryBuffer.Layout#MOVING}
+         * @param block block to draw, in pixels of the picture
+         * @return 0xffRRGGBB, top row first
+         */
+        int[] draw(
+                Scene scene,
+                Optional<Ground> ground,
+                SkinGeometry geometry,
+                GeometryBuffer buffer,
+                Tile block,
+                Map<String, Texture> method,
+                double exposure) {
+            Map<String, Texture> textures = new HashMap<>(method);
+            levels.ifPresent(tiles -> {
+                SkinSurface.setFootprints(program, tiles.table(), scene, mostTaps, 1, false);
+                textures.putAll(tiles.textures());
+            });
+            geometry.applyRaysTo(program, block);
+            program.set("targetToWorld", geometry.blockToWorld(block));
+            geometry.shadows().applyTo(program, scene.hasShadows());
+            program.set("exposure", (float) exposure);
+            program.set("toneStart", (float) scene.display(exposure).tone().start());
+            textures.putAll(buffer.textures());
+            textures.put("depths", buffer.attributes().depth());
+            textures.putAll(geometry.shadows().textures());
+            Tile whole = Tile.whole(block.width(), block.height());
+            program.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
+            FloatTarget target = targets.of(block.width(), block.height());
+            if (ground.isPresent()) {
+                ground.get().fillMovingBlock(target, scene, geometry, block, exposure);
+            } else {
+                int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
+                target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
+            }
+            target.copyDepthFrom(buffer.attributes());
+            context.drawCovered(program, textures, target, whole);
+            return target.readColors(0, whole);
+        }
+
+        @Override
+        public void close() {
+            targets.close();
+            program.close();
         }
     }
 }

@@ -1,7 +1,21 @@
 package sunbeam.app.render;
 
+import java.util.Map;
+import java.util.Optional;
+import jrtr.Tile;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.RenderContext.Faces;
+import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.VertexBuffer;
+import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.View;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
+import sunbeam.app.gpu.Shaders;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 
 /**
@@ -33,5 +47,56 @@ public record Pick(
         tangent = new Vector3f(tangent);
         bitangent = new Vector3f(bitangent);
         normal = new Vector3f(normal);
+    }
+
+    /** Finds the point under a pixel by drawing it (shaders/pick.frag). */
+    static final class Picking implements AutoCloseable {
+        private static final int IMAGES = 6;
+
+        private final RenderContext context;
+        private final ShaderProgram program;
+        private final FloatTarget target;
+
+        Picking(RenderContext context) {
+            this.context = context;
+            this.program = context.createMeshProgram(Shaders.library().load("pick.frag"));
+            this.target = Resource.orClose(
+                    () -> context.createFloatTarget("pick", new FloatTarget.Spec(1, 1, IMAGES, true)), program::close);
+        }
+
+        Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, View.Area pixel) {
+            Node.Shape shape = body.shape(mesh, program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, Map.of());
+            SceneGraphs.of(scene, shape).draw(context, pixel, target, Tile.whole(1, 1));
+            float[][] values = new float[IMAGES][];
+            for (int i = 0; i < IMAGES; i++) {
+                values[i] = target.read(i);
+            }
+            if (values[0][3] == 0) {
+                return Optional.empty();
+            }
+            return Optional.of(new Pick(
+                    vector(values[0]),
+                    scene.patches().region((int) values[0][3] - 1),
+                    mesh.bounds().center(),
+                    vector(values[1]),
+                    vector(values[2]),
+                    vector(values[3]),
+                    direction(values[4]),
+                    direction(values[5])));
+        }
+
+        private static Vector3f vector(float[] rgba) {
+            return new Vector3f(rgba[0], rgba[1], rgba[2]);
+        }
+
+        private static Direction direction(float[] rgba) {
+            return new Direction(rgba[0], rgba[1], rgba[2]);
+        }
+
+        @Override
+        public void close() {
+            target.close();
+            program.close();
+        }
     }
 }

@@ -7,14 +7,19 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.color.ReflectionPart;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.ScanLimit;
+import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
@@ -98,5 +103,25 @@ public record SceneData(
     @SuppressWarnings("ReferenceEquality")
     boolean sharesMethod(SceneData other) {
         return method == other.method;
+    }
+
+    /**
+     * Component of the reflectance of a skin with an index by wavelength: a product of one function of wavelength and one of direction. The
+     * skin's diffracted light is the sum over its components (see {@link ReflectionPart}).
+     *
+     * @param reflection spectral factor of the light and weights of Schlick's two terms
+     * @param digest hash of the index over the visible wavelengths
+     */
+    public record ReflectanceComponent(ReflectionPart reflection, String digest) {
+
+        static List<ReflectanceComponent> of(RefractiveIndex index, CieTable cie) {
+            float[] reflectances = new float[401];
+            IntStream.range(0, reflectances.length)
+                    .forEach(i -> reflectances[i] = (float) index.reflectance((380 + i) * 1e-9));
+            String digest = new Sha256().add(reflectances).hex();
+            return ReflectionPart.of(index, cie).stream()
+                    .map(part -> new ReflectanceComponent(part, digest))
+                    .toList();
+        }
     }
 }

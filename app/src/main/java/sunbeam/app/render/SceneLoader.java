@@ -16,6 +16,7 @@ import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -40,8 +41,8 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
-import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.text.Text;
 
 /** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */
@@ -284,4 +285,12 @@ public final class SceneLoader {
                 shown.bodies().get(region),
                 part);
     }
+
+    /**
+     * Data of a scene without its diffraction, whose data take longer to load.
+     *
+     * @param sky visible share of the sky; computed on first use
+     * @param bodies texture, scales and orientations of the mesh, each with the area of one patch
+     */
+    public record SceneShape(Mesh mesh, Supplier<SkyVisibility> sky, List<Body> bodies) {}
 }

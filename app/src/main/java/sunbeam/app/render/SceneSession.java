@@ -13,6 +13,8 @@ import jrtr.gl.Resource;
 import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.Pick.Picking;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.precompute.errors.ErrorStatistics;
 

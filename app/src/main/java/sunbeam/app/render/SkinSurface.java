@@ -14,6 +14,8 @@ import jrtr.scene.SceneGraph.Node;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.MovingPictures.MovingSkin;
+import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;

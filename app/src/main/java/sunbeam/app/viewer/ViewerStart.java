@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
 import sunbeam.app.render.SceneLoader;
-import sunbeam.app.render.SceneShape;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;

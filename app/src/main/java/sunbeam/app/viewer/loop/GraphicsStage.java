@@ -22,7 +22,7 @@ import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.SceneSession;
-import sunbeam.app.render.SceneShape;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;

@@ -10,7 +10,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.failure.Failure;
-import sunbeam.app.render.SceneShape;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 
 /**

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import jrtr.Tile;
 import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.render.Pick;
-import sunbeam.app.render.SceneShape;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 
 /** Renderer of viewer states in several qualities, driven by {@link RenderLoop}. Used by the render thread only. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.DoubleConsumer;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
-import sunbeam.app.render.SceneShape;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.method.TableMethod;

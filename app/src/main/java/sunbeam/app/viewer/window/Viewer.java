@@ -17,7 +17,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
-import sunbeam.app.render.SceneShape;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.loop.RenderLoop;
