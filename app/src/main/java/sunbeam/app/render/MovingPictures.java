@@ -20,7 +20,7 @@ import sunbeam.app.scene.SceneSettings;
 /** Draws pictures while something in the viewer moves, from resident tiles and with few taps per pixel. */
 final class MovingPictures implements AutoCloseable {
     private final RenderContext context;
-    private GeometryBuffers buffers;
+    private GeometryBuffer.Cache buffers;
     private long meshNanoseconds;
 
     MovingPictures(RenderContext context) {
@@ -38,7 +38,7 @@ final class MovingPictures implements AutoCloseable {
         int width = (int) Math.ceil(fullWidth / divisor);
         int height = (int) Math.ceil(fullHeight / divisor);
         if (buffers == null) {
-            buffers = new GeometryBuffers(context, GeometryBuffer.Layout.MOVING);
+            buffers = new GeometryBuffer.Cache(context, GeometryBuffer.Layout.MOVING);
         }
         SkinGeometry geometry = uploaded.geometry(scene, width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -75,7 +75,8 @@ final class MovingPictures implements AutoCloseable {
      * as the only output.
      */
     static final class MovingSkin implements AutoCloseable {
-        // Most taps along a footprint's major axis. Software renderers have time for one; a coarser level then blurs the
+        // Most taps along a footprint's major axis. Software renderers have time for one; a coarser level then blurs
+        // the
         // major axis, too.
         private static final int SOFTWARE_TAPS = 1;
         private static final int HARDWARE_TAPS = 4;

@@ -30,7 +30,7 @@ public final class SceneSession implements AutoCloseable {
 
     private final RenderContext context;
     // One cache with shadows (true), for the first light, and one without for the others.
-    private final Map<Boolean, GeometryBuffers> buffers = new HashMap<>();
+    private final Map<Boolean, GeometryBuffer.Cache> buffers = new HashMap<>();
     private final MovingPictures moving;
     private final PackedShading shading;
     private final Picking picking;
@@ -147,7 +147,7 @@ public final class SceneSession implements AutoCloseable {
         long start = System.nanoTime();
         GeometryBuffer buffer = buffers.computeIfAbsent(
                         geometry.shadowLight().isPresent(),
-                        shaded -> new GeometryBuffers(context, GeometryBuffer.Layout.FULL))
+                        shaded -> new GeometryBuffer.Cache(context, GeometryBuffer.Layout.FULL))
                 .of(geometry, piece.block());
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
@@ -213,7 +213,7 @@ public final class SceneSession implements AutoCloseable {
         if (tiles.requestWhole()) {
             return true;
         }
-        if (!tiles.hasCoarsest() && !addFeedback(SceneDisplay.meterParts(scene(), width, height), interrupted)) {
+        if (!tiles.hasCoarsest() && !addFeedback(PartSum.meterParts(scene(), width, height), interrupted)) {
             return false;
         }
         if (!addFeedback(parts(scene(), width, height, samples), interrupted)) {
@@ -273,6 +273,6 @@ public final class SceneSession implements AutoCloseable {
         picking.close();
         moving.close();
         shading.close();
-        buffers.values().forEach(GeometryBuffers::close);
+        buffers.values().forEach(GeometryBuffer.Cache::close);
     }
 }

@@ -51,8 +51,8 @@ class BuiltInScenesTest extends InAScene {
             Scene scene = Scenes.load(name);
             try (SceneSession session =
                     new SceneSession(context, loader.parts(scene).get(0))) {
-                double exposure = SceneDisplay.exposure(
-                                scene, new PartSum(List.of(session)), 640, 480, TimedTiles.large(), () -> false)
+                double exposure = new PartSum(List.of(session))
+                        .exposure(scene, 640, 480, TimedTiles.large(), () -> false)
                         .orElseThrow();
                 // A tenth of a stop, which is hardly visible.
                 assertThat(Math.log(exposure * scene.light().intensity()) / Math.log(2))

@@ -35,7 +35,6 @@ import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.render.SceneSession;
@@ -158,7 +157,7 @@ public final class FrameSequence implements AutoCloseable {
     }
 
     private double exposure(Scene scene, PartSum parts) {
-        return SceneDisplay.exposure(scene, parts, size.width(), size.height(), TimedTiles.large(), () -> false)
+        return parts.exposure(scene, size.width(), size.height(), TimedTiles.large(), () -> false)
                 .orElseThrow();
     }
 

@@ -1,6 +1,7 @@
 package sunbeam.app.viewer.loop;
 
-import static sunbeam.app.render.SceneDisplay.TABLE_SAMPLES;
+import static sunbeam.app.render.PartSum.METER_SIDE;
+import static sunbeam.app.render.PartSum.TABLE_SAMPLES;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
@@ -9,7 +10,6 @@ import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneDisplay;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.color.DisplayTransform;
@@ -21,7 +21,7 @@ import sunbeam.precompute.color.Srgb;
  */
 final class CachedExposure {
     // Longer side of the reduced picture, in pixels: half of the meter's, since each frame waits for the estimate.
-    private static final int SIDE = SceneDisplay.METER_SIDE / 2;
+    private static final int SIDE = METER_SIDE / 2;
     private static final double[] LINEAR =
             IntStream.range(0, 256).mapToDouble(Srgb::linear).toArray();
     private static final double RED = Srgb.xyz(1, 0, 0)[1];

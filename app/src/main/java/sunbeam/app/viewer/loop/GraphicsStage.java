@@ -20,9 +20,8 @@ import sunbeam.app.render.PatchStrokes;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
-import sunbeam.app.render.SceneDisplay;
-import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -182,8 +181,7 @@ public final class GraphicsStage implements Stage {
 
     private boolean meter(BooleanSupplier interrupted) {
         if (metered.isEmpty()) {
-            metered = SceneDisplay.exposure(
-                    scene(), current.sum(), state.width(), state.height(), current.tiles(), interrupted);
+            metered = current.sum().exposure(scene(), state.width(), state.height(), current.tiles(), interrupted);
             metered.ifPresent(exposure -> exposures.store(state.firstPart(), exposure));
         }
         return metered.isPresent();

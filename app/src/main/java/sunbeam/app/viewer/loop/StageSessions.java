@@ -7,8 +7,8 @@ import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.PartSum;
 import sunbeam.app.render.SceneData;
-import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.SceneLoader.SceneShape;
+import sunbeam.app.render.SceneSession;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.Scene;
 
