@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.ToDoubleFunction;
@@ -76,7 +77,7 @@ final class LongRenderRun {
 
         /** @param milliseconds between two looks */
         Footprint(long milliseconds) {
-            thread.scheduleAtFixedRate(this::look, 0, milliseconds, TimeUnit.MILLISECONDS);
+            Future<?> unused = thread.scheduleAtFixedRate(this::look, 0, milliseconds, TimeUnit.MILLISECONDS);
         }
 
         private synchronized void look() {

@@ -196,7 +196,8 @@ class SceneFileTest {
         String patches = "{ \"map\": \"textures/skin.png\", \"#0000ff\": \"blaze\", \"#ff0000\": \"disc\" }";
         String lights = """
                 "fillLights": [{ "direction": [0.5, 0.1, 0.6], "intensity": 0.4, "angularDiameter": "12 deg" },
-                { "direction": [0, 1, 1] }], "orientationMap": "textures/skin.png", "exposure" """;
+                { "direction": [0, 1, 1] }], "orientationMap": "textures/skin.png", "exposure"\
+                """;
         String text = SCENE.replace("\"elaphe\"", "\"textures/skin.png\"")
                 .replace("\"elaphe-like\"", patches)
                 .replace("\"exposure\"", lights);
