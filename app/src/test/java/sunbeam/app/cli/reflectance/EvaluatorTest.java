@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
+import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
@@ -25,22 +25,22 @@ class EvaluatorTest {
     @TempDir
     private Path folder;
 
-    private DirectionList list(String text) throws IOException {
-        return DirectionList.read(Files.writeString(folder.resolve("list.csv"), text));
-    }
-
-    private Evaluator evaluator(DirectionList list) {
-        return new Evaluator(list, new Environment(Map.of(), folder).progress());
+    /** Returns the last row's values of an index from those of keratin, which all rows have; of its color without a wavelength. */
+    private double[] indexed(RefractiveIndex index, FresnelFactor fresnel, String rows, double... keratin)
+            throws IOException {
+        boolean isColor = rows.split(",", -1).length == 4;
+        String text = "theta_i,phi_i,theta_r,phi_r" + (isColor ? "\n" : ",wavelength\n") + rows + "\n";
+        DirectionList list = DirectionList.read(Files.writeString(folder.resolve("list.csv"), text));
+        int count = list.rows().size();
+        return new Evaluator(list, new Environment(Map.of(), folder).progress())
+                .indexed(index, CieTable.load(), fresnel, Collections.nCopies(count, keratin))
+                .get(count - 1);
     }
 
     @Test
     void alongTheNormalTheBrdfHasTheMaterialsReflectanceAndRhoIsOne() throws IOException {
-        DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,550\n");
-        List<double[]> standard = List.of(new double[] {1, 1, 1, 0.04 * 7});
-
-        double[] silvered = evaluator(list)
-                .indexed(RefractiveIndex.parse("0.05+3.3i"), CieTable.load(), FresnelFactor.ONCE, standard)
-                .get(0);
+        RefractiveIndex silver = RefractiveIndex.parse("0.05+3.3i");
+        double[] silvered = indexed(silver, FresnelFactor.ONCE, "0,0,0,0,550", 1, 1, 1, 0.04 * 7);
 
         double r0 = (0.95 * 0.95 + 3.3 * 3.3) / (1.05 * 1.05 + 3.3 * 3.3);
         assertThat(silvered[0]).isEqualTo(1);
@@ -51,12 +51,7 @@ class EvaluatorTest {
     /** All materials reflect all grazing light, so rho is inversely proportional to the mirror's reflectance. */
     @Test
     void grazingLightIsReflectedByAllAlike() throws IOException {
-        DirectionList list = list("theta_i,phi_i,theta_r,phi_r\n89.9,0,89.9,180\n");
-        double[] gain = evaluator(list)
-                .indexed(RefractiveIndex.parse("3"), CieTable.load(), FresnelFactor.ONCE, List.of(new double[] {
-                    1, 1, 1, 25
-                }))
-                .get(0);
+        double[] gain = indexed(RefractiveIndex.parse("3"), FresnelFactor.ONCE, "89.9,0,89.9,180", 1, 1, 1, 25);
         // The limit is for 90 degrees; at 89.9 degrees 0.9 % is not reflected.
         assertThat(gain[3]).isCloseTo(4, within(0.02));
     }
@@ -64,28 +59,20 @@ class EvaluatorTest {
     @Test
     void anIndexByWavelengthIsTakenAtTheRowsWavelength() throws IOException {
         RefractiveIndex index = new RefractiveIndex(new TreeMap<>(Map.of(380e-9, 1.5, 780e-9, 3.5)), new TreeMap<>());
-        DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n0,0,0,0,380\n0,0,0,0,580\n");
-        List<double[]> rows = evaluator(list)
-                .indexed(index, CieTable.load(), FresnelFactor.ONCE, List.of(new double[] {1, 1, 1, 1}, new double[] {
-                    1, 1, 1, 1
-                }));
-        assertThat(rows.get(0)[3]).isCloseTo(1, within(ROUNDING));
+        assertThat(indexed(index, FresnelFactor.ONCE, "0,0,0,0,380", 1, 1, 1, 1)[3])
+                .isCloseTo(1, within(ROUNDING));
         // n = 2.5: (1.5 / 3.5)^2 over 0.04.
-        assertThat(rows.get(1)[3]).isCloseTo(1.5 * 1.5 / 3.5 / 3.5 / 0.04, within(1e-9));
+        assertThat(indexed(index, FresnelFactor.ONCE, "0,0,0,0,380\n0,0,0,0,580", 1, 1, 1, 1)[3])
+                .isCloseTo(1.5 * 1.5 / 3.5 / 3.5 / 0.04, within(1e-9));
     }
 
     /** Rho has (R / R(0))^2, the BRDF R(0) times as much. */
     @Test
     void theSquareOfAMaterialsReflectanceIsThatOfRho() throws IOException {
-        DirectionList list = list("theta_i,phi_i,theta_r,phi_r,wavelength\n60,0,60,180,550\n");
         RefractiveIndex index = RefractiveIndex.parse("3");
-        double keratin = Gain.reflectance(0.5) / Gain.R0;
+        double keratin = Math.pow(Gain.reflectance(0.5) / Gain.R0, 2);
 
-        double[] row = evaluator(list)
-                .indexed(index, CieTable.load(), FresnelFactor.SQUARED, List.of(new double[] {
-                    1, 1, keratin * keratin, Gain.R0 * keratin * keratin
-                }))
-                .get(0);
+        double[] row = indexed(index, FresnelFactor.SQUARED, "60,0,60,180,550", 1, 1, keratin, Gain.R0 * keratin);
 
         double relative = index.reflectance(550e-9, 0.5) / 0.25;
         assertThat(row[2]).isCloseTo(relative * relative, within(ROUNDING));
