@@ -75,7 +75,7 @@ public final class ProgressDisplay {
 
     /** Starts a task such as {@code rendering} with a number of steps, at least 0. */
     public Progress start(String label, long total) {
-        return silent ? new Progress() : new Progress(label, total, new Line());
+        return new Progress(label, total, silent ? null : new Line());
     }
 
     /** In parallel, as a task with one step per item. */
@@ -163,24 +163,20 @@ public final class ProgressDisplay {
         private final ProgressBar bar;
         private final ShutdownHook hook;
 
-        private Progress() {
-            line = null;
-            bar = null;
-            hook = null;
-        }
-
         private Progress(String label, long total, Line line) {
             this.line = line;
             // On Ctrl-C the half-drawn line is erased, and none is drawn after it.
-            hook = new ShutdownHook(line::close);
-            bar = new ProgressBarBuilder()
-                    .setTaskName(label)
-                    .setInitialMax(total)
-                    .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
-                    .setStyle(ProgressBarStyle.ASCII)
-                    .setEtaFunction(Progress::timeLeft)
-                    .setConsumer(line)
-                    .build();
+            hook = line == null ? null : new ShutdownHook(line::close);
+            bar = line == null
+                    ? null
+                    : new ProgressBarBuilder()
+                            .setTaskName(label)
+                            .setInitialMax(total)
+                            .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
+                            .setStyle(ProgressBarStyle.ASCII)
+                            .setEtaFunction(Progress::timeLeft)
+                            .setConsumer(line)
+                            .build();
         }
 
         private static Optional<Duration> timeLeft(ProgressState state) {

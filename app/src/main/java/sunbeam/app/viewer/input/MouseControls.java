@@ -66,7 +66,6 @@ public final class MouseControls extends MouseAdapter {
                 MouseControls::pick);
 
         final Help help;
-
         private final transient BiPredicate<PictureView, MouseEvent> fits;
         private final transient BiConsumer<MouseControls, MouseEvent> effect;
 

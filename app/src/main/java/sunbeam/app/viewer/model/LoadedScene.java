@@ -7,7 +7,6 @@ import sunbeam.app.render.SceneLoader;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.work.BackgroundTask;
-import sunbeam.precompute.method.TableMethod;
 
 /** Scene in memory, with a part for each patch and each Fresnel component of the patch's reflection. */
 public record LoadedScene(List<SceneData> parts) {
@@ -44,10 +43,6 @@ public record LoadedScene(List<SceneData> parts) {
 
     public List<SceneData> ofRegion(int region) {
         return parts.stream().filter(part -> part.region() == region).toList();
-    }
-
-    public boolean isByTable() {
-        return firstPart().scene().method().type().equals(TableMethod.TYPE);
     }
 
     /** Returns the same parts with a scene for which {@link Scene#sharesParts} holds. */

@@ -23,10 +23,10 @@ import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.model.Background;
 import sunbeam.app.viewer.model.Drags;
-import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.app.viewer.picture.PictureView;
 import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
+import sunbeam.precompute.method.TableMethod;
 
 /** Viewer: creates and connects window, model and render thread. Used on the event thread only. */
 public final class Viewer {
@@ -152,7 +152,7 @@ public final class Viewer {
 
     /** Waits, not on the event thread, at most some milliseconds for the first final picture of a scene with color tables, and no other. */
     public void awaitFinalByTable(long patience) throws InterruptedException {
-        if (model.loaded().map(LoadedScene::isByTable).orElse(false)) {
+        if (model.scene().method().type().equals(TableMethod.TYPE)) {
             try {
                 presenter.finalPicture().get(patience, TimeUnit.MILLISECONDS);
             } catch (ExecutionException | TimeoutException none) {
