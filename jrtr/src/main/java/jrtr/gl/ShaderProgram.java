@@ -130,9 +130,8 @@ public final class ShaderProgram extends Resource {
     }
 
     /**
-     * Sets the first elements of an array of {@code float}s or vectors, or one vector. Elements past the array's end are ignored.
-     *
-     * @throws IllegalArgumentException if the number of values is 0 or does not fit the uniform's type
+     * Sets the first elements of an array of {@code float}s or vectors, or one vector. Elements past the array's end are ignored. Throws
+     * {@link IllegalArgumentException} if the number of values is 0 or does not fit the uniform's type.
      */
     public void set(String uniform, float[] values) {
         set(uniform, "float[]", values, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);

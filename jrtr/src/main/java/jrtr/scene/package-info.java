@@ -1,6 +1,2 @@
-/**
- * Scene graph without calls of OpenGL.
- *
- * <p>Graphs are immutable: an animation makes new graphs of the same shapes, whose vertices and textures stay uploaded.
- */
+/** Scene graph without calls of OpenGL. Graphs are immutable: an animation makes new ones of the same shapes, which stay uploaded. */
 package jrtr.scene;

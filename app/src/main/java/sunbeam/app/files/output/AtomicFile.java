@@ -99,9 +99,8 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Writes the whole target through a buffered stream; returns its path as {@link #commit} does.
-     *
-     * @throws OutputException also for an {@link IOException} of the content
+     * Writes the whole target through a buffered stream; returns its path as {@link #commit} does. Throws {@link OutputException} also for
+     * an {@link IOException} of the content.
      */
     public static Path write(Path target, Overwrite overwrite, StreamContent content) {
         try (AtomicFile file = create(target, overwrite)) {
@@ -188,9 +187,8 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Makes the content appear under the target's name; returns its path, which may have a number with {@link Overwrite#NUMBER}.
-     *
-     * @throws OutputException if that fails, for example because a file has appeared under the name meanwhile
+     * Makes the content appear under the target's name; returns its path, which may have a number with {@link Overwrite#NUMBER}. Throws
+     * {@link OutputException} if, for example, a file has appeared under the name meanwhile.
      */
     public Path commit() {
         try {
@@ -201,11 +199,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Makes several files appear, or none, under the names with the lowest number for which all names are free or may be replaced.
-     *
-     * @param names the files' paths for a number, from 1
-     */
+    /** Makes several files appear, or none, under the names with the lowest number from 1 for which all are free or may be replaced. */
     static List<Path> commitAll(List<AtomicFile> files, IntFunction<List<Path>> names) throws IOException {
         int number = 1;
         while (!claimAll(files, names.apply(number), number)) {
