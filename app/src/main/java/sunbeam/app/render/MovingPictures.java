@@ -11,9 +11,10 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import org.joml.Vector2f;
-import sunbeam.app.gpu.CachedTarget;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
+import sunbeam.app.render.Ground.CachedTarget;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 

@@ -113,7 +113,6 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    /** Adds the footprints of a part of a block to the feedback. */
     void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
         Tile part = piece.inBlock();
         addFeedback(skin, request, buffer, part, covered(buffer.views(part), piece, request));

@@ -18,7 +18,7 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     // Longest side of a block in pixels; all known cards with OpenGL 3.3 have render targets of this size.
     private static final int LONGEST_SIDE = 1 << 11;
 
-    /** @param multiple divisor of the sides of the picture and of all blocks, so that a block has whole pixels of so many samples */
+    /** @param multiple samples along a pixel's side, which divide the picture's sides and those of all blocks */
     static SceneBlocks of(int width, int height, int multiple) {
         int blockWidth = part(width, LONGEST_SIDE, multiple);
         return new SceneBlocks(
@@ -35,10 +35,7 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
         return multiple * ceilDiv(units, units % fewest != 0 && units % (fewest + 1) == 0 ? fewest + 1 : fewest);
     }
 
-    /**
-     * Returns the quotient of two positive integers, rounded up. It is the number of pixels that remain if every {@code divisor}-th of
-     * {@code dividend} pixels is taken.
-     */
+    /** Returns the quotient of two positive integers, rounded up. */
     static int ceilDiv(int dividend, int divisor) {
         return (dividend + divisor - 1) / divisor;
     }

@@ -13,6 +13,7 @@ import jrtr.gl.Resource;
 import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.Pick.Picking;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -103,7 +104,7 @@ public final class SceneSession implements AutoCloseable {
     /**
      * Draws a part of a picture.
      *
-     * @return picture of the tile's strided samples
+     * @return picture of the request's samples
      * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
      * @throws IllegalStateException if a scheduler bakes tiles and one that the part reads is missing
      */

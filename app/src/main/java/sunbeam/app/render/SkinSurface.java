@@ -14,6 +14,7 @@ import jrtr.scene.SceneGraph.Node;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.MovingPictures.MovingSkin;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
@@ -28,9 +29,9 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
-    // Draws with one random slope of fine relief each: at least LEAST_SLOPES, else SLOPES_PER_SAMPLE for each sample
-    // along a pixel's side.
-    // Few slopes meet a sharp order, and these pictures are the reference for method table.
+    // Draws with one random slope of fine relief each: at least LEAST_SLOPES, else SLOPES_PER_SAMPLE_ACROSS for each
+    // sample along a pixel's side. Few slopes meet a sharp order, and these pictures are the reference for method
+    // table.
     private static final int LEAST_SLOPES = 16;
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 

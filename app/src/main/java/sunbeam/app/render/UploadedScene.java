@@ -7,6 +7,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.VertexBuffer;
 import org.joml.Vector3fc;
+import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.precompute.color.DisplayTransform;

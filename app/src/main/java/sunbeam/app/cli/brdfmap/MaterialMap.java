@@ -15,7 +15,7 @@ import jrtr.gl.RenderContext;
 import org.joml.Vector3f;
 import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.BrdfMapRenderer;
-import sunbeam.app.gpu.DiscDirections;
+import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.gpu.picture.LinearPicture;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
-import sunbeam.app.render.LitPixels;
+import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.color.DisplayTransform;

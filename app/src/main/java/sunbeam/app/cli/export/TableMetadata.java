@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.gpu.DiscDirections;
+import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.analysis.EnergyDivisor;

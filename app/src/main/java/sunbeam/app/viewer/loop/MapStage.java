@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.BrdfMapRenderer;
-import sunbeam.app.gpu.DiscDirections;
+import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.CancellationToken;
 import sunbeam.app.gpu.colors.VirtualTexture;

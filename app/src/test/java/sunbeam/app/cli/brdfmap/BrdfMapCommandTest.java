@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.gpu.DiscDirections;
+import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.optics.Direction;
