@@ -25,15 +25,12 @@ import sunbeam.precompute.setting.Setting;
 /** Help of a command, with options in groups. The short form has the common options, each with the first sentence of its description. */
 final class CommandHelp {
     static final String COMPLETE = "--help-all";
-
     private static final Set<String> LAST = Set.of("--output", "--force", "--resume", "--json");
     private static final Set<String> GENERAL = Set.of("--help", COMPLETE, "--version", "--debug", "--quiet");
     private static final List<Setting<?>> METHOD_SETTINGS =
             List.of(METHOD, MethodSettings.PRESET, TOLERANCE, COHERENCE_LENGTH, MethodSettings.AVERAGE);
-
     private static final Set<String> EXPERT =
             Set.of("--tone --primaries --linear --tev --light-cone --strokes --version --debug --quiet".split(" ", -1));
-
     // Settings that most users need.
     private static final Set<String> COMMON =
             Set.of(("--patch --width --max-height --mesh --texture --rotate-patch --exposure --theta-i --phi-i"

@@ -40,11 +40,8 @@ import sunbeam.precompute.text.Text;
  */
 record Meter(RenderContext context, int size, Direction light) {
     static final int FRAMES = 3;
-
     static final double LEAST_SECONDS = 0.5;
-
     static final double MOST_SECONDS = 5;
-
     private static final int MOST_FRAMES = 1000;
 
     /** Cost and error of a method on a surface: making is from the heights to the card, a frame one map, pixels are the disc's. */

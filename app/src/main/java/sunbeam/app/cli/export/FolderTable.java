@@ -24,7 +24,6 @@ record FolderTable(boolean isGlsl) implements TableWriter {
     private static final double EVALUATED_BYTES = 4;
     // Factor of the stored roots: without it dark ones would be subnormal half floats.
     private static final float SCALE = 256;
-
     private static final String QUANTITY =
             "square roots of CIE X, Y, Z of diffracted power, times 256: of sunbeam.exr the slices one below the other, from the"
                     + " first w on, rows of ascending v from the top";

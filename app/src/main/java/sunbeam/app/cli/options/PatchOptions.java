@@ -31,7 +31,6 @@ import sunbeam.precompute.setting.Setting;
 /** Options of the surface; a picocli mixin. */
 public final class PatchOptions extends SettingOptions {
     public static final String TASK = "--task";
-
     private static final String MANY = "0..*";
     private static final List<Setting<?>> WITHOUT_PATCH =
             PatchSettings.ALL.stream().filter(setting -> !setting.equals(PATCH)).toList();

@@ -17,10 +17,8 @@ final class PairDensity {
     static final int SIDE = 400;
 
     static final double BACKGROUND = 0.25;
-
-    /** Largest |(u, v)| of any two directions. */
+    // Largest |(u, v)| of any two directions.
     private static final double REACH = 2;
-
     private static final double STEP = 2 * REACH / SIDE;
     // 2^64 by the golden ratio: modulo 2^64, any number of its multiples is evenly distributed (Kronecker sequence).
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;

@@ -185,7 +185,6 @@ final class SampleRows {
     /** Writer of a file of samples: one float32 array per column. The metadata is JSON, supplied after the columns are written. */
     record RowFile(long first, int rows, List<Column> columns, Supplier<String> metadata) {
         static final int BATCH = 1 << 21;
-
         // Rows of an HDF5 chunk: 768 KB for a column of width 3.
         private static final int CHUNK_ROWS = 1 << 16;
         // Numbers per row: two directions of three; X, Y, Z or wavelength, power and BRDF; density.

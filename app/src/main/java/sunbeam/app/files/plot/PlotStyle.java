@@ -51,7 +51,6 @@ final class PlotStyle {
     static final BasicStroke LINE = new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final BasicStroke THIN = new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final NumberFormat NUMBERS = new DecimalFormat("0.######", DecimalFormatSymbols.getInstance(Locale.ROOT));
-
     private static final TickUnits DECADES = units(1, 2, 3, 5);
     private static final TickUnits DOUBLINGS = units(Math.log10(2), 1);
     // Ratio of its ends below which a logarithmic axis has labels at 1, 2, 4, 8 and so on.
@@ -69,9 +68,7 @@ final class PlotStyle {
     static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 18);
     static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 16);
     static final Font TICK_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
-
     static final Color OUTLINE = new Color(0x888888);
-
     private static final Color GRID = new Color(0xDDDDDD);
     private static final double MARGIN = 16;
 

@@ -202,7 +202,6 @@ public record Certificate(
     public record SceneCertifier(int width, int height, PixelSamples samples) {
         /** Points along a pixel's side; 256 in all. */
         public static final int POINTS = 16;
-
         // Most random pixels tried per compared pixel: the mesh may fill few of them.
         private static final int MOST_TRIES = 200;
 
