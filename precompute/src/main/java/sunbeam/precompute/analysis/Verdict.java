@@ -39,7 +39,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     private static final double FINEST_ANGLE = Math.sin(Math.toRadians(0.1));
     private static final double MICROMETERS_PER_METER = 1e6;
     private static final int DIGITS = 3;
-    private static final double HORIZON = 90;
     // Degrees; narrower bands of color have angles with a decimal.
     private static final double NARROW = 2;
     // A scanner's axes differ in scale and angle: relative difference of frequencies, sine of 4 degrees.
