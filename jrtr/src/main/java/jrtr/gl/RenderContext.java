@@ -64,6 +64,7 @@ public final class RenderContext implements AutoCloseable {
         return new ShaderProgram(device, ShaderLibrary.ofEngine().load("jrtr/mesh.vert.glsl"), fragment);
     }
 
+    /** Uploads triangles. This and the next methods throw {@link GraphicsException} beyond the driver's limits or memory. */
     public VertexBuffer createVertexBuffer(String label, VertexData data) {
         return new VertexBuffer(device, label, data);
     }

@@ -14,6 +14,11 @@ import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 import sunbeam.precompute.text.Text;
 
+/**
+ * Divisor of radiance that conserves energy: the light of all orders over that of a mirror of the same material, where it exceeds 1, by direction
+ * of light and wavelength. It does not depend on the direction of view, so reciprocity is lost. Of a map with many orders, its middle
+ * represents it. Thread-safe.
+ */
 public final class EnergyDivisor {
     private static final int LIGHTS = 24;
     // Nanometers of a cell: few orders have sharp peaks at the horizon, many a smooth sum.
@@ -102,7 +107,10 @@ public final class EnergyDivisor {
         private static final double DEEPEST = 6e-6;
         private static final double WAVELENGTH_STEP = 20e-9;
 
-        /** Returns the balance of the largest ratio at visible wavelengths; empty for a relief beyond 6 um, which takes too long. */
+        /**
+         * Returns the balance of the largest ratio at wavelengths 20 nm apart, for light in the patch's frame; empty for a relief beyond 6 um,
+         * which takes too long.
+         */
         public static Optional<EnergyBalance> largest(HeightMap map, RefractiveIndex index, Direction wi) {
             HeightMap middle = middle(map);
             if (middle.relief() > DEEPEST) {

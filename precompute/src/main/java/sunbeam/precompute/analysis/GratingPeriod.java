@@ -65,7 +65,10 @@ public record GratingPeriod(
         return of(patch, wave -> true, "");
     }
 
-    /** Returns the strongest wave's within meters; azimuth across the lines, radians counter-clockwise from +x. */
+    /**
+     * Returns the period of the strongest wave whose period, meters, lies within limits and whose azimuth, across the lines, is the given one if
+     * any, radians counter-clockwise from +x.
+     */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
         Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
         if (azimuth.isEmpty()) {
@@ -144,7 +147,7 @@ public record GratingPeriod(
         return vague(wave, Double.POSITIVE_INFINITY, share).within(wave.length(), wave.length(), 0);
     }
 
-    /** Sets the interval of the frequency, cycles per meter, and its direction's half width. */
+    /** Sets the interval of the frequency, cycles per meter, and the half width of the direction's interval, radians. */
     GratingPeriod within(double lowest, double highest, double halfWidth) {
         double longest = lowest > 0 ? 1 / lowest : Double.POSITIVE_INFINITY;
         return new GratingPeriod(wave, 1 / highest, longest, halfWidth, periods, share, others, certainty, reason);
@@ -171,7 +174,7 @@ public record GratingPeriod(
         return withCertainty(Certainty.TOO_LITTLE, reason);
     }
 
-    /** For the surface rotated counter-clockwise. */
+    /** Returns the period of the surface rotated about its normal, counter-clockwise by an angle in radians. */
     public GratingPeriod turned(double angle) {
         List<SpatialFrequency> turned =
                 others.stream().map(other -> other.turned(angle)).toList();

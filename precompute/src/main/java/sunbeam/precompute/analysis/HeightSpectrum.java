@@ -17,6 +17,7 @@ import sunbeam.precompute.spectrum.BandTransform2d;
  * @param total sum of the power, square meters, also beyond the bands
  */
 public record HeightSpectrum(Band bandX, Band bandY, double width, double height, double[] power, double total) {
+    /** Meters; half the shortest wavelength, for light and viewer at grazing angles. */
     static final double SHORTEST_PERIOD = Plausibility.SHORTEST_WAVELENGTH / 2;
     // Samples; larger padded ones would take gigabytes.
     private static final int MOST_PADDED = 1 << 22;
@@ -70,6 +71,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         return taper;
     }
 
+    /** Returns the power of a bin in square meters; 0 outside the bands. */
     public double at(int jx, int jy) {
         return bandX.holds(jx) && bandY.holds(jy)
                 ? power[(jy - bandY.first()) * bandX.count() + jx - bandX.first()]

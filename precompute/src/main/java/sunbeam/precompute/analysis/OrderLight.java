@@ -16,9 +16,11 @@ import sunbeam.precompute.spectrum.BandTransform2d;
 import sunbeam.precompute.spectrum.ComplexVector;
 
 /**
- * Efficiencies, shares of the incident light, of a surface's orders: of a piece the integral over half the distance to the next order.
+ * Efficiencies, shares of the incident light, of a surface's orders under one light: of a piece of a surface, the integral around each order,
+ * over half the distance to the next.
  *
  * @param wi direction to the light, in the patch's frame
+ * @param wavelength meters
  * @param efficiencies of the orders above the horizon
  * @param between share that leaves between the orders of a grating
  * @param sum share that leaves the surface
@@ -35,7 +37,7 @@ public record OrderLight(
     // Parts of a scan along each axis, whose differences give the interval.
     private static final int PARTS = 4;
 
-    /** Efficiency of an order with its 95 % interval: NaN of less than two parts, the value if the surface repeats. */
+    /** Efficiency of an order with the 95 % interval of its mean: NaN from fewer than two parts, the value twice if the surface repeats. */
     public record Efficiency(double value, double low, double high) {
         static final Efficiency NONE = new Efficiency(0, 0, 0);
     }
@@ -94,7 +96,10 @@ public record OrderLight(
         }
     }
 
-    /** Returns the light of orders under a direction in the patch's frame; efficiencies of a sampled scan have an interval. */
+    /**
+     * Returns the light of orders under a direction in the patch's frame at a wavelength of 380..780 nm, in meters; efficiencies of a sampled
+     * scan have an interval.
+     */
     public static OrderLight of(
             OrderSpectrum spectrum,
             OrderLattice lattice,

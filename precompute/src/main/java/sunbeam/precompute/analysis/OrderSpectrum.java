@@ -96,7 +96,10 @@ public final class OrderSpectrum {
     }
 
     /**
-     * @param wi towards the light, in the patch's frame
+     * Visits the orders above the horizon.
+     *
+     * @param wi direction to the light, in the patch's frame
+     * @param wavelength meters, within 380..780 nm
      * @param sampled true for a scan, whose light fills each bin
      */
     void forEach(Direction wi, double wavelength, boolean sampled, Consumer<Wave> visitor) {
@@ -153,6 +156,8 @@ public final class OrderSpectrum {
     /**
      * Returns the light of all orders over that of a mirror; close to the horizon, of the Gaussian above it.
      *
+     * @param wi direction to the light, in the patch's frame
+     * @param wavelength meters, within 380..780 nm
      * @param sigmaFrequency of the window's amplitude spectrum, cycles per meter; 0 for an infinite window
      */
     public double sum(RefractiveIndex index, Direction wi, double wavelength, double sigmaFrequency) {

@@ -183,7 +183,7 @@ final class PeriodModel {
     /**
      * Takes the interval from the centroids in tiles. Tiles along straight lines are not independent: the error falls only along the wave.
      *
-     * @param line in the interval: the centroid of two equally strong periods is neither
+     * @param line line that the interval must include: the centroid of two equally strong periods is neither
      */
     private GratingPeriod byTiles(GratingPeriod vague, SpatialFrequency line) {
         SpatialFrequency wave = vague.wave();
@@ -212,6 +212,7 @@ final class PeriodModel {
         return (int) Math.min(MOST_TILES, wave.periodsIn(scan) / FEWEST_PERIODS);
     }
 
+    /** Frequencies, cycles per meter. */
     private record Interval(double low, double high) {
         Interval reaching(double part, double whole) {
             double end = whole + BEYOND * (part - whole);

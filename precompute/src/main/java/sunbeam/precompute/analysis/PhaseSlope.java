@@ -137,7 +137,10 @@ record PhaseSlope(double value, double halfWidth) {
         return new PhaseSlope(slope / (2 * Math.PI), halfWidth / (2 * Math.PI));
     }
 
-    /** Returns the phase's median step between bands of rows along y, cycles per meter (a scanner slips in few), or 0. */
+    /**
+     * Returns a correction of the frequency along y, cycles per meter: the median of the phase's steps between bands of rows, of which a scanner
+     * that slips changes few; 0 for fewer than three bands or periods along a row.
+     */
     static double byRows(HeightMap level, SpatialFrequency wave) {
         int lag = Math.max(1, level.rows() / BANDS);
         int bands = level.rows() / lag;

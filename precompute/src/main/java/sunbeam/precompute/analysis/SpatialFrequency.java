@@ -29,7 +29,7 @@ public record SpatialFrequency(double x, double y) {
         return Math.abs(x * other.y - y * other.x) / (length() * other.length());
     }
 
-    /** Distance to the wave or its opposite, whichever is nearer. */
+    /** Returns the distance to the wave or its opposite, whichever is nearer, cycles per meter. */
     double distance(SpatialFrequency other) {
         return Math.min(Math.hypot(x - other.x, y - other.y), Math.hypot(x + other.x, y + other.y));
     }
@@ -38,7 +38,7 @@ public record SpatialFrequency(double x, double y) {
         return new SpatialFrequency(factor * x, factor * y);
     }
 
-    /** Adds corrections along the wave and, counter-clockwise from it, along its lines. */
+    /** Adds corrections, cycles per meter, along the wave and, counter-clockwise from it, along its lines. */
     SpatialFrequency corrected(double along, double across) {
         double cosine = x / length();
         double sine = y / length();

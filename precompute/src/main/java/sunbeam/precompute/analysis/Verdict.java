@@ -131,6 +131,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         if (RED / (period.isSure() ? period.low() : period.period()) < FINEST_ANGLE) {
             return "no visible order can be resolved, all lie within 0.1 degrees of the mirror direction; check the width";
         }
+        // Under light from above, the orders +1 and -1 lie at equal angles.
         String angles = firstOrders.stream()
                 .limit(theta == 0 ? 1 : 2)
                 .map(Verdict::words)

@@ -8,11 +8,13 @@ public record Chromaticity(double x, double y) {
     // Below this distance from white rounding would decide the hue.
     private static final double NO_HUE = 1e-3;
 
+    /** NaN for black. */
     public static Chromaticity of(double[] xyz) {
         double sum = xyz[0] + xyz[1] + xyz[2];
         return new Chromaticity(xyz[0] / sum, xyz[1] / sum);
     }
 
+    /** Returns the chromaticity of monochromatic light; wavelength in meters. */
     public static Chromaticity ofWavelength(CieTable cie, double wavelength) {
         return of(new double[] {cie.at(wavelength, 0), cie.at(wavelength, 1), cie.at(wavelength, 2)});
     }

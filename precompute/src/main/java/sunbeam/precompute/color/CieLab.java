@@ -8,6 +8,7 @@ public record CieLab(double lightness, double a, double b) {
     private static final double DELTA = 6.0 / 29;
     private static final double POWER_25_TO_7 = Math.pow(25, 7);
 
+    /** Converts linear X, Y, Z, with Y = 1 for white. */
     public static CieLab ofXyz(double x, double y, double z) {
         double fx = response(x / WHITE[0]);
         double fy = response(y / WHITE[1]);

@@ -113,6 +113,7 @@ public record CieTable(double[][] weighted, double integralOfY, String descripti
         return MINIMUM_WAVELENGTH + Math.max(0, lit().min().orElseThrow() - 1) * 1e-9;
     }
 
+    /** Returns the longest wavelength with light, in meters. */
     public double longestWavelength() {
         return MINIMUM_WAVELENGTH + Math.min(weighted.length - 1, lit().max().orElseThrow() + 1) * 1e-9;
     }

@@ -45,7 +45,8 @@ public record DisplayTransform(double exposure, Tone tone, Primaries primaries) 
         /** CIE 1931 RGB, as in the thesis's shader; on an sRGB screen its white is bluish. Negative channels are clipped. */
         CIE_RGB;
 
-        // Inverse of the matrix of columns (0.49, 0.17697, 0), (0.31, 0.8124, 0.01), (0.2, 0.01063, 0.99) / 0.17697.
+        // Inverse of the matrix whose columns are X, Y, Z of red, green and blue: (0.49, 0.17697, 0),
+        // (0.31, 0.8124, 0.01) and (0.2, 0.01063, 0.99), each over 0.17697.
         private static final double[][] CIE_RGB_OF_XYZ = {
             {2.36461385, -0.89654057, -0.46807328},
             {-0.51516621, 1.42640810, 0.08875810},

@@ -93,6 +93,7 @@ public record WavelengthBand(double firstNanometers, double lastNanometers) {
             }
         }
 
+        /** Nanometers. */
         public double step() {
             return (range.lastNanometers() - range.firstNanometers()) / (count - 1);
         }

@@ -23,6 +23,7 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
         return wavelengths.length;
     }
 
+    /** Integrates a power, by the wavelength in meters, to X, Y, Z. */
     public double[] sum(DoubleUnaryOperator power) {
         double[] sum = new double[3];
         for (int i = 0; i < wavelengths.length; i++) {
@@ -90,8 +91,8 @@ public record WavelengthNodes(double[] wavelengths, double[][] weights) {
     }
 
     /**
-     * Integrates a power to X, Y, Z over 380..780 nm and slightly beyond, to nine digits: halves the step of 1 / lambda until the result
-     * converges, else throws ArithmeticException. The first step resolves the power's structure.
+     * Integrates a power, by the wavelength in meters, to X, Y, Z over 380..780 nm and slightly beyond, to nine digits: halves the step of 1 /
+     * lambda until the result converges, else throws ArithmeticException. The first step, cycles per meter, resolves the power's structure.
      */
     public static double[] exact(CieTable cie, DoubleUnaryOperator power, double firstStep) {
         double[] coarse = integrated(cie, firstStep).sum(power);

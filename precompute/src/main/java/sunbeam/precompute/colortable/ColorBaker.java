@@ -10,7 +10,11 @@ public interface ColorBaker extends AutoCloseable {
     interface Token extends AutoCloseable {
         Token NONE = samples -> {};
 
-        /** Reports samples done since the last call, 0 to test alone; throws CancellationException if the bake was cancelled. */
+        /**
+         * Reports progress; throws CancellationException if the bake was cancelled.
+         *
+         * @param samples number done since the last call; 0 only tests for cancellation
+         */
         void step(long samples);
 
         @Override

@@ -72,8 +72,11 @@ public record ColorTable(
     }
 
     /**
-     * Returns a table that keeps a tolerance for an effective relief in meters ({@link TableDesign#depth}). Orders may be isolated in the
-     * dark, as a grating's, but not with slopes. A coherent average, which is no sum of Gaussians, has one level and no slopes.
+     * Returns a table that keeps a tolerance. A coherent average, which is no sum of Gaussians, has one level and no slopes.
+     *
+     * @param relief effective relief in meters, see {@link TableDesign#depth}
+     * @param ordersIsolated whether orders stand alone in the dark, as a grating's do; false with slopes
+     * @param slopeDeviation standard deviation of the slopes of relief finer than a pixel; 0 for none
      */
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {
@@ -114,7 +117,7 @@ public record ColorTable(
         return sigma(area.window());
     }
 
-    /** Returns the same in the finest level for footprints; the variance doubles from level to level. */
+    /** Returns {@link #sigma()} of the finest level for footprints; the variance doubles from level to level. */
     public double finestSigma() {
         return sigma(levels.get(pointLevelCount()).area().window());
     }

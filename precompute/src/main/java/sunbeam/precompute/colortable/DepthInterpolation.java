@@ -13,6 +13,7 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
     /** Periods of the fastest wave along w in one slice step of the color table (TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
 
+    // Largest error of a wave of amplitude 1 between Chebyshev nodes.
     private static final double ERROR = 5e-5;
 
     private DepthInterpolation(double[] depths, int taps) {
@@ -55,7 +56,10 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
         return IntStream.range(0, uvw.length / COORDINATES).mapToDouble(i -> Math.abs(uvw[COORDINATES * i + 2]));
     }
 
-    /** Returns the nodes within {@link #ERROR}: n err by 2 (phase / 2)^n / n!, of the phase from the range's middle to its end. */
+    /**
+     * Returns the number of nodes that keep {@link #ERROR} for a wave whose phase changes by so many radians from the range's middle to its end:
+     * n nodes err by 2 (phase / 2)^n / n!.
+     */
     private static int chebyshevNodes(double phase) {
         int nodes = 1;
         double error = phase;

@@ -31,7 +31,10 @@ final class LogPolarConvolution {
         double[] at(double wavelength, double depth);
     }
 
-    /** Positions begin at ln |(u, v)| {@code first}, {@code stride} wavelength steps apart; wavelengths have equal steps of ln lambda. */
+    /**
+     * Positions begin at ln |(u, v)| {@code first}, {@code stride} wavelength steps apart; wavelengths have equal steps of ln lambda; depths are
+     * |w| of the slices.
+     */
     LogPolarConvolution(
             double first,
             int count,
@@ -72,6 +75,7 @@ final class LogPolarConvolution {
         }
     }
 
+    /** Returns the least length of the transform in which the convolution does not wrap around. */
     static int length(int count, int stride, int nodes) {
         return count + AverageProjection.knots(stride, nodes) - 1;
     }

@@ -44,7 +44,12 @@ public final class RadialBaker implements ColorBaker {
         this(spectrum, cie, level.area(), level.design(), TableSpace.AllLights.REACH, level.includeFaintTails());
     }
 
-    /** Creates a baker for samples up to {@code farthest} |(u, v)|; faint tails of bright orders are 1e-6 of the order. */
+    /**
+     * Creates a baker for samples of a table's density.
+     *
+     * @param farthest largest |(u, v)| of a sample
+     * @param includeFaintTails whether tails of bright orders must be exact down to 1e-6 of the order
+     */
     public RadialBaker(
             PowerSpectrum spectrum,
             CieTable cie,

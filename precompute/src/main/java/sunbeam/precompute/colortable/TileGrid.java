@@ -20,6 +20,7 @@ public record TileGrid(
         double originY,
         int columns,
         int rows) {
+    /** Texels along a tile's side that the tile owns. */
     public static final int SIDE = 16;
     /** One before and two behind a tile's own texels, for cubic B-splines. */
     public static final int STORED_SIDE = SIDE + 3;

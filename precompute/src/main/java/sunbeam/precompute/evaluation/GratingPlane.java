@@ -62,6 +62,7 @@ public record GratingPlane(double thetaI, double phiI, double azimuth) {
             return new FirstOrder(period / factor, period * factor);
         }
 
+        /** Returns the geometric mean, meters. */
         public double middle() {
             return Math.sqrt(shortest * longest);
         }

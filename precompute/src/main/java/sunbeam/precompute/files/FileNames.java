@@ -2,6 +2,7 @@ package sunbeam.precompute.files;
 
 import java.nio.file.Path;
 
+/** Names of files. */
 public final class FileNames {
     private FileNames() {}
 

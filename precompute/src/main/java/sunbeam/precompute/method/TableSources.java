@@ -13,14 +13,17 @@ public interface TableSources {
 
     ShaderTables tables(MethodPlan plan);
 
+    /** Opens a baker that runs the shader of these tables; the caller closes it. */
     ColorBaker baker(ShaderTables tables);
 
+    /** Shows the progress of baking samples until the caller closes it. */
     ColorBaker.Token progress(long samples);
 
     boolean hasTiles();
 
     boolean hasTiles(ColorTablePlan plan);
 
+    /** The caller closes it. */
     CachedTiles tiles(ColorTablePlan plan);
 
     ValidatedTable.Diagnostics diagnostics();

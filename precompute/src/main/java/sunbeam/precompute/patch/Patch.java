@@ -24,7 +24,7 @@ public record Patch(
         List<ScanFault> faults,
         Repetition repetition) {
 
-    // Relative to the relief.
+    // Difference between neighbors that counts as none, relative to the relief.
     private static final double SAME = 1e-4;
 
     /** Surface outside of the heights. */

@@ -44,7 +44,7 @@ public final class Plausibility {
     private static final double USUAL_FROM = 300e-9;
     private static final double USUAL_TO = 1e-3;
     private static final int MOST_EXAMINED = 100_000;
-    // Integers have this many distinct values, each RECURRING times on average.
+    // Samples count as integers if they have this many distinct values, each RECURRING times on average.
     private static final int FEWEST_LEVELS = 16;
     private static final int RECURRING = 4;
     // Share relative to the other samples, and distance in ranges of the others, that a mark of missing samples has.

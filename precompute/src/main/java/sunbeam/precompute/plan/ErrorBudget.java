@@ -56,6 +56,7 @@ public record ErrorBudget(double tolerance, Roughness roughness) {
         return EXPANSION_SHARE * tolerance;
     }
 
+    /** Returns the amplitude below which a bin's contribution to a frequency may be omitted. */
     public double leftOut() {
         return 0.5 * WINDOW_SHARE * tolerance * DARKEST_AMPLITUDE;
     }

@@ -61,6 +61,7 @@ public record SpectrumPlan(
         return area.window();
     }
 
+    /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light. */
     public double specularReach() {
         return window().specularReach(CieTable.MAXIMUM_WAVELENGTH);
     }

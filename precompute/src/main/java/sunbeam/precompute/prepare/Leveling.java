@@ -81,8 +81,8 @@ public enum Leveling {
     }
 
     /**
-     * Least-squares polynomial of heights, minus an offset, which then costs no digits, with 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2;
-     * x and y run from -1 to 1 over the map. If all samples lie on one line, the pseudo-inverse yields the slope along it.
+     * Least-squares polynomial of heights with 1, 3 or 6 of the terms 1, x, y, x^2, x y, y^2; x and y run from -1 to 1 over the map. An offset is
+     * subtracted before the fit, so that it costs no digits. If all samples lie on one line, the pseudo-inverse yields the slope along it.
      */
     private record Polynomial(HeightMap map, double offset, RealVector coefficients) {
         private static final int[] POWERS_OF_X = {0, 1, 0, 2, 1, 0};

@@ -27,6 +27,7 @@ public record ReferenceEvaluator(
     private static final double AMPLITUDE_REACH = 9;
     private static final double POWER_REACH = 6.8;
 
+    /** Throws IllegalArgumentException if samples are missing. */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
         this(new SurfaceSums(map), window, Axis.x(map, origin), Axis.y(map, origin));
     }

@@ -22,6 +22,7 @@ public record ReplicaLight(SurfaceSums surface, Axis x, Axis y, Replicas replica
     // With all replicas a long and b wide, the power has at most |u| a + |v| b cycles per unit of 1 / lambda.
     private static final double NODES_PER_CYCLE = 3;
 
+    /** Throws IllegalArgumentException if samples are missing. */
     public ReplicaLight(HeightMap map, Replicas replicas, CieTable cie) {
         this(new SurfaceSums(map), Axis.x(map, WindowOrigin.CORNER), Axis.y(map, WindowOrigin.CORNER), replicas, cie);
     }

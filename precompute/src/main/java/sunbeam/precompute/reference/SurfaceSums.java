@@ -117,7 +117,10 @@ record SurfaceSums(HeightMap map, HeightLevels heights) {
     /** Complex weights of the samples along one axis. N is the number of samples and f a frequency in cycles per meter. */
     record AxisWeights(double[] real, double[] imaginary) {
         /**
-         * Positions of samples, in steps (meters; negative along y, since rows run downwards) from {@code origin}, under the window's maximum.
+         * Sample positions along one axis, relative to the sample under the window's maximum.
+         *
+         * @param step signed distance of neighbors, meters; negative along y, since rows run downwards
+         * @param origin index of the sample at position 0
          */
         record Axis(int count, double step, int origin) {
             static Axis x(HeightMap map, WindowOrigin origin) {

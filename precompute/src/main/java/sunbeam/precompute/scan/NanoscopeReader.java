@@ -154,7 +154,10 @@ final class NanoscopeReader {
                 .value();
     }
 
-    /** Parses "500 nm" or "10 5 ~m" of the complete scan. The height may follow from the aspect ratio (width over height). */
+    /**
+     * Parses "500 500 nm", "500 nm" or "10 5 ~m" (micrometers), the size of the complete scan. If both sides are equal or one is missing, the
+     * height follows from the aspect ratio (width over height), or else from square pixels.
+     */
     private static Extent extent(Header common, Header image, Samples samples) {
         String[] words = image.text("scan size", common.text("scan size", "")).split("\\s+", -1);
         Optional<Double> meters = Extent.metersPer(words[words.length - 1]);

@@ -49,6 +49,7 @@ final class PictureReader {
     private static final int PALETTE = 3;
     private static final int PREMULTIPLIED = 1;
     private static final int ALPHA = 2;
+    // Bits of the tag NewSubfileType for a reduced copy and for a mask.
     private static final int NO_IMAGE = 1 | 4;
     private static final Pattern UNIT = Pattern.compile("(?s)ImageJ=.*?\nunit=(\\V*).*");
 

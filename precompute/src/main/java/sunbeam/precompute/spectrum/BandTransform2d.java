@@ -27,6 +27,7 @@ public final class BandTransform2d {
         void fill(int row, double[] real, double[] imaginary);
     }
 
+    /** Source of the samples of a real field. Must be thread-safe. */
     @FunctionalInterface
     public interface RealRowSource {
         void fill(int row, double[] samples);

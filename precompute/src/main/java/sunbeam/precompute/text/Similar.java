@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
+/** Suggestions for misspelled names. */
 public final class Similar {
     private static final int LARGEST_DISTANCE = 2;
 

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import sunbeam.precompute.text.Quoted;
 
+/** Parsing and formatting of decimal numbers. */
 public final class Decimals {
     // Without what Double.parseDouble also accepts: 1d, 0x1p3 and NaN.
     private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");

@@ -44,7 +44,14 @@ record Meter(RenderContext context, int size, Direction light) {
     static final double MOST_SECONDS = 5;
     private static final int MOST_FRAMES = 1000;
 
-    /** Cost and error of a method on a surface: making is from the heights to the card, a frame one map, pixels are the disc's. */
+    /**
+     * Cost and error of a method on a surface.
+     *
+     * @param makingSeconds seconds from the heights to the tables on the graphics card
+     * @param frameSeconds median time of a map
+     * @param pixels number of the disc's pixels in the map
+     * @param errors relative errors of X, Y, Z; without samples if not measured
+     */
     record Measurement(
             String patch,
             String method,

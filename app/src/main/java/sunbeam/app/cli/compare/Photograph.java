@@ -25,7 +25,7 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
     /** Overlap of two pixels that counts as none, as a share of a pixel's area: it is due to rounding. */
     private static final double ROUNDING = 1e-9;
 
-    /** A photograph in linear light, covered by its alpha; {@code clipped} where any channel of any of the file's pixels was. */
+    /** A photograph in linear light, covered by its alpha; {@code clipped} where any channel of any of the file's pixels was at its maximum. */
     record Linear(ScenePicture picture, boolean[] clipped) {}
 
     /** Reads a PNG, JPEG or TIFF of 8 or 16 bits, without a profile as sRGB; refuses unknown colors. */

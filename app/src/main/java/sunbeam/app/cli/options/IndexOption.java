@@ -22,7 +22,7 @@ public final class IndexOption {
         return IndexFile.isName(index) ? Path.of(index).getFileName() + ", " + parsed.describe() : parsed.describe();
     }
 
-    /** Parses the option, or reads the file that it names. */
+    /** Parses the option, or reads the file that it names; throws UsageException or InputException if they cannot be used. */
     public RefractiveIndex parse() {
         try {
             return IndexFile.isName(index) ? IndexFile.read(Path.of(index)) : RefractiveIndex.parse(index);

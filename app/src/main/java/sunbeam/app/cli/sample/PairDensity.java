@@ -111,6 +111,7 @@ final class PairDensity {
         return Direction.ofDisc(radius * Math.cos(phi), radius * Math.sin(phi));
     }
 
+    /** Returns the probability density of a pair per solid angles, 1/sr^2. */
     double at(DirectionPair pair) {
         double u = pair.u();
         double v = pair.v();

@@ -20,10 +20,10 @@ import javax.imageio.stream.ImageInputStream;
 import sunbeam.precompute.files.InputException;
 
 /**
- * Reader of PNG, JPEG, BMP, GIF and TIFF files, by their first bytes. It checks sizes before it allocates memory.
+ * Reader of PNG, JPEG, BMP, GIF and TIFF files, recognized by their first bytes. It checks sizes before it allocates memory.
  *
  * @param what role in messages, such as "texture"
- * @param mostPixels limit of compressed files' time
+ * @param mostPixels limit that keeps a small compressed file from taking minutes
  * @param workingBytes bytes per pixel besides the decoder's samples
  */
 public record ImageFile(String what, int largestSide, int mostPixels, int workingBytes) {

@@ -28,8 +28,8 @@ import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.units.Decimals;
 
 /**
- * Reader of the color matching functions times the light. Illuminants have nanometers and power, linear between rows; rows closer than a
- * nanometer are averaged with a triangle of 1 nm full width at half maximum.
+ * Reader of the color matching functions times the light. An illuminant's file has columns of nanometers and power, which is linear between
+ * rows; rows closer than a nanometer are averaged with a triangle of 1 nm full width at half maximum, so that no spectral line is lost.
  */
 public final class LightTable {
     private static final long LARGEST_BYTES = 1 << 20;

@@ -19,6 +19,7 @@ import java.util.function.Supplier;
 import sunbeam.app.terminal.ShutdownHook;
 import sunbeam.app.terminal.UsageException;
 
+/** Folders of outputs: their creation, checks, free names and temporary files. */
 public final class OutputFolder {
     private static final int HOOK_TRIES = 50;
     private static final int HOOK_WAIT_MILLISECONDS = 10;
@@ -29,7 +30,7 @@ public final class OutputFolder {
 
     private OutputFolder() {}
 
-    /** Creates a missing folder in an existing one. */
+    /** Creates a missing folder in an existing one; throws {@link OutputException} if it cannot. */
     public static void create(Path folder) {
         requireFolder(folder);
         try {
@@ -80,7 +81,10 @@ public final class OutputFolder {
                 "cannot make the folder " + folder + " (" + reason(failure) + "); name another with --output", failure);
     }
 
-    /** Creates the folder, or the first free one of {@code folder-2} and so on if it exists and may not be used. */
+    /**
+     * Creates the folder, or the first free one of {@code folder-2} and so on if it exists and may not be used; throws {@link OutputException}
+     * if it cannot.
+     */
     public static Path claim(Path folder, boolean mayUse) {
         int most = mayUse ? 0 : MOST_NAMES;
         for (int number = 1; number <= most; number++) {

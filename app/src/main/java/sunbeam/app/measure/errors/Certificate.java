@@ -75,7 +75,13 @@ public record Certificate(
         return new Certificate(places, false, "XYZ", Comparison.relative(compared), differences, limits);
     }
 
-    /** Evaluates {@code count} random rows of a table, at most all, made for this tolerance; {@code row} compares one by its number. */
+    /**
+     * Compares random rows of a table.
+     *
+     * @param count number of compared rows, at most all
+     * @param row comparison of a row by its number, from 0
+     * @param tolerance relative error for which the table was made
+     */
     public static Certificate ofRows(
             ProgressDisplay display,
             int rows,

@@ -146,6 +146,7 @@ public record RawMesh(
 
         // Beyond this coordinate squared areas leave float32's range.
         private static final double FARTHEST = 1e9;
+        // In double precision, since meshes may lie far from the origin.
         private final ResizableDoubleArray positions = new ResizableDoubleArray(64);
         private final Mesh.FloatList textureCoordinates = new Mesh.FloatList();
         private final Mesh.FloatList normals = new Mesh.FloatList();

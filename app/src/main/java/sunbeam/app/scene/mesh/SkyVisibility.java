@@ -12,7 +12,7 @@ import sunbeam.precompute.files.Checksum;
 /**
  * Share of the sky, 0 to 1, visible from a mesh and the ground below it, weighted by the cosine to the normal (ambient occlusion).
  *
- * @param ofGround for squares of the ground, from the least x and y
+ * @param ofGround for squares of the ground, row by row from the least x and y
  */
 public record SkyVisibility(float[] ofVertices, float[] ofGround) {
     /** Half the side of the computed ground about the mesh's middle, in radii of the mesh. */

@@ -11,6 +11,7 @@ import sunbeam.precompute.text.Text;
 /**
  * Textures of a mesh. Arrays are shared.
  *
+ * @param relief encoded by {@link ScaleRelief}
  * @param directions flow map of the nanostructure's x axis: red along the tangent (right), green along the bitangent (up); the bytes 1, 128
  *     and 255 mean -1, 0 and 1. A height map turned by 180 degrees is another surface
  * @param patches map with one exact color for each patch

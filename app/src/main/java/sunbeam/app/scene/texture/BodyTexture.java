@@ -16,7 +16,11 @@ import sunbeam.app.files.input.ImageFile;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.files.InputException;
 
-/** Picture for a mesh, sRGB, which repeats: left edge u = 0, bottom v = 0, row 0 on top. */
+/**
+ * Picture for a mesh, sRGB, which repeats: left edge u = 0, bottom v = 0.
+ *
+ * @param rgba {@code 4 * width * height} bytes, red first, row 0 on top; shared
+ */
 public record BodyTexture(int width, int height, byte[] rgba) {
     /** Neutral dark body, on which diffraction shows. */
     public static final String DARK = "dark";
@@ -25,7 +29,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
     private static final int ROWS = 512;
     // Limit of common OpenGL 3.3 drivers.
     private static final int LARGEST_SIDE = 8192;
-    // Decoded rows, RGBA and the upload.
+    // 4 bytes each for decoded rows, RGBA and the upload.
     private static final int BYTES_PER_PIXEL = 12;
 
     public static List<String> names() {
@@ -63,7 +67,7 @@ public record BodyTexture(int width, int height, byte[] rgba) {
         return new BodyTexture(1, 1, new byte[] {(byte) red, (byte) green, (byte) blue, (byte) alpha});
     }
 
-    /** Colors are 0xRRGGBB by column and row. */
+    /** Returns opaque texels of colors 0xRRGGBB by column and row. */
     static byte[] opaque(int width, IntStream rows, int height, IntBinaryOperator rgb) {
         byte[] rgba = new byte[4 * width * height];
         rows.forEach(row -> {

@@ -18,8 +18,8 @@ public final class Drags {
     private Drags() {}
 
     /**
-     * Turns the model about its own vertical and tilts it about the picture's horizontal, so that an upright model stays upright. Angles, in
-     * radians, move its front in the picture.
+     * Turns the model about its own vertical and tilts it about the picture's horizontal, so that an upright model stays upright. Its front
+     * turns to the picture's right and upwards by these angles, in radians.
      */
     public static Scene turned(Scene scene, double right, double up) {
         Camera camera = scene.view().camera();
@@ -50,7 +50,7 @@ public final class Drags {
         return camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
     }
 
-    /** Moves the light on a sphere around the model. Angles, in radians, are in the picture. */
+    /** Moves the light on a sphere around the model, to the picture's right and upwards by these angles, in radians. */
     public static Scene lit(Scene scene, double right, double up) {
         Matrix4f worldToCamera = scene.view().camera().worldToCamera();
         Vector3f seen = worldToCamera.transformDirection(scene.light().towards(), new Vector3f());

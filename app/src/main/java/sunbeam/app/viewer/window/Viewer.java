@@ -141,8 +141,10 @@ public final class Viewer {
     }
 
     /**
-     * Waits, not on the event thread, until the window is closed, then, some milliseconds each, for running saves and for the end of
-     * OpenGL; returns true if that has ended. A save that waits for a final picture is dropped.
+     * Waits until the window is closed, running saves are done and the OpenGL context is closed; returns true if it is. A save that waits for a
+     * final picture is dropped. Not on the event thread.
+     *
+     * @param patience longest wait for saves, and again for the context, milliseconds
      */
     public boolean awaitEnd(long patience) throws InterruptedException {
         closed.await();
@@ -150,7 +152,11 @@ public final class Viewer {
         return loop.awaitEnd(patience);
     }
 
-    /** Waits, not on the event thread, at most some milliseconds for the first final picture of a scene with color tables, and no other. */
+    /**
+     * Waits for the first final picture of a scene with color tables; returns at once for other methods. Not on the event thread.
+     *
+     * @param patience longest wait, milliseconds
+     */
     public void awaitFinalByTable(long patience) throws InterruptedException {
         if (model.scene().method().type().equals(TableMethod.TYPE)) {
             try {

@@ -77,7 +77,10 @@ record FingerSkin(RowLayout layout, FingerShape shape, double wavinessExponent, 
         }
     }
 
-    /** Strip between the lines of two rows, and length of the one above, where the covered row begins; meters. */
+    /**
+     * Strip between the lines of two neighboring rows, where the plate of {@code upper}, whose tips lie on its upper line, covers that of {@code
+     * lower}, whose tips lie one row higher; and the lengths of this strip and of the one above it, meters.
+     */
     private record Strip(FingerRow upper, FingerRow lower, double length, double lengthBelow) {}
 
     private static Strip strip(int strip, double[] lines, FingerRow[] rows) {

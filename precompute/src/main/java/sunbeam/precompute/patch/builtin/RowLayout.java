@@ -138,8 +138,12 @@ record RowLayout(
     }
 
     /**
-     * @param line distance from the patch's top to the line through the tips, meters, tabulated over a period along x
+     * Row of fingers, tabulated over one period along x.
+     *
+     * @param line distance from the patch's top to the line through the tips, meters
      * @param phi 0 on the ridge of a finger, 1 midway to its neighbor
+     * @param lift offset of the height, meters
+     * @param edge see {@link FingerShape#edge}
      * @param edgeSlope absolute slope of the edge along x, per meter
      */
     record FingerRow(double[] line, double[] phi, double[] lift, double[] edge, double[] edgeSlope) {

@@ -15,6 +15,7 @@ final class SeededNoise {
         random = new SplittableRandom(seed);
     }
 
+    /** In [0, 1). */
     double uniform() {
         return random.nextDouble();
     }
