@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /** Variants of a document: each has one value replaced by null or another kind of value. */
 public final class JsonVariants {
@@ -26,42 +27,31 @@ public final class JsonVariants {
     private JsonVariants() {}
 
     public static List<String> of(String json) throws IOException {
-        ObjectMapper mapper = new ObjectMapper();
-        JsonNode good = mapper.readTree(json);
+        JsonNode root = new ObjectMapper().readTree(json);
         List<String> variants = new ArrayList<>();
-        for (JsonNode value : VALUES) {
-            JsonNode copy = good.deepCopy();
-            for (int place = 0; replace(copy, value, new int[] {place}); place++) {
-                variants.add(mapper.writeValueAsString(copy));
-                copy = good.deepCopy();
-            }
-        }
+        vary(root, root, variants);
         return variants;
     }
 
-    /** Replaces the value of a number, counted down on the way; returns whether there are as many. */
-    private static boolean replace(JsonNode node, JsonNode value, int[] left) {
+    private static void vary(JsonNode root, JsonNode node, List<String> variants) {
         if (node instanceof ObjectNode object) {
             for (Map.Entry<String, JsonNode> entry : List.copyOf(object.properties())) {
-                if (left[0]-- == 0) {
-                    object.set(entry.getKey(), value);
-                    return true;
-                }
-                if (replace(entry.getValue(), value, left)) {
-                    return true;
-                }
+                vary(root, entry.getValue(), value -> object.set(entry.getKey(), value), variants);
             }
         } else if (node instanceof ArrayNode array) {
             for (int i = 0; i < array.size(); i++) {
-                if (left[0]-- == 0) {
-                    array.set(i, value);
-                    return true;
-                }
-                if (replace(array.get(i), value, left)) {
-                    return true;
-                }
+                int at = i;
+                vary(root, array.get(i), value -> array.set(at, value), variants);
             }
         }
-        return false;
+    }
+
+    private static void vary(JsonNode root, JsonNode good, Consumer<JsonNode> place, List<String> variants) {
+        for (JsonNode value : VALUES) {
+            place.accept(value);
+            variants.add(root.toString());
+        }
+        place.accept(good);
+        vary(root, good, variants);
     }
 }
