@@ -3,13 +3,11 @@ package sunbeam.app.fuzz;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -43,9 +41,9 @@ final class FuzzRun {
         } finally {
             process.destroyForcibly();
         }
-        assertThat(files(findings))
+        assertThat(findings)
                 .as("findings, to be kept in %s", KEPT.resolve(reader.corpus()))
-                .isEmpty();
+                .isEmptyDirectory();
         assertThat(ended).as("the run ended by itself").isTrue();
         assertThat(process.waitFor()).isZero();
     }
@@ -70,11 +68,5 @@ final class FuzzRun {
             command.add(kept.toString());
         }
         return command.toArray(String[]::new);
-    }
-
-    private static List<Path> files(Path folder) throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.toList();
-        }
     }
 }

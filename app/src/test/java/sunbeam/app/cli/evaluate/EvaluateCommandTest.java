@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,12 +47,6 @@ final class EvaluateCommandTest extends CommandLineFixture {
         return readJson("result.json");
     }
 
-    private List<String> files() throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString()).sorted().toList();
-        }
-    }
-
     @Test
     void aBlazedGratingHasItsPeriod() throws IOException {
         assertSuccess(run("--patch blaze --wavelengths 380:780:20 --explain"));
@@ -71,7 +64,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
                 .startsWith(verdict)
                 .contains("blaze, light at 75 degrees, azimuth 0 degrees", "2.5003 um");
         assertThat(report.get("verdict").textValue()).startsWith(verdict);
-        assertThat(files()).contains("result.csv", "result.json", "result.png");
+        assertThat(folder.toFile().list()).contains("result.csv", "result.json", "result.png");
         String plan = report.at("/plan").textValue();
         assertThat(err.toString().lines()).contains("plan: " + plan);
         assertThat(PngText.read(folder.resolve("result.png"))).containsEntry("Plan", plan);
@@ -134,7 +127,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     void aMethodWithoutResponseIsRefused(String method, String words) throws IOException {
         assertThat(run("--patch blaze --method " + method)).isEqualTo(2);
         assertThat(err.toString()).contains("--method", words).hasLineCount(1);
-        assertThat(files()).isEmpty();
+        assertThat(folder.toFile().list()).isEmpty();
     }
 
     @Test
@@ -180,7 +173,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
     void whatCannotBeEvaluatedIsOneLine(String option, String value, String reason) throws IOException {
         assertThat(run("--patch blaze " + option + " " + value)).isEqualTo(2);
         assertThat(err.toString()).contains(option, reason).hasLineCount(1);
-        assertThat(files()).isEmpty();
+        assertThat(folder.toFile().list()).isEmpty();
     }
 
     /** The verdict stands where other patches have their result, in the words of inspect. */
@@ -192,7 +185,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
                 .startsWith("No order found: a white gloss without color")
                 .hasLineCount(1);
         assertThat(err.toString()).contains("scan: no period is seen; to look for a ridge nevertheless, give --period");
-        assertThat(files()).containsExactly("scan.txt");
+        assertThat(folder.toFile().list()).containsExactly("scan.txt");
         String verdict = out.toString();
         forgetOutput();
         sunbeam("inspect @scan.txt --height-unit nm --width 12.8um --output @i.png");
@@ -226,7 +219,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(1e9 * report().at("/period_m").doubleValue()).isCloseTo(50e3, within(50.0));
         assertThat(report().get("ridge_left_out").textValue()).contains("too few to tell its orders apart");
         assertThat(report().has("peaks_interpolated")).isFalse();
-        assertThat(files()).contains("result.csv", "result.png");
+        assertThat(folder.toFile().list()).contains("result.csv", "result.png");
     }
 
     @Test
@@ -234,7 +227,7 @@ final class EvaluateCommandTest extends CommandLineFixture {
         assertThat(run("--patch blaze --azimuth 90")).isEqualTo(4);
         assertThat(out.toString())
                 .contains("No order found: a white gloss without color; nothing repeats along azimuth 90 degrees");
-        assertThat(files()).isEmpty();
+        assertThat(folder.toFile().list()).isEmpty();
     }
 
     @Test
