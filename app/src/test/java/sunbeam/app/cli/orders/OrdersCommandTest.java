@@ -108,6 +108,13 @@ class OrdersCommandTest extends CommandLineFixture {
     }
 
     @Test
+    void warningsNameTheCommandThatTellsMore() throws IOException {
+        scan("steep.txt", "", 64, 64, (column, row) -> 900 * Math.sin(2 * Math.PI * column / 16));
+        run("@steep.txt --width 20um --height-unit nm --wavelengths 550");
+        assertThat(err.toString()).contains("(inspect --explain tells more)");
+    }
+
+    @Test
     void theNameOfTheFilesHasNoEnding() {
         assertSuccess(sunbeam("orders blaze --wavelengths 500 --output @a.csv"));
         assertThat(file("a.csv")).exists();

@@ -107,6 +107,7 @@ final class CertificateTest {
         assertThat(statistics.maximum()).isEqualTo(100);
         assertThat(ErrorStatistics.of(1, 2).median()).isEqualTo(1.5);
         assertThat(ErrorStatistics.of().median()).isNaN();
+        assertThat(ErrorStatistics.of(1).pairs()).isEqualTo("1 pair of directions");
         assertThat(ErrorStatistics.of(Double.NaN, 0, 0).maximum()).isInfinite();
     }
 
