@@ -213,10 +213,8 @@ public record GratingPeriod(
         return (double) (rounded == -90L * parts ? -rounded : rounded) / parts;
     }
 
-    /** "1 degree", "-86 degrees". */
     static String direction(SpatialFrequency wave) {
-        double degrees = degrees(wave, 1);
-        return Text.format(Math.abs(degrees) == 1 ? "%.0f degree" : "%.0f degrees", degrees);
+        return Text.wholeDegrees(degrees(wave, 1));
     }
 
     /** Returns "1000.0 nm, 95 % interval 998.9 to 1001.1 nm" with reliable digits. */

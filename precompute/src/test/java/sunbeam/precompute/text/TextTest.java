@@ -31,4 +31,10 @@ final class TextTest {
         assertThat(Quoted.of("x".repeat(60))).isEqualTo("\"" + "x".repeat(60) + "\"");
         assertThat(Quoted.of("x".repeat(61))).isEqualTo("\"" + "x".repeat(60) + "...\"");
     }
+
+    @Test
+    void oneDegreeIsSingular() {
+        assertThat(List.of(Text.wholeDegrees(0.6), Text.wholeDegrees(-1.4), Text.wholeDegrees(-0.4)))
+                .containsExactly("1 degree", "-1 degree", "0 degrees");
+    }
 }

@@ -116,9 +116,9 @@ record ColorReport(
     List<String> lines() {
         List<String> lines = new ArrayList<>(List.of(verdict.sentence()));
         purest.ifPresent(color -> lines.add(Text.format(
-                "purest color at %s degrees in the plane of azimuth %.0f degrees (%s): %s, %s",
+                "purest color at %s degrees in the plane of azimuth %s (%s): %s, %s",
                 Decimals.format(Math.rint(1000 * color.view().thetaRDegrees()) / 1000 + 0.0),
-                Math.rint(color.view().phiDegrees()) + 0.0,
+                Text.wholeDegrees(color.view().phiDegrees()),
                 color.view().strip(),
                 color.describeHue(),
                 color.hex())));

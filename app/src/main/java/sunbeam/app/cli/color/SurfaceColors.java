@@ -243,9 +243,11 @@ final class SurfaceColors {
                 .toList();
         Optional<ViewColor> purest = without.isPresent()
                 ? Optional.empty()
-                : ViewColor.purest(seen.stream()
-                        .filter(color -> isColor(color.view(), color.xyz()) && mayBePurest(color.view()))
-                        .toList());
+                : ViewColor.purest(
+                        seen.stream()
+                                .filter(color -> isColor(color.view(), color.xyz()))
+                                .toList(),
+                        this::mayBePurest);
         ViewColor.View chosen = purest.map(ViewColor::view).orElseGet(() -> view(true, -theta));
         return new ColorReport(
                 patch(),

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import sunbeam.precompute.color.Chromaticity;
 import sunbeam.precompute.color.CieLab;
@@ -80,12 +81,16 @@ record ViewColor(
                 uncertainty(exposed, 3 * scale.tolerance()));
     }
 
-    /** Returns the color of largest purity times the cube root of luminance, relative to a bright one: a dark color does not win. */
-    static Optional<ViewColor> purest(List<ViewColor> colors) {
+    /**
+     * Returns the color, of those in eligible views, of largest purity times the cube root of luminance, relative to a bright one of all: a
+     * dark color does not win.
+     */
+    static Optional<ViewColor> purest(List<ViewColor> colors, Predicate<View> eligible) {
         double[] luminances =
                 colors.stream().mapToDouble(color -> color.xyz()[1]).sorted().toArray();
         double bright = luminances.length == 0 ? 1 : luminances[(int) (BRIGHT * (luminances.length - 1))];
         return colors.stream()
+                .filter(color -> eligible.test(color.view()))
                 .max(Comparator.comparingDouble(
                         color -> color.hue().purity() * Math.cbrt(Math.min(1, color.xyz()[1] / bright))));
     }
