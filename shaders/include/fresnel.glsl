@@ -5,7 +5,7 @@
 const float NORMAL_REFLECTANCE = 0.04;
 
 // Weights of the relative reflectance, mirrorWeight + grazingWeight s: 1 and (1 - R0) / R0, so that it is 1 along the normal. For an index
-// by wavelength R0 is a factor of the light's spectrum, and the weights differ (sunbeam.app.render.ReflectanceComponent).
+// by wavelength R0 is a factor of the light's spectrum, and the weights differ (sunbeam.app.render.SceneData.ReflectanceComponent).
 uniform float mirrorWeight = 1.0;
 uniform float grazingWeight = 24.0;
 
