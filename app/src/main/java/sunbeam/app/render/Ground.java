@@ -161,38 +161,4 @@ final class Ground implements AutoCloseable {
         program.close();
         sky.close();
     }
-
-    /** A render target of one image that is reused while its size stays the same. */
-    static final class CachedTarget implements AutoCloseable {
-        private final RenderContext context;
-        private final String label;
-        private final FloatTarget.Format format;
-        private final boolean depth;
-        private FloatTarget target;
-
-        CachedTarget(RenderContext context, String label, FloatTarget.Format format, boolean depth) {
-            this.context = context;
-            this.label = label;
-            this.format = format;
-            this.depth = depth;
-        }
-
-        /** Returns the target; valid until a call with another size. Its contents are those of the last draw, if any. */
-        FloatTarget of(int width, int height) {
-            FloatTarget.Spec spec = new FloatTarget.Spec(width, height, 1, depth, format);
-            if (target == null || !target.spec().equals(spec)) {
-                close();
-                target = context.createFloatTarget(label, spec);
-            }
-            return target;
-        }
-
-        @Override
-        public void close() {
-            if (target != null) {
-                target.close();
-                target = null;
-            }
-        }
-    }
 }

@@ -14,7 +14,6 @@ import org.joml.Vector2f;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
-import sunbeam.app.render.Ground.CachedTarget;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 
