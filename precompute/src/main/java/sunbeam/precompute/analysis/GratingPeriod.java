@@ -20,7 +20,7 @@ import sunbeam.precompute.units.Lengths;
  * @param low lower end of the 95 % interval of the period, meters; the period itself if exact
  * @param azimuthHalfWidth half width of the direction's 95 % interval, radians; 0 if exact
  * @param periods number in the scan along the wave; infinite for a surface that repeats
- * @param share share of the heights' variance (without waviness) in the wave and its overtones, 0..1
+ * @param share share of the heights' variance (without waviness) in the wave, or a lattice's waves, and overtones, 0..1
  * @param others up to two waves in other directions, each at least half as strong
  * @param reason why the period is not sure; empty if it is
  */
@@ -57,6 +57,7 @@ public record GratingPeriod(
     private static final int FEWEST_SAMPLES = 12;
     // Meters; three of the shortest periods with colors under light from above.
     private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
+    // Of periods: a scanner's axes differ in scale, too.
     private static final double ALIKE = 0.05;
     // Ratio of periods above which the longer one holds several lines.
     private static final double MANY_LINES = 2.5;
@@ -169,7 +170,7 @@ public record GratingPeriod(
         return withCertainty(Certainty.PROBABLE, why);
     }
 
-    private GratingPeriod tooLittle(String why) {
+    GratingPeriod tooLittle(String why) {
         String reason = "too little to judge: " + why + "; use a larger scan, or state that it is periodic";
         return withCertainty(Certainty.TOO_LITTLE, reason);
     }
@@ -207,6 +208,11 @@ public record GratingPeriod(
         return wave.azimuth();
     }
 
+    /** Whether waves of about one length run in two or three directions. */
+    boolean isLattice() {
+        return !others.isEmpty() && others.stream().allMatch(other -> Math.abs(other.period() / period() - 1) < ALIKE);
+    }
+
     /** Returns the azimuth rounded to parts of a degree, above -90 and at most 90. */
     private static double degrees(SpatialFrequency wave, int parts) {
         long rounded = Math.round(parts * Math.toDegrees(wave.azimuth()));
@@ -233,12 +239,13 @@ public record GratingPeriod(
         return isSure() ? interval() : "probably about " + Lengths.rounded(period(), 2) + " (" + reason + ")";
     }
 
+    List<SpatialFrequency> waves() {
+        return Stream.concat(Stream.of(wave), others.stream()).toList();
+    }
+
     /** Returns the azimuths of all waves in whole degrees, above -90 and at most 90, ascending. */
     public List<Long> directions() {
-        return Stream.concat(Stream.of(wave), others.stream())
-                .map(some -> (long) degrees(some, 1))
-                .sorted()
-                .toList();
+        return waves().stream().map(some -> (long) degrees(some, 1)).sorted().toList();
     }
 
     public String describe() {

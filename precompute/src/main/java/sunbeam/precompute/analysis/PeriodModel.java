@@ -13,7 +13,8 @@ import sunbeam.precompute.units.Lengths;
 
 /**
  * Estimates the period of a piece of a surface. A sharp line of the spectrum is corrected by the slope of the wave's phase, whose interval
- * includes the estimates from halves of the scan and from its rows. A broad line has the centroid of its power, and an interval from tiles.
+ * includes the estimates from halves of the scan and from its rows, with crossing waves subtracted. A broad line has the centroid of its
+ * power, and an interval from tiles.
  */
 final class PeriodModel {
     // For a sure period; fewer may be chance or waviness.
@@ -40,7 +41,7 @@ final class PeriodModel {
     private static final double LEAST_PROMINENCE = 12;
     // Straight lines have fewer independent samples: noise reaches 16, once in 600 surfaces 23.
     private static final double LEAST_OF_STRAIGHT = 20;
-    // Few periods overlap their neighborhood: noise reaches 5, three trenches 6 or more.
+    // Few periods overlap their neighborhood: noise reaches 5, three trenches 6 or more, a wave alone in noise 8.
     private static final double LEAST_OF_FEW = 6;
     private static final double CONTRAST_OF_FEW = 50;
     // Share of the variance: stretched noise reaches 0.45, gratings of 3.2 periods or more have 0.7.
@@ -79,14 +80,21 @@ final class PeriodModel {
                 .or(() -> first);
     }
 
-    private GratingPeriod judged(SpatialFrequency line) {
+    private GratingPeriod judged(SpatialFrequency strongest) {
+        List<SpatialFrequency> lines = search.lines(strongest);
+        SpatialFrequency line = lines.get(0);
         double sharpness = search.sharpness(line);
         boolean sharp = sharpness >= SHARP || tiles(line) < 2;
-        SpatialFrequency wave = sharp ? corrected(level, line) : search.centroid(line);
+        SpatialFrequency first = sharp ? corrected(level, line) : search.centroid(line);
+        GratingPeriod known = GratingPeriod.vague(first, 0, 0).withOthers(lines.subList(1, lines.size()));
+        boolean lattice = known.isLattice();
+        List<SpatialFrequency> waves = sharp && lattice ? refined(known.waves()) : known.waves();
+        SpatialFrequency wave = waves.get(0);
         double periods = wave.periodsIn(scan);
-        double share = search.share(wave);
+        List<SpatialFrequency> counted = lattice ? waves : waves.subList(0, 1);
+        double share = Math.min(1, counted.stream().mapToDouble(search::share).sum());
         boolean few = periods < FEWEST_PERIODS;
-        GratingPeriod vague = GratingPeriod.vague(wave, periods, share);
+        GratingPeriod vague = GratingPeriod.vague(wave, periods, share).withOthers(waves.subList(1, waves.size()));
         if (share < LEAST_SHARE && search.unseen() > 0.5) {
             return vague.none("no order found: most of the relief is finer than light resolves (190 nm)");
         }
@@ -101,35 +109,41 @@ final class PeriodModel {
                     GratingPeriod.Certainty.ALL_DIRECTIONS,
                     "no grating found: waves of about " + about + " run in nearly all directions alike");
         }
-        boolean straight = straightShare(wave) >= STRAIGHT;
+        double inLines = straightShare(wave);
+        boolean straight = inLines >= STRAIGHT;
+        double seen = Math.floor(10 * periods) / 10;
+        if (periods < FEWEST_SEEN && straight && contrast >= CONTRAST_OF_FEW) {
+            return vague.tooLittle(Text.format("only %.1f periods of about %s", seen, about));
+        }
         // The centroid of speckles may lie between two of them; that of straight lines does not.
         double prominence = search.prominence(straight ? wave : line);
-        double least = few ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
-        GratingPeriod shapeless = vague.none(gloss + ", is no stronger than one of noise");
-        if (contrast < WaveSearch.LEAST_CONTRAST || prominence < least) {
-            return shapeless;
+        boolean alone = !few && search.isAlone(wave);
+        double least = few || alone ? LEAST_OF_FEW : straight ? LEAST_OF_STRAIGHT : LEAST_PROMINENCE;
+        if (contrast < (few ? CONTRAST_OF_FEW : WaveSearch.LEAST_CONTRAST) || prominence < least) {
+            return vague.none(gloss + ", is no stronger than one of noise");
         }
         if (few) {
-            return contrast < CONTRAST_OF_FEW || !straight || periods < FEWEST_SEEN
-                    ? shapeless
-                    : vague.probable(
-                            Text.format("%.1f periods seen, too few for an interval", Math.floor(10 * periods) / 10));
+            return straight
+                    ? vague.probable(Text.format("%.1f periods seen, too few for an interval", seen))
+                    : vague.none(gloss
+                            + Text.format(
+                                    ", is seen only %.1f times; its lines explain only %.0f %% of the heights' variance",
+                                    seen, 100 * inLines));
         }
-        if (wave.samplesIn(scan) < FEWEST_SAMPLES) {
-            return !straight || prominence < WITHOUT_LINES
-                    ? shapeless
-                    : vague.probable(Text.format(
-                            "%.1f samples a period: perhaps the alias of a shorter one; scan finer",
-                            wave.samplesIn(scan)));
+        double samples = wave.samplesIn(scan);
+        if (samples < FEWEST_SAMPLES) {
+            String sampled = Text.format("%.1f samples a period: perhaps the alias of a shorter one", samples);
+            return straight && prominence >= WITHOUT_LINES
+                    ? vague.probable(sampled + "; scan finer")
+                    : vague.none(gloss + ", has only " + sampled);
         }
-        GratingPeriod found = (sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave))
-                .withOthers(search.others(wave));
+        GratingPeriod found = sharp ? byPhase(vague) : byTiles(vague, sharpness >= AS_STRONG ? line : wave);
         if (1 / found.low() - 1 / found.high() <= 2 * WIDEST * wave.length()) {
             return found;
         }
-        return straight || prominence >= WITHOUT_LINES
+        return straight || alone || prominence >= WITHOUT_LINES
                 ? found.probable("so uneven that this scan does not determine it to 10 %; use a larger one")
-                : shapeless;
+                : vague.none(gloss + ", is too uneven for a grating");
     }
 
     /** Returns the share, 0..1, of the variance in means along the wave's straight lines. */
@@ -158,7 +172,9 @@ final class PeriodModel {
 
     private GratingPeriod byPhase(GratingPeriod vague) {
         SpatialFrequency wave = vague.wave();
-        double half = Math.max(PhaseSlope.of(level, wave, false).halfWidth(), FINITE * wave.length() / vague.periods());
+        HeightMap alone = without(vague.others());
+        double finite = FINITE * wave.length() / vague.periods();
+        double half = Math.max(PhaseSlope.of(alone, wave, false).halfWidth(), finite);
         Interval interval = new Interval(wave.length() - half, wave.length() + half);
         double x = 0.5 * scan.width();
         double y = 0.5 * scan.height();
@@ -172,12 +188,12 @@ final class PeriodModel {
             halves.add(new Crop(0, scan.width(), y, scan.height()));
         }
         for (Crop part : halves) {
-            interval = interval.reaching(near(part.apply(scan), wave).length(), wave.length());
+            interval = interval.reaching(near(part.apply(alone), wave).length(), wave.length());
         }
-        SpatialFrequency byRows = new SpatialFrequency(wave.x(), wave.y() + PhaseSlope.byRows(level, wave));
+        SpatialFrequency byRows = new SpatialFrequency(wave.x(), wave.y() + PhaseSlope.byRows(alone, wave));
         interval = interval.reaching(byRows.length(), wave.length());
-        double turn = Math.atan(PhaseSlope.of(level, wave, true).halfWidth() / wave.length());
-        return vague.within(interval.low(), interval.high(), turn);
+        double across = Math.max(PhaseSlope.of(alone, wave, true).halfWidth(), finite);
+        return vague.within(interval.low(), interval.high(), Math.atan(across / wave.length()));
     }
 
     /**
@@ -218,6 +234,24 @@ final class PeriodModel {
             double end = whole + BEYOND * (part - whole);
             return new Interval(Math.min(low, end), Math.max(high, end));
         }
+    }
+
+    /** Finds each wave again with the others subtracted: two that are alike cancel each other along lines of the scan. */
+    private List<SpatialFrequency> refined(List<SpatialFrequency> lattice) {
+        List<SpatialFrequency> waves = new ArrayList<>(lattice);
+        for (int i = 0; i < 2 * waves.size(); i++) {
+            SpatialFrequency wave = waves.remove(0);
+            waves.add(near(without(waves), wave));
+        }
+        return waves;
+    }
+
+    private HeightMap without(List<SpatialFrequency> waves) {
+        HeightMap left = level;
+        for (SpatialFrequency wave : waves) {
+            left = PhaseSlope.without(left, wave);
+        }
+        return left;
     }
 
     private static SpatialFrequency corrected(HeightMap level, SpatialFrequency wave) {

@@ -40,6 +40,32 @@ record PhaseSlope(double value, double halfWidth) {
         }
     }
 
+    /** Subtracts the wave with its amplitude and phase under a Hann window. */
+    static HeightMap without(HeightMap level, SpatialFrequency wave) {
+        double re = 0;
+        double im = 0;
+        double sum = 0;
+        double[] cosines = new double[level.columns() * level.rows()];
+        double[] sines = new double[cosines.length];
+        for (int i = 0; i < cosines.length; i++) {
+            int column = i % level.columns();
+            int row = i / level.columns();
+            double angle = 2 * Math.PI * (wave.x() * column * level.pitchX() - wave.y() * row * level.pitchY());
+            cosines[i] = Math.cos(angle);
+            sines[i] = Math.sin(angle);
+            double root = Math.sin(Math.PI * (column + 0.5) / level.columns())
+                    * Math.sin(Math.PI * (row + 0.5) / level.rows());
+            re += root * root * level.at(column, row) * cosines[i];
+            im += root * root * level.at(column, row) * sines[i];
+            sum += root * root;
+        }
+        double[] left = level.heights().clone();
+        for (int i = 0; i < left.length; i++) {
+            left[i] -= 2 * (re * cosines[i] + im * sines[i]) / sum;
+        }
+        return level.with(left);
+    }
+
     /** @param across along the wave's lines instead of along the wave */
     static PhaseSlope of(HeightMap level, SpatialFrequency wave, boolean across) {
         double azimuth = wave.azimuth() + (across ? 0.5 * Math.PI : 0);

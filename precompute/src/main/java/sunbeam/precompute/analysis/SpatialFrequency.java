@@ -34,6 +34,10 @@ public record SpatialFrequency(double x, double y) {
         return Math.min(Math.hypot(x - other.x, y - other.y), Math.hypot(x + other.x, y + other.y));
     }
 
+    SpatialFrequency plus(SpatialFrequency other) {
+        return new SpatialFrequency(x + other.x, y + other.y);
+    }
+
     SpatialFrequency times(double factor) {
         return new SpatialFrequency(factor * x, factor * y);
     }

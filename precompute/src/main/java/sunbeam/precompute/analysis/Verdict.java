@@ -41,8 +41,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     private static final int DIGITS = 3;
     // Degrees; narrower bands of color have angles with a decimal.
     private static final double NARROW = 2;
-    // A scanner's axes differ in scale and angle: relative difference of frequencies, sine of 4 degrees.
-    private static final double ALIKE = 0.05;
+    // Sine of 4 degrees: a scanner's axes differ in scale and angle.
     private static final double SLANT = 0.07;
 
     public static Verdict of(Patch patch, GratingPeriod period) {
@@ -60,8 +59,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
             Code code = Code.valueOf(period.certainty().name());
             return new Verdict(code, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1), List.of());
         }
-        boolean lattice =
-                !period.others().isEmpty() && period.others().stream().allMatch(other -> isAlike(other, period.wave()));
+        boolean lattice = period.isLattice();
         Code seen = period.isSure()
                 ? lattice ? Code.LATTICE : Code.SURE_GRATING
                 : lattice ? Code.PROBABLE_LATTICE : Code.PROBABLE_GRATING;
@@ -78,10 +76,6 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         return code.compareTo(Code.ALL_DIRECTIONS) <= 0;
     }
 
-    private static boolean isAlike(SpatialFrequency one, SpatialFrequency other) {
-        return Math.abs(one.length() / other.length() - 1) < ALIKE;
-    }
-
     private static String grating(GratingPeriod period) {
         String crossing = period.others().stream()
                 .map(other -> ", crossed by lines of about " + Lengths.rounded(other.period(), DIGITS) + " across "
@@ -90,7 +84,7 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         String kind = !period.isSure()
                 ? "Probably a grating of about "
                 : period.isExact() ? "A repeated patch with a period of " : "A grating of ";
-        return kind + length(period, 1) + " across " + GratingPeriod.direction(period.wave()) + crossing;
+        return kind + length(period, 1, 1, 1) + " across " + GratingPeriod.direction(period.wave()) + crossing;
     }
 
     /** "A hexagonal lattice with a constant of 0.900 um (0.898 to 0.901), its lines 0.779 um apart across -86 and 34 degrees". */
@@ -101,7 +95,11 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
         List<Long> directions = period.directions();
         int last = directions.size() - 1;
         String first = directions.stream().limit(last).map(String::valueOf).collect(Collectors.joining(", "));
-        String constant = length(period, 1 / sine);
+        double angle = Math.asin(Math.min(1, sine));
+        double turn = Math.sqrt(2) * period.azimuthHalfWidth();
+        double least = 1 / Math.sin(Math.min(0.5 * Math.PI, angle + turn));
+        double most = angle > turn ? 1 / Math.sin(angle - turn) : Double.POSITIVE_INFINITY;
+        String constant = length(period, 1 / sine, least, most);
         return (period.isSure() ? "A " : "Probably a ") + kind + " lattice with a constant of "
                 + (period.isSure() ? "" : "about ") + constant + ", its lines "
                 + Lengths.rounded(period.period(), DIGITS) + " apart across " + first + " and "
@@ -109,13 +107,13 @@ public record Verdict(Code code, String sentence, List<Band> firstOrders) {
     }
 
     /** "1.08 um (1.03 to 1.13)", "1.08 um" if exact, "2.9 um (3.4 periods seen, ...)" if probable. */
-    private static String length(GratingPeriod period, double factor) {
+    private static String length(GratingPeriod period, double factor, double least, double most) {
         if (!period.isSure()) {
             return Lengths.rounded(factor * period.period(), 2) + " (" + period.reason() + ")";
         }
         double middle = factor * MICROMETERS_PER_METER * period.period();
-        double low = factor * MICROMETERS_PER_METER * period.low();
-        double high = factor * MICROMETERS_PER_METER * period.high();
+        double low = least * MICROMETERS_PER_METER * period.low();
+        double high = most * MICROMETERS_PER_METER * period.high();
         double uncertainty = 0.5 * (high - low);
         return period.isExact()
                 ? Decimals.rounded(middle, DIGITS) + " um"

@@ -22,6 +22,11 @@ final class WaveSearch {
     private static final double BREADTH = 0.15;
     private static final int OVERTONES = 5;
     static final double AS_STRONG = 0.5;
+    // A lattice has lines in three directions, and two sums or differences of these.
+    private static final int MOST_LINES = 5;
+    private static final int MOST_DIRECTIONS = 3;
+    // Ratio of frequencies: a sum of two waves is finer than both, but for the third direction of a hexagonal lattice.
+    private static final double COARSER = 0.95;
     // Share of the overtone's height.
     private static final double LEAST_FUNDAMENTAL = 0.25;
     // Random surfaces with a ring as spectrum reach 7, gratings and lattices 11 and more.
@@ -142,12 +147,24 @@ final class WaveSearch {
 
     /** Mean power in a line's sector over the median sector of the ring at its frequency. */
     double contrast(SpatialFrequency wave) {
+        return contrast(wave, 1 - BREADTH, 1 + BREADTH);
+    }
+
+    /** Whether a wave stands out of a surface that is otherwise, at frequencies beside it, much alike in all directions. */
+    boolean isAlone(SpatialFrequency wave) {
+        double coarser = contrast(wave, COARSER_FROM, COARSER_TO);
+        double finer = contrast(wave, FINER_FROM, FINER_TO);
+        double beside = Math.max(1, Math.max(coarser, finer));
+        return beside < LEAST_CONTRAST && contrast(wave) >= LEAST_CONTRAST * beside;
+    }
+
+    private double contrast(SpatialFrequency wave, double from, double to) {
         double[] sums = new double[SECTORS];
         int[] counts = new int[SECTORS];
         double[] power = spectrum.power();
         for (int i = power.length / 2 + 1; i < power.length; i++) {
             SpatialFrequency frequency = spectrum.frequency(i);
-            if (Math.abs(frequency.length() - wave.length()) <= BREADTH * wave.length()) {
+            if (isBetween(frequency, from * wave.length(), to * wave.length())) {
                 double turns = (frequency.azimuth() - wave.azimuth()) / Math.PI + 0.5 / SECTORS;
                 int sector = Math.min(SECTORS - 1, (int) (SECTORS * (turns - Math.floor(turns))));
                 sums[sector] += power[i];
@@ -225,23 +242,36 @@ final class WaveSearch {
         return frequency.length() >= from && frequency.length() <= to;
     }
 
-    List<SpatialFrequency> others(SpatialFrequency wave) {
+    /**
+     * Returns the line and up to two in other directions, half as strong or stronger, that are no sums or differences of coarser ones; the
+     * strongest is first.
+     */
+    List<SpatialFrequency> lines(SpatialFrequency line) {
         double beside = Math.sin(1.5 * Math.PI / SECTORS);
-        double least = AS_STRONG * around(wave, LINE, BREADTH, which).power();
-        List<SpatialFrequency> found = new ArrayList<>(List.of(wave));
+        double least = AS_STRONG * around(line, LINE, BREADTH, which).power();
+        List<SpatialFrequency> found = new ArrayList<>(List.of(line));
         // Not waviness, a wide line's own bins, or its opposite's.
         Predicate<SpatialFrequency> apart = other -> which.test(other)
-                && other.length() > COARSEST * wave.length()
-                && found.stream()
-                        .allMatch(line -> other.sineTo(line) > beside
-                                && distance(other, line, LINE, BREADTH) > 1
-                                && distance(other, line.times(-1), LINE, BREADTH) > 1);
-        for (int i = 0; i < 2; i++) {
+                && other.length() > COARSEST * line.length()
+                && found.stream().allMatch(known -> other.sineTo(known) > beside && !isNear(other, known, BREADTH));
+        for (int i = 1; i < MOST_LINES; i++) {
             strongest(apart)
                     .filter(other -> around(other, LINE, BREADTH, which).power() >= least)
                     .filter(other -> contrast(other) >= LEAST_CONTRAST)
                     .ifPresent(found::add);
         }
-        return List.copyOf(found.subList(1, found.size()));
+        return found.stream()
+                .filter(sum -> found.stream().noneMatch(one -> found.stream().anyMatch(two -> isSum(sum, one, two))))
+                .limit(MOST_DIRECTIONS)
+                .toList();
+    }
+
+    private boolean isSum(SpatialFrequency sum, SpatialFrequency one, SpatialFrequency two) {
+        return Math.max(one.length(), two.length()) < COARSER * sum.length()
+                && (isNear(sum, one.plus(two), 0) || isNear(sum, one.plus(two.times(-1)), 0));
+    }
+
+    private boolean isNear(SpatialFrequency frequency, SpatialFrequency line, double share) {
+        return distance(frequency, line, LINE, share) <= 1 || distance(frequency, line.times(-1), LINE, share) <= 1;
     }
 }

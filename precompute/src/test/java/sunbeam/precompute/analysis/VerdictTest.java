@@ -1,12 +1,15 @@
 package sunbeam.precompute.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -91,7 +94,13 @@ class VerdictTest {
                         piece(Surfaces.of(7, 4, 1e-6, (x, y) -> 50e-9 * Math.sin(2e6 * x) * Math.cos(3e6 * y)))),
                 Arguments.of(
                         "Too little to judge: a side of 327 nm.*",
-                        piece(Surfaces.of(64, 64, 327e-9 / 64, (x, y) -> 10e-9 * Math.sin(2e7 * x + 1e7 * y)))));
+                        piece(Surfaces.of(64, 64, 327e-9 / 64, (x, y) -> 10e-9 * Math.sin(2e7 * x + 1e7 * y)))),
+                Arguments.of(
+                        "Too little to judge: only 2\\.8 periods of about 1\\.6 um;.*",
+                        piece(Surfaces.of(128, 128, 35e-9, (x, y) -> (x - 0.1 * y) % 1.6e-6 < 0.5e-6 ? -110e-9 : 0))),
+                Arguments.of(
+                        "Too little to judge: only 2\\.5 periods of about 1\\.6 um;.*",
+                        piece(Surfaces.of(128, 128, 4e-6 / 128, (x, y) -> sine(x + 0.1 * y, 1.6e-6)))));
     }
 
     @ParameterizedTest
@@ -159,6 +168,71 @@ class VerdictTest {
         assertThat(verdict.sentence())
                 .startsWith("A " + kind + " lattice with a constant of " + constant)
                 .contains("its lines 1.2 um apart across " + directions + " degrees: first-order colors at 19 to 36");
+    }
+
+    private static double wave(double x, double y, double period, double degrees) {
+        double angle = Math.toRadians(degrees);
+        return sine(x * Math.cos(angle) + y * Math.sin(angle), period);
+    }
+
+    /**
+     * Waves alike that cancel each other along lines of the scan, or are so close that the constant depends on their angle: 2.7 times as
+     * much for 20 degrees.
+     */
+    @ParameterizedTest
+    @CsvSource({"45, 135, square", "44, 136, square", "40, 140, rhombic", "30, 150, hexagonal", "-10, 10, rhombic"})
+    void theConstantOfALatticeIsInItsInterval(double one, double two, String kind) {
+        double truth = 1.4142 / Math.sin(Math.toRadians(two - one));
+        Patch patch = piece(Surfaces.of(
+                200, 200, 100e-9, (x, y) -> wave(x, y, 1.4142e-6, one) + wave(x + 1e-7, y, 1.4142e-6, two)));
+        String sentence = verdict(patch);
+        Matcher matcher = Pattern.compile("A " + kind + " lattice with a constant of .* um \\((.*) to (.*?)\\), .*")
+                .matcher(sentence);
+        assertThat(matcher.matches()).as(sentence).isTrue();
+        // A hundredth of a line over 14 periods, and 2 * 2.7 * sqrt(2) times that of the angle, is 0.7 %.
+        assertThat(truth)
+                .isBetween(Double.parseDouble(matcher.group(1)), Double.parseDouble(matcher.group(2)))
+                .isCloseTo(
+                        0.5 * (Double.parseDouble(matcher.group(1)) + Double.parseDouble(matcher.group(2))),
+                        within(0.007 * truth));
+    }
+
+    /** Sums and differences of two waves are overtones; in the second lattice they are as strong, and each wave has 8 % of the variance. */
+    @ParameterizedTest
+    @CsvSource({"0.7e-6, 0.2e-6, 0.7", "1.2e-6, 0.2e-6, 1.2"})
+    void smallHolesAreALattice(double period, double diameter, String constant) {
+        HeightMap holes = Surfaces.of(400, 400, 25e-9, (x, y) -> {
+            double u = Math.IEEEremainder(x * Math.cos(0.1) + y * Math.sin(0.1), period);
+            double v = Math.IEEEremainder(y * Math.cos(0.1) - x * Math.sin(0.1), period);
+            return Math.hypot(u, v) < 0.5 * diameter ? -1e-7 : 0;
+        });
+        assertThat(verdict(piece(holes)))
+                .matches("A square lattice with a constant of (" + constant + "|0\\.69|1\\.19).*")
+                .doesNotContain("crossed");
+    }
+
+    /** Roughness of 15 nm whose spectrum is a Gaussian, with a correlation length of 0.5 um, and as much of a sine. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
+    void aSineInRoughnessIsAGrating(int seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        double turns = 1 / 0.5e-6;
+        double[][] waves = IntStream.range(0, 300)
+                .mapToObj(i -> new double[] {
+                    turns * random.nextGaussian(), turns * random.nextGaussian(), 2 * Math.PI * random.nextDouble()
+                })
+                .toArray(double[][]::new);
+        double period = 1.8e-6 + 0.1e-6 * seed;
+        DoubleBinaryOperator heights = (x, y) -> 0.4 * wave(x, y, period, 21 * seed)
+                + 15e-9
+                        * Math.sqrt(2.0 / waves.length)
+                        * Arrays.stream(waves)
+                                .mapToDouble(wave -> Math.cos(wave[0] * x + wave[1] * y + wave[2]))
+                                .sum();
+        GratingPeriod found = GratingPeriod.of(piece(Surfaces.of(100, 100, 150e-9, heights)));
+        assertThat(found.isSeen()).as(found.describe()).isTrue();
+        // Half of a line over 6 periods.
+        assertThat(found.period()).isBetween(0.92 * period, 1.08 * period);
     }
 
     /** One cell of a hexagonal array of spheres, 0.6 um apart, each of whose waves holds less than a third of the variance. */
