@@ -46,6 +46,8 @@ public record GratingPeriod(
 
     public static final double PROBABILITY = 0.95;
 
+    static final String GLOSS = "no order found: a white gloss without color";
+
     private static final double NANOMETERS_PER_METER = 1e9;
     // Share of unmeasured rows; a crop may lose half of the scan.
     private static final double FEW_UNMEASURED = 0.02;
@@ -72,13 +74,16 @@ public record GratingPeriod(
      */
     public static GratingPeriod among(Patch patch, OptionalDouble azimuth, double shortest, double longest) {
         Predicate<SpatialFrequency> which = wave -> wave.period() >= shortest && wave.period() <= longest;
+        String range = longest < Double.POSITIVE_INFINITY
+                ? " with a period of " + Lengths.rounded(shortest, 3) + " to " + Lengths.rounded(longest, 3)
+                : "";
         if (azimuth.isEmpty()) {
-            return of(patch, which, "");
+            return of(patch, which, range);
         }
         double angle = azimuth.getAsDouble();
         SpatialFrequency direction = new SpatialFrequency(Math.cos(angle), Math.sin(angle));
         String where = " along azimuth " + Decimals.format(Math.rint(100 * Math.toDegrees(angle)) / 100) + " degrees";
-        return of(patch, which.and(wave -> wave.length() > 0 && wave.sineTo(direction) < CONE), where);
+        return of(patch, which.and(wave -> wave.length() > 0 && wave.sineTo(direction) < CONE), range + where);
     }
 
     private static GratingPeriod of(Patch patch, Predicate<SpatialFrequency> which, String where) {
@@ -87,7 +92,8 @@ public record GratingPeriod(
         if (!(scan.relief() > 0)) {
             return nothing.none("flat: a mirror without color");
         }
-        String none = "no order found: a white gloss without color; nothing repeats" + where;
+        String gloss = where.isEmpty() ? GLOSS : "no order found" + where;
+        String none = gloss + "; nothing repeats";
         double side = Math.max(scan.width(), scan.height());
         boolean small = side <= LARGEST_REPEATED;
         boolean periodic = patch.repetition() == Patch.Repetition.PERIODIC;
@@ -104,7 +110,7 @@ public record GratingPeriod(
                     "%d x %d samples, fewer than the %d of three periods",
                     scan.columns(), scan.rows(), FEWEST_SAMPLES));
         }
-        GratingPeriod piece = PeriodModel.of(scan, which).orElseGet(() -> nothing.none(none));
+        GratingPeriod piece = PeriodModel.of(scan, which, gloss).orElseGet(() -> nothing.none(none));
         if (periodic && exact.isPresent()) {
             // A lattice's waves cross each other: only a sure piece holds more of them.
             boolean found =

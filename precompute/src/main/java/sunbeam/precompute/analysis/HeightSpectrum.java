@@ -35,8 +35,9 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         HeightMap level = (tapered ? Leveling.PLANE : Leveling.MEAN).apply(map);
         double[] taperX = taper(map.columns(), tapered);
         double[] taperY = taper(map.rows(), tapered);
-        int columns = padding * map.columns();
-        int rows = padding * map.rows();
+        // A profile has a mean across it, and no waves.
+        int columns = map.columns() > 1 ? padding * map.columns() : 1;
+        int rows = map.rows() > 1 ? padding * map.rows() : 1;
         Band bandX = band(columns, map.pitchX());
         Band bandY = band(rows, map.pitchY());
         double[] power = new BandTransform2d(columns, rows, bandX, bandY).powers((row, samples) -> {
@@ -52,7 +53,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
             }
         }
         return new HeightSpectrum(
-                bandX, bandY, padding * map.width(), padding * map.height(), power, squares / columns / rows);
+                bandX, bandY, columns * map.pitchX(), rows * map.pitchY(), power, squares / columns / rows);
     }
 
     private static Band band(int samples, double pitch) {

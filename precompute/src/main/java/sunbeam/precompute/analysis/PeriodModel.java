@@ -54,17 +54,23 @@ final class PeriodModel {
     private final HeightMap level;
     private final WaveSearch search;
     private final Predicate<SpatialFrequency> which;
+    private final String nothing;
 
-    private PeriodModel(HeightMap scan, Predicate<SpatialFrequency> which) {
+    private PeriodModel(HeightMap scan, Predicate<SpatialFrequency> which, String nothing) {
+        this.nothing = nothing;
         this.scan = scan;
         this.level = Leveling.PLANE.apply(scan);
         this.which = which.and(wave -> wave.length() * HeightSpectrum.SHORTEST_PERIOD <= 1);
         this.search = new WaveSearch(scan, this.which);
     }
 
-    /** Empty if no accepted wave fits three times into the scan. */
-    static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which) {
-        return new PeriodModel(scan, which).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
+    /**
+     * Empty if no accepted wave fits three times into the scan.
+     *
+     * @param nothing start of the reason if no period is seen
+     */
+    static Optional<GratingPeriod> of(HeightMap scan, Predicate<SpatialFrequency> which, String nothing) {
+        return new PeriodModel(scan, which, nothing).strongest(wave -> wave.periodsIn(scan) >= FEWEST_SEEN);
     }
 
     /** Waviness may hide a grating more than four times as fine, which then takes its place. */
@@ -99,7 +105,7 @@ final class PeriodModel {
             return vague.none("no order found: most of the relief is finer than light resolves (190 nm)");
         }
         String about = Lengths.rounded(wave.period(), 2);
-        String gloss = "no order found: a white gloss without color; the strongest wave, of about " + about;
+        String gloss = nothing + "; the strongest wave, of about " + about;
         if (share < LEAST_SHARE) {
             return vague.none(gloss + Text.format(", explains only %.0f %% of the heights' variance", 100 * share));
         }

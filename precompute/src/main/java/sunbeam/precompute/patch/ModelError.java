@@ -23,6 +23,8 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
 
     // Share of steeper surface without a warning: the walls of a grating take less.
     private static final double LARGEST_SHARE = 0.02;
+    // Expected error without a warning: a grating of low ridges has steep walls, too.
+    private static final double LEAST_ERROR = 0.1;
 
     /**
      * Angles of the light to the normal (0 to 30, 30 to 60, 60 to 75 degrees) with the law factor * meanSlope^exponent; {@code low} and
@@ -89,7 +91,7 @@ public record ModelError(double meanSlope, double rmsSlope, double largestSlope,
     }
 
     Optional<String> warning() {
-        if (steepShare <= LARGEST_SHARE) {
+        if (steepShare <= LARGEST_SHARE || expected(Incidence.NEAR_NORMAL) < LEAST_ERROR) {
             return Optional.empty();
         }
         String share =

@@ -146,7 +146,7 @@ record PatchAssembler(String name, String file, Choices choices, Kind kind) {
     private Optional<String> repetitionWarning(
             HeightMap measured, HeightMap scan, Preparation preparation, Patch.Repetition repetition) {
         boolean takesTilt = preparation.leveling().takesTilt();
-        if (repetition == Patch.Repetition.NONE && takesTilt && looksSynthetic(measured)) {
+        if (!choices.has(PERIODIC) && repetition == Patch.Repetition.NONE && takesTilt && looksSynthetic(measured)) {
             return Optional.of(
                     "it is constant along one axis, like a generated grating; if it is one period of a grating,"
                             + " state it (" + named(PERIODIC) + ")");

@@ -162,7 +162,7 @@ public final class Plausibility {
         double pitchY = map.rows() > 1 ? map.pitchY() : 0;
         double coarsest = Math.max(pitchX, pitchY);
         // Rounding of a pitch of exactly lambda / 4 causes no warning.
-        if (coarsest <= COARSEST_PITCH * (1 + 1e-9)) {
+        if (coarsest <= COARSEST_PITCH * (1 + 1e-9) || map.relief() == 0) {
             return Optional.empty();
         }
         return Optional.of("sampling too coarse: samples are " + Lengths.format(coarsest) + " apart along "

@@ -57,7 +57,7 @@ record FaultyScan(HeightMap map, double[] truths, boolean anyBetween, String wor
     /** The program's estimate for the measured part of the scan; empty where it refuses. */
     Optional<GratingPeriod> estimate() {
         HeightMap measured = GratingPeriod.measured(map, ScanFaults.in(map, Optional.empty()));
-        return PeriodModel.of(measured, wave -> true).filter(GratingPeriod::isSure);
+        return PeriodModel.of(measured, wave -> true, GratingPeriod.GLOSS).filter(GratingPeriod::isSure);
     }
 
     boolean holdsTruth(GratingPeriod estimate) {

@@ -19,7 +19,7 @@ import sunbeam.precompute.prepare.ScanFaults;
 /** The period of pieces of surfaces: right where there is an estimate, and without one elsewhere. */
 class PeriodModelTest {
     private static Optional<GratingPeriod> estimate(HeightMap map) {
-        return PeriodModel.of(map, wave -> true).filter(GratingPeriod::isSure);
+        return PeriodModel.of(map, wave -> true, GratingPeriod.GLOSS).filter(GratingPeriod::isSure);
     }
 
     /** In any direction, of 7 to 30 periods. */
@@ -87,7 +87,9 @@ class PeriodModelTest {
     }
 
     private static String refusal(HeightMap map) {
-        return PeriodModel.of(map, wave -> true).orElseThrow().reason();
+        return PeriodModel.of(map, wave -> true, GratingPeriod.GLOSS)
+                .orElseThrow()
+                .reason();
     }
 
     @ParameterizedTest

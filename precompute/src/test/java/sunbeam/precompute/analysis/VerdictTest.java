@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
 import java.util.regex.Matcher;
@@ -139,6 +140,26 @@ class VerdictTest {
         assertThat(verdict(piece((x, y) -> sine(x + slope * y, 1.2e-6)))).contains(" across -1 degree: ");
         // To -89.9 degrees.
         assertThat(period.turned(Math.toRadians(-88.7)).directions()).containsExactly(90L);
+    }
+
+    /** Along other directions or of other periods, a grating has no waves; its gloss is not white. */
+    @Test
+    void whatIsNotSoughtIsNoWhiteGloss() {
+        Patch patch = piece((x, y) -> sine(x, 1.2e-6));
+        OptionalDouble oblique = OptionalDouble.of(Math.toRadians(45));
+        assertThat(GratingPeriod.among(patch, oblique, 0, Double.POSITIVE_INFINITY)
+                        .reason())
+                .startsWith("no order found along azimuth 45 degrees; ");
+        assertThat(GratingPeriod.among(patch, OptionalDouble.empty(), 2e-6, 3e-6)
+                        .reason())
+                .startsWith("no order found with a period of 2 um to 3 um; ");
+    }
+
+    @Test
+    void aProfileOfASineIsAllSine() {
+        Patch profile = piece(Surfaces.of(512, 1, 40e-9, (x, y) -> sine(x, 1.1e-6)));
+        // The window's tails beyond three bins hold less than a percent.
+        assertThat(GratingPeriod.of(profile).share()).isGreaterThan(0.99);
     }
 
     /** The lines end in the middle of the scan: the part that was measured has its period. */
