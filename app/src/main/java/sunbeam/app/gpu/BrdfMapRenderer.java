@@ -26,12 +26,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
         this(context, method, size, 0);
     }
 
-    /**
-     * Creates a renderer for a turned patch.
-     *
-     * @param size width and height of the map in pixels
-     * @param turn turn of the patch about the normal in radians, counterclockwise
-     */
+    /** Creates a renderer of maps with {@code size} pixels a side. The patch is turned about the normal, in radians, counterclockwise. */
     public BrdfMapRenderer(RenderContext context, UploadedTables method, int size, double turn) {
         this.context = context;
         this.method = method;
@@ -43,19 +38,12 @@ public final class BrdfMapRenderer implements AutoCloseable {
         program.set("patchTurn", new Vector2f((float) Math.cos(turn), (float) Math.sin(turn)));
     }
 
-    /**
-     * Draws the map.
-     *
-     * @param light towards the light
-     * @param progress accepts the number of pixels of each finished tile
-     * @return linear XYZ of rho, NaN outside the disc
-     */
+    /** Returns a map in linear XYZ of rho, NaN outside the disc; {@code progress} gets the number of pixels of each tile. */
     public LinearPicture render(Direction light, LongConsumer progress) {
         draw(light, progress);
         return picture();
     }
 
-    /** Draws the map and leaves it on the device. */
     public void draw(Direction light, LongConsumer progress) {
         Tiles tiles = new Tiles(size);
         double secondsPerPixel = Double.POSITIVE_INFINITY;
@@ -68,7 +56,7 @@ public final class BrdfMapRenderer implements AutoCloseable {
         }
     }
 
-    /** Draws a part of the map, waits for it and leaves it on the device. */
+    /** Draws a tile of the map and waits for it. */
     public void draw(Direction light, Tile tile) {
         Direction inPatch = light.turned(-turn);
         program.set("lightDirection", new Vector3f((float) inPatch.x(), (float) inPatch.y(), (float) inPatch.z()));
@@ -93,16 +81,16 @@ public final class BrdfMapRenderer implements AutoCloseable {
     }
 
     /**
-     * Tiles in which a map is drawn, from top to bottom: small at first, then sized by the measured time per pixel. Tiles must not be too
-     * small, since waiting for a draw takes as long as some thousand pixels of a fast method.
+     * Tiles from top to bottom: small at first, then sized by the measured time per pixel. Waiting for a draw costs as much as some
+     * thousand pixels of a fast method.
      */
     private static final class Tiles {
-        // Side of the first tile, in pixels: four of llvmpipe's blocks of 64 x 64 pixels, each of which one processor
-        // draws. With a method of 0.12 ms per pixel the tile takes two seconds.
+        // In pixels: each processor draws one of llvmpipe's four blocks of 64 x 64. At 0.12 ms per pixel this takes two
+        // seconds.
         private static final int SIDE = 128;
 
-        // Target time of a tile. It may take five times as long: the first tiles are in the corners, whose pixels are
-        // faster than those of the disc.
+        // The first tiles lie in the corners, whose pixels are faster than the disc's: a tile may take five times as
+        // long.
         private static final double BUDGET_SECONDS = 0.1;
 
         private final int size;
@@ -137,19 +125,10 @@ public final class BrdfMapRenderer implements AutoCloseable {
         }
     }
 
-    /**
-     * Directions at the centers of a BRDF map's pixels (shaders/brdf_map.frag).
-     *
-     * @param size width and height of the map in pixels
-     * @param light towards the light
-     */
+    /** Directions at the centers of a BRDF map's pixels (shaders/brdf_map.frag). */
     public record DiscDirections(int size, Direction light) {
 
-        /**
-         * Returns the direction of one pixel.
-         *
-         * @param pixel counted row by row from the top left; must lie inside the disc
-         */
+        /** Returns the direction of a pixel inside the disc, counted row by row from the top left. */
         public DirectionPair at(int pixel) {
             return new DirectionPair(light, Direction.ofDisc(x(pixel), y(pixel)));
         }

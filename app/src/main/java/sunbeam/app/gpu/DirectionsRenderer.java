@@ -40,22 +40,17 @@ public final class DirectionsRenderer implements AutoCloseable {
         program.set("windowSigma", (float) method.windowSigma());
     }
 
-    /**
-     * Creates a renderer for directions with a wavelength that evaluates only the method's own average and returns it as coherent and as
-     * ensemble power.
-     */
+    /** Creates a renderer that returns the method's own average as both coherent and ensemble power. */
     public static DirectionsRenderer ofOnePower(RenderContext context, UploadedTables method) {
         return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
     }
 
-    /** Directions to light and viewer, and the wavelength in meters, which is ignored where colors are evaluated. */
+    /** Directions and wavelength in meters, which is ignored where colors are evaluated. */
     public record Query(DirectionPair pair, double wavelength) {}
 
     /**
-     * Evaluates all queries.
-     *
-     * @param progress accepts the number of directions of each finished batch
-     * @return four values per query: coherent power, ensemble power, rho, brdf; or X, Y, Z of power and gain
+     * Returns four values per query: coherent power, ensemble power, rho, brdf; or X, Y, Z of power and gain. {@code progress} gets the
+     * size of each finished batch.
      */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
@@ -96,7 +91,7 @@ public final class DirectionsRenderer implements AutoCloseable {
         return texels;
     }
 
-    /** Stores the DFT bin nearest to a position and the distance from it, in bins, along one axis. */
+    /** Stores the nearest DFT bin and the distance from it, in bins. */
     private static void putBin(float[] texels, int column, double position, int axis) {
         double nearest = Math.rint(position);
         int at = 4 * (3 * BATCH + column) + axis;

@@ -28,11 +28,7 @@ public final class UploadedTables implements AutoCloseable {
         this.tables = tables;
     }
 
-    /**
-     * Uploads tables, layer by layer.
-     *
-     * @throws GraphicsException if the device has no room for them
-     */
+    /** Uploads tables, layer by layer; throws {@link GraphicsException} if the device has no room for them. */
     public static UploadedTables upload(RenderContext context, ShaderTables tables) {
         UploadedTables uploaded = new UploadedTables(context, tables);
         return Resource.orClose(
@@ -69,11 +65,7 @@ public final class UploadedTables implements AutoCloseable {
         };
     }
 
-    /**
-     * Compiles a program that includes the method and sets the method's uniforms. The caller closes the program.
-     *
-     * @param fragment file in shaders/ that includes the method
-     */
+    /** Compiles a file of shaders/ that includes the method, and sets the method's uniforms. The caller closes the program. */
     public ShaderProgram program(String fragment) {
         return program(fragment, Map.of());
     }
@@ -98,10 +90,7 @@ public final class UploadedTables implements AutoCloseable {
         return textures;
     }
 
-    /**
-     * Returns the number of DFT bins per cycle per meter along x and y, which is the patch's width and height in meters; empty if the
-     * method's tables have no DFT bins.
-     */
+    /** Returns the DFT bins per cycle per meter along x and y: the patch's width and height in meters; empty without DFT. */
     public Optional<double[]> binsPerFrequency() {
         float[] rounded = tables.reals().get("tablePeriod");
         float[] rest = tables.reals().get("tablePeriodRest");
@@ -110,7 +99,7 @@ public final class UploadedTables implements AutoCloseable {
                 : Optional.of(new double[] {(double) rounded[0] + rest[0], (double) rounded[1] + rest[1]});
     }
 
-    /** Returns the standard deviation of the coherence window in meters. */
+    /** Standard deviation of the coherence window in meters. */
     public double windowSigma() {
         return tables.windowSigma();
     }
@@ -121,9 +110,8 @@ public final class UploadedTables implements AutoCloseable {
     }
 
     /**
-     * Returns a shader's results, unchanged. Drivers may end loops early; shaders mark such partial sums (shaders/include/loops.glsl).
-     *
-     * @throws GraphicsException if one of them is a partial sum
+     * Returns a shader's results. Throws {@link GraphicsException} if one is a partial sum: drivers may end loops early
+     * (shaders/include/loops.glsl).
      */
     public static float[] requireWholeSums(float[] results) {
         for (float result : results) {

@@ -17,18 +17,15 @@ import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 
 /**
- * Bakes tiles of a color table's levels, or reads them from the cache of tiles. Not thread-safe; a level's baker may be bound to the thread
- * that opened it.
+ * Bakes tiles of a color table's levels, or reads them from the cache. Not thread-safe; a level's baker may need the thread that opened it.
  */
 final class CachedBaker implements Scheduler.TileBaker {
-    // Most tiles per job of the radial baker, which take about a second on two processors. Smaller jobs show progress
-    // sooner but evaluate more rays twice.
+    // About a second on two processors. Smaller jobs show progress sooner but evaluate more rays twice.
     private static final int RADIAL_BATCH = 4800;
-    // Most tiles per job of a shader. Their samples are one draw, which cannot be canceled, so that a job must be
-    // short.
+    // A shader's job is one draw, which cannot be canceled, so that it must be short.
     private static final int SHADER_BATCH = 64;
 
-    // Samples evaluated without table between checks of the token: some milliseconds on one processor.
+    // Samples between checks of the token: some milliseconds on one processor.
     private static final int SAMPLE_BATCH = 96;
 
     // Level number of points of the patch, over which no level averages.
@@ -37,7 +34,7 @@ final class CachedBaker implements Scheduler.TileBaker {
     private final LevelBakers bakers;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    // Open bakers by level or POINTS. They stay open, since opening one takes longer than baking a few samples.
+    // By level or POINTS. Opening a baker takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> openBakers = new TreeMap<>();
     private CachedTiles cached;
     private boolean hasBaked;
@@ -113,7 +110,6 @@ final class CachedBaker implements Scheduler.TileBaker {
         return all;
     }
 
-    /** Returns the number of samples to be evaluated for tiles that the cache lacks. */
     long missing(TileSet tiles) {
         long places = 0;
         for (int level = 0; level < tiles.levels(); level++) {
@@ -127,8 +123,8 @@ final class CachedBaker implements Scheduler.TileBaker {
     }
 
     /**
-     * Validates baked tiles at some footprints. If the table misses its tolerance, warns once and discards the cached tiles. Without effect
-     * if all tiles came from the cache.
+     * Validates the table at some footprints unless all tiles came from the cache. If it misses its tolerance, warns once and discards the
+     * cached tiles.
      */
     void validate(Footprints.Sample.Tabulated sample, ColorBaker.Token token) {
         if (hasBaked && !warned) {
@@ -144,7 +140,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         return sample.errors((level, places) -> evaluate(level, places, token));
     }
 
-    /** Evaluates colors of a level, not yet multiplied by the level's scale, or of {@link #POINTS} of the patch. */
+    /** Evaluates colors of a level or {@link #POINTS}, not yet multiplied by the level's scale. */
     float[] evaluate(int level, float[] places, ColorBaker.Token token) {
         ColorBaker direct = baker(level).direct();
         float[] xyz = new float[places.length];
@@ -179,17 +175,15 @@ final class CachedBaker implements Scheduler.TileBaker {
     }
 
     /**
-     * Tiles of a table that are baked without feedback.
+     * Tiles that are baked without feedback, so that parts that come into view have colors at once.
      *
-     * @param coarsest all tiles of the coarsest level, so that a preview has colors everywhere; none if they are too many
-     * @param prefetched all tiles of coarse levels, so that parts that come into view have colors at once
-     * @param isWhole true if all tiles of all levels are prefetched
+     * @param coarsest all tiles of the coarsest level; none if they are too many
+     * @param prefetched all tiles of coarse levels
      */
     record PrefetchSet(TileSet coarsest, TileSet prefetched, boolean isWhole) {
-        // Most prefetched tiles; baking them takes some seconds on one processor.
+        // Baking these takes some seconds on one processor.
         private static final int MOST_PREFETCHED = 6000;
-        // Most tiles of a table that is baked as a whole, which is then faster than finding the tiles that footprints
-        // read.
+        // Baking a smaller table as a whole is faster than finding the tiles that footprints read.
         private static final int SMALL_TABLE = 2000;
 
         static PrefetchSet of(List<TileGrid> grids) {
@@ -208,7 +202,6 @@ final class CachedBaker implements Scheduler.TileBaker {
             return new PrefetchSet(coarsest, prefetched, true);
         }
 
-        /** True if the table is baked as a whole. */
         boolean isSmall() {
             return isWhole && prefetched.count() <= SMALL_TABLE;
         }

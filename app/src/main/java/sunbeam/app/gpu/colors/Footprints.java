@@ -14,10 +14,10 @@ import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
- * Footprints of samples in (u, v, w), as shaders/include/footprint.glsl finds them.
+ * Footprints in (u, v, w), as shaders/include/footprint.glsl finds them.
  *
  * @param centers u, v, w and level of each footprint; level -1 where nothing is diffracted
- * @param axes for each footprint the change of u, v, w along the line over which its taps are spread evenly, and the number of taps
+ * @param axes change of u, v, w along the line of each footprint's taps, and their number
  */
 public record Footprints(float[] centers, float[] axes) {
     private static final int CHANNELS = 4;
@@ -46,7 +46,6 @@ public record Footprints(float[] centers, float[] axes) {
         return taps;
     }
 
-    /** Returns the tiles that the taps of all footprints read. */
     TileSet tiles(List<TileGrid> grids) {
         TileSet all = TileSet.none(grids.size());
         IntStream.range(0, (count() + BATCH - 1) / BATCH)
@@ -71,10 +70,11 @@ public record Footprints(float[] centers, float[] axes) {
         return tiles;
     }
 
-    /** Random sample of a picture's footprints, at which its color table is validated. Not thread-safe. */
+    /** Random footprints at which a color table is validated. Not thread-safe. */
     static final class Sample {
-        // Most footprints in the sample, and number of bright ones that are compared: most footprints of a grating are
-        // dark. In 95 % of samples the median of 60 bright ones lies between the 37th and the 63rd percentile of all.
+        // Footprints, and bright ones to compare: most of a grating are dark. In 95 % of samples the median of 60 lies
+        // between the 37th and
+        // the 63rd percentile of all.
         private static final int CAPACITY = 1000;
         private static final int ENOUGH_BRIGHT = 60;
         private static final long SEED = 35;
@@ -91,7 +91,7 @@ public record Footprints(float[] centers, float[] axes) {
                 if (footprints.level(i) < 0) {
                     continue;
                 }
-                // Reservoir sampling: each footprint so far is chosen with the same probability.
+                // Reservoir sampling.
                 long place = seen < CAPACITY ? seen : random.nextLong(seen + 1);
                 seen++;
                 if (place < CAPACITY) {
@@ -115,7 +115,7 @@ public record Footprints(float[] centers, float[] axes) {
             return chosen.isEmpty();
         }
 
-        /** Looks up bright footprints of the sample in a table, whose tiles must be resident. */
+        /** Looks up bright footprints in a table, whose tiles must be resident. */
         Tabulated tabulated(ColorTable colorTable, Residency residency) {
             List<BrightFootprint> bright = new ArrayList<>();
             for (int i = 0; i < chosen.size() && bright.size() < ENOUGH_BRIGHT; i++) {
@@ -138,10 +138,7 @@ public record Footprints(float[] centers, float[] axes) {
         record BrightFootprint(int level, double[][] taps, double[] tabulated) {}
 
         record Tabulated(ColorTable colorTable, List<BrightFootprint> footprints) {
-            /**
-             * @param exact function that evaluates, without table, the X, Y, Z of a level at some (u, v, w), not yet multiplied by the level's
-             *     scale
-             */
+            /** @param exact X, Y, Z of a level at some (u, v, w) without table, not yet multiplied by the level's scale */
             ErrorStatistics errors(BiFunction<Integer, float[], float[]> exact) {
                 List<Comparison> compared = new ArrayList<>();
                 footprints.stream()

@@ -15,10 +15,10 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
 public final class GpuBaker implements ColorBaker {
-    /** Side of the square of samples per draw: keeps all processors of a software renderer busy, in a short draw. */
+    /** Side of a draw: keeps all processors of a software renderer busy, in a short draw. */
     private static final int SIDE = 128;
 
-    /** Fourth component of a texel with a sample; unused texels have 0. */
+    /** Fourth component of a used texel; unused ones have 0. */
     private static final float USED = 1;
 
     private final RenderContext context;
@@ -43,11 +43,7 @@ public final class GpuBaker implements ColorBaker {
         }
     }
 
-    /**
-     * Uploads a method's tables.
-     *
-     * @throws jrtr.GraphicsException if the device has no room for them
-     */
+    /** Uploads a method's tables; throws {@link jrtr.GraphicsException} if the device has no room for them. */
     public static GpuBaker of(ShaderTables tables) {
         return new GpuBaker(RenderContext.offscreen(), tables);
     }
@@ -64,10 +60,7 @@ public final class GpuBaker implements ColorBaker {
         return xyz;
     }
 
-    /**
-     * Bakes the samples of one draw. Successive samples are neighbors on a Morton curve, so that fragments shaded together read nearly the
-     * same texels.
-     */
+    /** Bakes one draw along a Morton curve, so that fragments shaded together read nearly the same texels. */
     private void bakeBatch(float[] uvw, float[] xyz, int start, int count) {
         float[] texels = new float[4 * SIDE * SIDE];
         int rows = 0;

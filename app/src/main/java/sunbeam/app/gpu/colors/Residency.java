@@ -17,7 +17,7 @@ import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.MemoryNeed;
 import sunbeam.precompute.text.Text;
 
-/** The tiles of a color table that are resident on the graphics card, in {@link AtlasPages}. Tiles are added while pictures are drawn. */
+/** Resident tiles of a color table in {@link AtlasPages}. Tiles are added while pictures are drawn. */
 final class Residency implements AutoCloseable {
     // Share of Java's heap that colors may take.
     private static final double USABLE_HEAP = 0.8;
@@ -41,8 +41,7 @@ final class Residency implements AutoCloseable {
         this.pages = new AtlasPages(grids, format);
         this.lookUp = new TableLookUp(grids, format, pages::coefficient);
         this.resident = TileSet.none(grids.size());
-        // Upload an empty page even if no tile is needed (a mesh that faces away from the light): the shader samples it
-        // anyway.
+        // Even without tiles the shader samples a page: that of a mesh that faces away from the light.
         changed.set(0);
     }
 
@@ -54,21 +53,20 @@ final class Residency implements AutoCloseable {
         return tiles.without(resident);
     }
 
-    /** Returns the resident share of some tiles, 0 to 1; 1 if there are none. */
+    /** Resident share of some tiles, 0 to 1; 1 if there are none. */
     double share(TileSet tiles) {
         long all = tiles.count();
         return all == 0 ? 1 : 1 - (double) missing(tiles).count() / all;
     }
 
     /**
-     * Sets the tiles to be added next, so that the texture is allocated once.
-     *
-     * @throws GraphicsException if they exceed the card's or Java's memory
+     * Sets the tiles to be added next, so that the texture is allocated once. Throws {@link GraphicsException} if they exceed the card's or
+     * Java's memory.
      */
     void expect(TileSet missing) {
         long tiles = resident.count() + missing.count();
         long textures = bytes(tiles);
-        // The copy of the textures in main memory, the samples, and the tiles that are being baked.
+        // The textures' copy in main memory, the samples, and the tiles being baked.
         long heap = textures + LevelBaking.sampleBytes(2 * tiles) + bytes(missing.count());
         long most = Runtime.getRuntime().maxMemory();
         if (textures > MemoryNeed.LARGEST_TEXTURE_BYTES || heap > USABLE_HEAP * most) {
@@ -84,7 +82,7 @@ final class Residency implements AutoCloseable {
         expectedTiles = tiles;
     }
 
-    /** Returns the bytes of the layers for a number of tiles. They are allocated twice: on the card and in main memory. */
+    /** Bytes of a number of tiles, which are allocated on the card and again in main memory. */
     private long bytes(long tiles) {
         return (long) AtlasPages.layers(tiles) * AtlasPages.LAYER_NUMBERS * format.bytes();
     }
@@ -98,7 +96,7 @@ final class Residency implements AutoCloseable {
         resident.of(baked.level()).or(baked.tiles());
     }
 
-    /** Returns X, Y, Z of power of a level, times the level's scale. The tile must be resident. */
+    /** X, Y, Z of power of a level, times its scale. The tile must be resident. */
     double[] xyz(int level, double scale, double[] uvw) {
         double[] xyz = lookUp.xyz(level, uvw[0], uvw[1], uvw[2]);
         for (int c = 0; c < xyz.length; c++) {
@@ -138,7 +136,7 @@ final class Residency implements AutoCloseable {
     private void allocate(int layers) {
         int capacity = Math.max(layers, AtlasPages.layers(expectedTiles));
         if (texels != null && capacity == layers) {
-            // Doubling keeps the number of complete uploads small. Drivers allow no more layers than expect() does.
+            // Doubling keeps complete uploads few. Drivers allow no more layers than expect().
             long most = MemoryNeed.LARGEST_TEXTURE_BYTES / AtlasPages.LAYER_NUMBERS / format.bytes();
             capacity = Math.max(layers, (int) Math.min(2L * texels.spec().layers(), most));
         }

@@ -9,28 +9,22 @@ import java.util.concurrent.Executor;
 import java.util.stream.IntStream;
 
 /**
- * Schedules the baking of requested tiles on an executor: the most urgent first, one job at a time. A more urgent request cancels the
- * running job, which is resumed later. No lock is held while tiles are baked or read, nor around callbacks. Thread-safe.
+ * Schedules baking on an executor, the most urgent tiles first. A more urgent request cancels the running job, which is resumed later.
+ * Baking, reading and callbacks hold no lock. Thread-safe.
  */
 final class Scheduler implements AutoCloseable {
     private static final int COARSEST = 0;
     private static final int PREFETCHED = 2;
 
-    /**
-     * Baked tiles of a level.
-     *
-     * @param tiles numbers of the tiles, at least one
-     * @param coefficients coefficients of each tile, in the order of the tiles' numbers
-     */
+    /** @param coefficients one array per tile, in the order of the tiles' numbers */
     record BakedTiles(int level, BitSet tiles, List<byte[]> coefficients) {}
 
-    /** Bakes tiles of a color table. Not thread-safe. */
+    /** Not thread-safe. */
     interface TileBaker extends AutoCloseable {
         /**
-         * Bakes some of the missing tiles, of which there is at least one, or reads them from the cache.
+         * Bakes or reads some of the missing tiles, of which there is at least one.
          *
-         * @throws java.util.concurrent.CancellationException soon after the token is canceled; baking the same tiles again reuses their
-         *     samples
+         * @throws java.util.concurrent.CancellationException soon after the token is canceled; the finished samples are reused
          */
         BakedTiles bake(TileSet missing, CancellationToken token);
 
@@ -38,14 +32,9 @@ final class Scheduler implements AutoCloseable {
         void close();
     }
 
-    /**
-     * The tiles to bake next.
-     *
-     * @param priority index in the request
-     */
+    /** @param priority index in the request */
     private record DueJob(int priority, TileSet missing, CancellationToken token) {}
 
-    /** A task that runs while no job is due and is canceled when one is due. */
     private record IdleTask(CancellationToken token, Runnable task) {}
 
     private enum Life {
@@ -70,8 +59,6 @@ final class Scheduler implements AutoCloseable {
     private Life life = Life.OPEN;
 
     /**
-     * Creates a scheduler without request.
-     *
      * @param baker used, and closed in the end, by the executor alone
      * @param executor runs tasks one at a time, in order
      * @param onBakedTiles called by the executor when {@link #poll()} has tiles
@@ -83,10 +70,10 @@ final class Scheduler implements AutoCloseable {
     }
 
     /**
-     * Requests tiles, in place of the last request.
+     * Requests tiles that {@link #poll()} has not returned, in place of the last request.
      *
-     * @param byPriority tiles that {@link #poll()} has not returned: those of the coarsest level, which replace missing finer ones in every
-     *     picture and are baked even while something moves; those that the still picture reads; those that the next picture may read
+     * @param byPriority tiles of the coarsest level, which replace missing finer ones and are baked even while something moves; those of
+     *     the still picture; those that the next picture may read
      */
     synchronized void request(List<TileSet> byPriority) {
         missing = byPriority.stream().map(TileSet::copy).toList();
@@ -104,13 +91,13 @@ final class Scheduler implements AutoCloseable {
         reconsider();
     }
 
-    /** Runs a task at most once, when the picture's tiles are baked and nothing moves; it is canceled when a job is due. */
+    /** Runs a task at most once, when the picture's tiles are baked and nothing moves; a due job cancels it. */
     synchronized void whenIdle(CancellationToken token, Runnable task) {
         idleTasks.add(new IdleTask(token, task));
         reconsider();
     }
 
-    /** Returns baked tiles that were not returned before. Throws a failure of baking once; its tiles may be requested again. */
+    /** Returns new baked tiles. Throws a failure of baking once; its tiles may be requested again. */
     synchronized Optional<BakedTiles> poll() {
         Optional<Throwable> reported = undelivered.isEmpty() ? failure : Optional.empty();
         if (reported.isPresent()) {
@@ -134,7 +121,7 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /** Guarded by this. Cancels the running job unless it is still the most urgent, and submits {@link #turn} if a job or a task is due. */
+    /** Guarded by this. Cancels the running job if another is more urgent, and submits {@link #turn} if anything is due. */
     private void reconsider() {
         Optional<DueJob> first = mostUrgent();
         running.filter(job -> !first.map(due -> isPartOf(job, due)).orElse(false))
@@ -153,7 +140,7 @@ final class Scheduler implements AutoCloseable {
                 && job.missing().without(due.missing()).isEmpty();
     }
 
-    /** Guarded by this. Returns the missing tiles of the most urgent priority that may be baked now. */
+    /** Guarded by this. */
     private Optional<DueJob> mostUrgent() {
         return IntStream.range(COARSEST, life == Life.OPEN ? missing.size() : 0)
                 .filter(priority -> !isInteractive || priority == COARSEST)
@@ -171,7 +158,7 @@ final class Scheduler implements AutoCloseable {
         return first.map(due -> due.priority() == PREFETCHED).orElse(true);
     }
 
-    /** Runs on the executor: performs the most urgent job, or an idle task, and submits itself again if more is due. */
+    /** Performs the most urgent job, or an idle task, on the executor, and submits itself again if more is due. */
     private void turn() {
         next().run();
         if (endTurn()) {
@@ -179,7 +166,7 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /** Returns true if this was the last turn. Then the caller closes the baker, since the executor may accept no further task. */
+    /** True if this was the last turn: the caller closes the baker, since the executor may accept no further task. */
     private synchronized boolean endTurn() {
         running = Optional.empty();
         idling = Optional.empty();
@@ -236,7 +223,6 @@ final class Scheduler implements AutoCloseable {
         }
     }
 
-    /** Records a failure for the next {@link #poll}. */
     private synchronized void fail(Throwable problem, boolean givesUp) {
         if (life == Life.OPEN) {
             failure = Optional.of(problem);

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 
-/** A set of tiles of a table's mip levels: for each level the numbers of its tiles. Mutable. */
+/** For each mip level the numbers of its tiles. Mutable. */
 record TileSet(List<BitSet> ofLevels) {
     static TileSet none(int levels) {
         List<BitSet> empty = new ArrayList<>();
@@ -24,7 +24,7 @@ record TileSet(List<BitSet> ofLevels) {
         return ofLevels.size();
     }
 
-    /** Returns the tiles of a level, a view of this set. */
+    /** Returns a view of this set. */
     BitSet of(int level) {
         return ofLevels.get(level);
     }

@@ -17,8 +17,8 @@ import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.text.Text;
 
 /**
- * Virtual texture of a color table: of its mip levels only those tiles are resident that footprints read. Tiles are baked while the caller
- * waits ({@link #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
+ * Virtual texture of a color table: only those tiles are resident that footprints read. They are baked while the caller waits ({@link
+ * #bakeFeedback}), or in the background after {@link #bakeOn}. Belongs to its context's thread.
  */
 public final class VirtualTexture implements AutoCloseable {
     private final CachedBaker baker;
@@ -29,7 +29,7 @@ public final class VirtualTexture implements AutoCloseable {
     private final Footprints.Sample sample = new Footprints.Sample();
     private TileSet requested;
     private Optional<Scheduler> scheduler = Optional.empty();
-    // True if the cache has all tiles of the table; checked by the scheduler's executor.
+    // Whether the cache has the whole table; checked by the scheduler's executor.
     private CompletableFuture<Boolean> isCached = CompletableFuture.completedFuture(false);
 
     public VirtualTexture(RenderContext context, LevelBakers levels) {
@@ -45,7 +45,6 @@ public final class VirtualTexture implements AutoCloseable {
         return TileSet.none(grids.size());
     }
 
-    /** True if all tiles of the table are resident. */
     public boolean isComplete() {
         return prefetchSet.isWhole()
                 && residency.missing(prefetchSet.prefetched()).isEmpty();
@@ -60,9 +59,8 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Adds the tiles of some footprints to the feedback, for {@link #bakeFeedback} or {@link #request}.
-     *
-     * @param ofPicture whether the table is validated at them: false for the footprints of metering, which read too coarse a level
+     * Adds the tiles of some footprints to the feedback. The table is validated at those {@code ofPicture}, but not at those of metering,
+     * which read too coarse a level.
      */
     public void addFeedback(Footprints footprints, boolean ofPicture) {
         if (ofPicture) {
@@ -71,16 +69,14 @@ public final class VirtualTexture implements AutoCloseable {
         feedback.add(footprints.tiles(grids));
     }
 
-    /** Clears the feedback. */
     public void clearFeedback() {
         sample.clear();
         feedback.clear();
     }
 
     /**
-     * Bakes the missing tiles of the feedback while the caller waits; of a table of few tiles all.
-     *
-     * @throws GraphicsException if memory does not suffice for the tiles
+     * Bakes the missing tiles of the feedback, or all of a small table, while the caller waits. Throws {@link GraphicsException} if memory
+     * does not suffice.
      */
     public void bakeFeedback() {
         if (scheduler.isPresent()) {
@@ -97,7 +93,7 @@ public final class VirtualTexture implements AutoCloseable {
         }
     }
 
-    /** Returns the sample's bright footprints with their colors in the table, and starts a new sample. */
+    /** Looks up the sample's bright footprints and starts a new sample. */
     private Footprints.Sample.Tabulated tabulated() {
         Footprints.Sample.Tabulated tabulated = sample.tabulated(table(), residency);
         sample.clear();
@@ -125,7 +121,7 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Bakes requested tiles by an executor from now on. Requests the coarsest level at once, also when called again after baking it failed.
+     * Bakes requested tiles by an executor from now on, the coarsest level at once. May be called again after a failure.
      *
      * @param executor runs tasks one at a time, in order
      * @param onBakedTiles called by the executor when {@link #drain} has tiles
@@ -158,11 +154,7 @@ public final class VirtualTexture implements AutoCloseable {
         scheduler.ifPresent(running -> running.interactive(value));
     }
 
-    /**
-     * Makes the tiles resident that have been baked since the last call.
-     *
-     * @return true if there were any
-     */
+    /** Makes the tiles resident that were baked since the last call; returns false if there were none. */
     public boolean drain() {
         boolean hasNew = false;
         while (scheduler.isPresent()) {
@@ -176,11 +168,7 @@ public final class VirtualTexture implements AutoCloseable {
         return hasNew;
     }
 
-    /**
-     * Requests the tiles of the feedback, in place of the last request.
-     *
-     * @throws GraphicsException if memory does not suffice
-     */
+    /** Requests the tiles of the feedback, in place of the last request. Throws {@link GraphicsException} if memory does not suffice. */
     public void request() {
         TileSet all = feedback.copy();
         feedback.clear();
@@ -191,7 +179,6 @@ public final class VirtualTexture implements AutoCloseable {
         schedule(none());
     }
 
-    /** Clears the feedback and the last request. */
     public void clearRequest() {
         request(none());
     }
@@ -203,9 +190,7 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Requests all tiles if all are in the cache or resident, since reading them takes less time than finding those that footprints read.
-     *
-     * @return false if not all are
+     * Requests all tiles if all are in the cache or resident, which is faster than finding those that footprints read; else returns false.
      */
     public boolean requestWhole() {
         if (!isCached.getNow(false) && !isComplete()) {
@@ -237,8 +222,7 @@ public final class VirtualTexture implements AutoCloseable {
     }
 
     /**
-     * Evaluates X, Y, Z of power at exactly these (u, v, w), without blur over a footprint and without the table. Only for tasks of {@link
-     * #whenIdle}.
+     * Evaluates X, Y, Z of power at exactly these (u, v, w), without footprint or table. Only for tasks of {@link #whenIdle}.
      *
      * @throws java.util.concurrent.CancellationException soon after the token is canceled
      */
@@ -246,7 +230,7 @@ public final class VirtualTexture implements AutoCloseable {
         return baker.evaluate(CachedBaker.POINTS, places, token);
     }
 
-    /** Looks up X, Y, Z of power at some (u, v, w) in the finest level of which all tiles are resident; those of the coarsest must be. */
+    /** Looks up X, Y, Z of power in the finest level of which all tiles are resident; those of the coarsest must be. */
     public float[] coarseColors(float[] places) {
         int level = grids.size() - 1;
         TileSet missing = residency.missing(prefetchSet.prefetched());
@@ -271,12 +255,12 @@ public final class VirtualTexture implements AutoCloseable {
         return !prefetchSet.coarsest().isEmpty() && coarsestShare() == 1;
     }
 
-    /** Returns the resident share of the coarsest level's tiles, 0 to 1; 1 if that level is too large to be baked as a whole. */
+    /** Resident share of the coarsest level's tiles, 0 to 1; 1 if that level is too large to be baked as a whole. */
     public double coarsestShare() {
         return residency.share(prefetchSet.coarsest());
     }
 
-    /** Returns the resident share of the last request's tiles, 0 to 1. */
+    /** Resident share of the last request's tiles, 0 to 1. */
     public double requestedShare() {
         return residency.share(requested);
     }

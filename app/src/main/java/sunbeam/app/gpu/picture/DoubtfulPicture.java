@@ -9,22 +9,17 @@ import sunbeam.precompute.patch.Patch;
 
 /** Warns about pictures that are probably a mistake: of a mirror, or all black. They are written nevertheless. */
 public final class DoubtfulPicture {
-    // Fewest pixels per row of a picture that is warned about: a smaller one may lie between a grating's orders.
+    // A smaller picture may lie between a grating's orders.
     private static final int FEWEST_PIXELS = 32;
 
     private DoubtfulPicture() {}
 
-    /** Returns the exit code for a picture of patches without another failure. Loading a patch warns if it is a mirror. */
+    /** Returns the exit code unless something else fails. Loading a patch already warns if it is a mirror. */
     public static ExitCode ofPatches(List<Patch> patches) {
         return patches.stream().anyMatch(Patch::isMirror) ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
     }
 
-    /**
-     * Warns if a picture is black.
-     *
-     * @param picture name of the picture in the warning, such as "the map"
-     * @return exit code of the command if nothing else fails
-     */
+    /** Warns if a picture, named such as "the map", is black; returns the exit code unless something else fails. */
     public static ExitCode judge(
             List<Patch> patches, boolean black, String picture, boolean automatic, PrintWriter err) {
         if (!black) {

@@ -11,7 +11,7 @@ import sunbeam.precompute.color.DisplayTransform;
  * @param xyz {@code height * width * 3} values, row 0 on top
  */
 public record LinearPicture(int width, int height, float[] xyz) {
-    /** Display luminance to which the brighter half's mean is mapped; white is 1. Orders several times brighter are compressed. */
+    /** Display luminance of the brighter half's mean; white is 1. Orders several times brighter are compressed. */
     public static final double EXPOSURE_TARGET = 0.42;
 
     private static final double DARKER = 0.5;
@@ -56,12 +56,12 @@ public record LinearPicture(int width, int height, float[] xyz) {
     }
 
     /**
-     * Returns the automatic exposure for all pictures together, a factor of linear XYZ; 1 for pictures without light. It is the same for
-     * maps, pictures of scenes, the viewer and {@code color} (docs/theory.md). Ignores pixels whose Y is NaN, infinite, zero or negative.
+     * Returns one automatic exposure for all pictures, a factor of linear XYZ (docs/theory.md); 1 for pictures without light. Ignores
+     * pixels whose Y is NaN, infinite, zero or negative.
      *
-     * <p>Pixels are sorted by luminance Y, and each is weighted by its lightness, the cube root of Y (CIE 1976), so that black pixels have no
-     * weight. The brightest pixels with half of the total weight are the brighter half; the exposure maps the geometric mean of their Y to
-     * {@link #EXPOSURE_TARGET}. Unlike a percentile, a mean over many pixels changes little if the picture changes little.
+     * <p>Pixels are weighted by lightness, the cube root of Y (CIE 1976), so that black has no weight. The geometric mean Y of the
+     * brightest ones with half of the total weight becomes {@link #EXPOSURE_TARGET}: unlike a percentile, it changes little if the picture
+     * changes little.
      */
     public static double exposure(LinearPicture... pictures) {
         double[] luminances = luminances(pictures);

@@ -13,11 +13,7 @@ import sunbeam.precompute.text.Text;
  */
 public record PictureDifference(double median, double high) {
 
-    /**
-     * Compares two pictures pixel by pixel, over the area of the base.
-     *
-     * @param picture picture at least as large as the base
-     */
+    /** Compares pixels over the area of the base, which must not exceed the picture. */
     public static PictureDifference of(BufferedImage picture, BufferedImage base) {
         double[] differences = new double[base.getWidth() * base.getHeight()];
         int count = 0;

@@ -27,13 +27,13 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
 /**
- * Errors of a picture or a table against the exact reference, at random pixels or rows.
+ * Errors of a picture or a table against the exact reference.
  *
- * @param places description of the evaluated pixels or rows, such as "40 random pixels"
- * @param complete whether all pixels or rows were evaluated
- * @param quantity compared quantity: XYZ or power
- * @param relative relative errors of the pixels or rows that are bright enough
- * @param colorDifference CIEDE2000 of the same pixels after the picture's exposure; empty for a table
+ * @param places description of the pixels or rows, such as "40 random pixels"
+ * @param complete whether all were evaluated
+ * @param quantity XYZ or power
+ * @param relative relative errors of the bright ones
+ * @param colorDifference their CIEDE2000 after the picture's exposure; empty for a table
  */
 public record Certificate(
         String places,
@@ -42,20 +42,20 @@ public record Certificate(
         ErrorStatistics relative,
         ErrorStatistics colorDifference,
         Limits limits) {
-    /** Seed of the random pixels or rows, so that each run chooses the same. */
+    /** Each run chooses the same pixels or rows. */
     static final long SEED = 1;
 
-    /** Largest allowed errors, of the relative errors and of mean CIEDE2000; infinite for no limit. */
+    /** Largest relative errors and mean CIEDE2000; infinite for no limit. */
     public record Limits(double median, double percentile95, double meanDifference) {
         /** A CIEDE2000 of 1 is just visible. */
         public static final Limits ANTI_ALIASED = new Limits(0.02, Double.POSITIVE_INFINITY, 1);
 
-        /** Returns the limits of a tolerance: the median may reach it, the 95th percentile three times it. */
+        /** Limits of a tolerance: the median may reach it, the 95th percentile three times it. */
         public static Limits of(double tolerance) {
             return new Limits(tolerance, ErrorStatistics.PERCENTILE_95_LIMIT * tolerance, Double.POSITIVE_INFINITY);
         }
 
-        /** Returns the limits of an exported table: on the steep flanks of orders the 95th percentile is four to nine tolerances. */
+        /** Limits of an exported table: on the steep flanks of orders the 95th percentile is four to nine tolerances. */
         public static Limits ofExport(double tolerance) {
             return new Limits(tolerance, 10 * tolerance, Double.POSITIVE_INFINITY);
         }
@@ -76,10 +76,8 @@ public record Certificate(
     }
 
     /**
-     * Compares random rows of a table.
+     * Compares random rows, at most all; {@code row} compares one by its number from 0.
      *
-     * @param count number of compared rows, at most all
-     * @param row comparison of a row by its number, from 0
      * @param tolerance relative error for which the table was made
      */
     public static Certificate ofRows(
@@ -138,15 +136,15 @@ public record Certificate(
     }
 
     /**
-     * Compares random pixels of a BRDF map with the exact reference. Pairs of directions are by a pixel's number, row by row from the top left;
-     * the material's reflectance is relative to that of the standard material.
+     * Compares random pixels of a BRDF map, numbered row by row from the top left, with the exact reference. The material's reflectance is
+     * relative to that of the standard material.
      */
     public record Certifier(
             ExactLight reference,
             IntFunction<DirectionPair> pairs,
             ToDoubleFunction<DirectionPair> material,
             ProgressDisplay display) {
-        // At most one of this number of pixels is dark: light may be missing there, but a grating is nearly all dark.
+        // Some dark pixels, where light may be missing; but a grating is nearly all dark.
         private static final int PIXELS_PER_DARK = 4;
 
         private double gain(DirectionPair pair) {
@@ -154,8 +152,8 @@ public record Certificate(
         }
 
         /**
-         * Evaluates {@code count} random pixels, at most all, in parallel; at most a quarter of them are dark, unless there are too few bright
-         * ones, and all show the surface.
+         * Evaluates {@code count} random pixels of the surface, at most all, in parallel; at most a quarter are dark if there are enough
+         * bright ones.
          *
          * @param picture linear XYZ of rho
          * @param exposure factor for X, Y, Z before colors are compared
@@ -176,7 +174,7 @@ public record Certificate(
             for (int pixel = 0; pixel < picture.width() * picture.height(); pixel++) {
                 if (picture.covered(pixel)) {
                     double floor = Comparison.FLOOR * gain(pairs.apply(pixel));
-                    // The largest decides: a NaN or an infinite value makes a pixel bright, so that it is checked.
+                    // A NaN or an infinite value makes a pixel bright, so that it is checked.
                     (Comparison.largest(Comparison.xyz(picture.xyz(), pixel)) <= floor ? dark : bright).add(pixel);
                 }
             }
@@ -202,22 +200,22 @@ public record Certificate(
     }
 
     /**
-     * Compares pixels of a scene's picture with the mean of many points in each. Only pixels that the mesh fills are compared, since at edges
-     * the error depends only on the number of samples.
+     * Compares pixels of a scene's picture with the mean of many points, only where the mesh fills the pixel: at edges the error depends on
+     * the number of samples alone.
      */
     public record SceneCertifier(int width, int height, PixelSamples samples) {
         /** Points along a pixel's side; 256 in all. */
         public static final int POINTS = 16;
-        // Most random pixels tried per compared pixel: the mesh may fill few of them.
+        // Tries per compared pixel: the mesh may fill few.
         private static final int MOST_TRIES = 200;
 
         private record Exact(Tile pixel, double[] xyz) {}
 
         /**
-         * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by the method to be judged and by points.
+         * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by two renderers of a scene.
          *
-         * @param drawn renderer to be judged, of {@code scene}
-         * @param exact renderer of the same scene as {@code points}
+         * @param drawn renderer to be judged
+         * @param exact renderer of the same scene by points
          * @param exposure factor for X, Y, Z before colors are compared
          */
         public Certificate certify(
@@ -225,7 +223,7 @@ public record Certificate(
             List<Exact> means = means(exact, points, count, new SplittableRandom(SEED));
             List<double[]> pixels = drawn(
                     drawn, scene, exposure, means.stream().map(Exact::pixel).toList());
-            // The gain is 1, that of white: Comparison's floor for dark pixels needs no other scale.
+            // The gain is that of white, for Comparison's floor of dark pixels.
             List<Comparison> compared = IntStream.range(0, means.size())
                     .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
                     .toList();

@@ -26,7 +26,7 @@ public final class DirectionSampler {
         this(map, window, seed, Optional.empty());
     }
 
-    /** @param light direction of all lights; if empty, lights are uniform on the hemisphere */
+    /** @param light direction of all lights; if empty, uniform on the hemisphere */
     public DirectionSampler(HeightMap map, CoherenceWindow window, long seed, Optional<Direction> light) {
         this.width = map.width();
         this.height = map.height();
@@ -35,14 +35,14 @@ public final class DirectionSampler {
         this.lights = () -> light.orElseGet(this::hemisphere);
     }
 
-    /** Returns a pair with a view uniform on the hemisphere, and a wavelength uniform in 380..780 nm. */
+    /** View uniform on the hemisphere, wavelength uniform in 380..780 nm. */
     public Query uniform() {
         return new Query(new DirectionPair(lights.get(), hemisphere()), wavelength());
     }
 
     /**
-     * Returns a pair whose view is near an order, at a normally distributed distance of its width under the window: one in three along x,
-     * one along y (as gratings have them), one anywhere. If no order is visible, the view is uniform.
+     * View near an order, at a normally distributed distance of its width: one in three along x, one along y (as gratings have them), one
+     * anywhere. Uniform if no order is visible.
      */
     public Query aimed() {
         int kind = random.nextInt(3);
@@ -62,7 +62,7 @@ public final class DirectionSampler {
         return uniform();
     }
 
-    /** Returns the frequency of a random order among those that some pair of directions selects, in cycles per meter. */
+    /** Frequency of a random order that some directions select, in cycles per meter. */
     private double order(double period, double wavelength) {
         int last = (int) Math.floor(2 * period / wavelength);
         return random.nextInt(-last, last + 1) / period;
@@ -72,7 +72,7 @@ public final class DirectionSampler {
         return random.nextDouble(CieTable.MINIMUM_WAVELENGTH, CieTable.MAXIMUM_WAVELENGTH);
     }
 
-    /** Returns a uniform direction. Zones of equal height have equal areas on a sphere, so z is uniform. */
+    /** Zones of equal height have equal areas on a sphere, so z is uniform. */
     private Direction hemisphere() {
         double z = random.nextDouble(LOWEST_COSINE, 1);
         double phi = random.nextDouble(2 * Math.PI);
