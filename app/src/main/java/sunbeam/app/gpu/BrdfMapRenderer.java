@@ -80,17 +80,12 @@ public final class BrdfMapRenderer implements AutoCloseable {
         program.close();
     }
 
-    /**
-     * Tiles from top to bottom: small at first, then sized by the measured time per pixel. Waiting for a draw costs as much as some
-     * thousand pixels of a fast method.
-     */
+    /** Tiles from top to bottom, sized by the measured time per pixel: a draw costs as much as some thousand pixels of a fast method. */
     private static final class Tiles {
-        // In pixels: each processor draws one of llvmpipe's four blocks of 64 x 64. At 0.12 ms per pixel this takes two
-        // seconds.
+        // Four of llvmpipe's blocks of 64 x 64 pixels, one per processor; two seconds at 0.12 ms per pixel.
         private static final int SIDE = 128;
 
-        // The first tiles lie in the corners, whose pixels are faster than the disc's: a tile may take five times as
-        // long.
+        // Tiles in corners, which come first, are faster than the disc's: a tile may take five times as long.
         private static final double BUDGET_SECONDS = 0.1;
 
         private final int size;

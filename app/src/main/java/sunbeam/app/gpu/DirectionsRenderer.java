@@ -48,10 +48,7 @@ public final class DirectionsRenderer implements AutoCloseable {
     /** Directions and wavelength in meters, which is ignored where colors are evaluated. */
     public record Query(DirectionPair pair, double wavelength) {}
 
-    /**
-     * Returns four values per query: coherent power, ensemble power, rho, brdf; or X, Y, Z of power and gain. {@code progress} gets the
-     * size of each finished batch.
-     */
+    /** Returns coherent power, ensemble power, rho, brdf per query, or X, Y, Z of power and gain; {@code progress} gets batch sizes. */
     public List<float[]> evaluate(List<Query> queries, LongConsumer progress) {
         List<float[]> results = new ArrayList<>(queries.size());
         try (FloatTexture texture = context.createFloatTexture(

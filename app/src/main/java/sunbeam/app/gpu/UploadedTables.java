@@ -15,8 +15,7 @@ import sunbeam.precompute.shader.TableArray;
 
 /** A method's tables in graphics memory, for any program that includes the method. Owns its textures. */
 public final class UploadedTables implements AutoCloseable {
-    // The shaders' mark LOOPS_CUT is -1e30. Weighted and added to other light it stays below this limit; valid results
-    // stay above it.
+    // LOOPS_CUT of shaders is -1e30: weighted and added to light it stays below, and valid results above.
     private static final float LARGEST_PARTIAL_SUM = -1e20f;
 
     private final RenderContext context;
@@ -109,10 +108,7 @@ public final class UploadedTables implements AutoCloseable {
         textures.values().forEach(Texture::close);
     }
 
-    /**
-     * Returns a shader's results. Throws {@link GraphicsException} if one is a partial sum: drivers may end loops early
-     * (shaders/include/loops.glsl).
-     */
+    /** Returns a shader's results; throws {@link GraphicsException} if the driver cut a sum short (shaders/include/loops.glsl). */
     public static float[] requireWholeSums(float[] results) {
         for (float result : results) {
             if (result < LARGEST_PARTIAL_SUM) {

@@ -18,7 +18,7 @@ final class CachedTarget implements AutoCloseable {
         this.depth = depth;
     }
 
-    /** Returns the target; valid until a call with another size. Its contents are those of the last draw, if any. */
+    /** Valid until a call with another size. Contains the last draw, if any. */
     FloatTarget of(int width, int height) {
         FloatTarget.Spec spec = new FloatTarget.Spec(width, height, 1, depth, format);
         if (target == null || !target.spec().equals(spec)) {

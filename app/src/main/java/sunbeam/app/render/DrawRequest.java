@@ -9,13 +9,12 @@ import sunbeam.app.scene.Scene;
 /**
  * Request to draw a tile of a scene's picture. Immutable.
  *
- * @param scene scene with all its lights
  * @param width samples per row of the whole picture
  * @param height rows of samples of the whole picture
  * @param tile tile to draw, in samples; inside the picture
  * @param samples samples along a pixel's side
  * @param across one of this many columns of samples is drawn
- * @param down one of this many rows of samples is drawn; if fewer than {@code across}, rows differ in the columns that are drawn
+ * @param down the same for rows; if fewer than {@code across}, rows differ in the columns that are drawn
  * @param isCoarsest whether method {@code table} looks colors up in its coarsest level alone
  * @param chosen the tile's pixels that are drawn, row by row; empty for all
  */
@@ -34,7 +33,6 @@ public record DrawRequest(
         return first(scene, width, height, tile, PixelSamples.uniform(samples));
     }
 
-    /** Returns a request for the samples that all pixels of a tile have. */
     static DrawRequest first(Scene scene, int width, int height, Tile tile, PixelSamples samples) {
         int side = samples.side();
         Tile inSamples = new Tile(side * tile.x(), side * tile.y(), side * tile.width(), side * tile.height());
@@ -68,12 +66,11 @@ public record DrawRequest(
         return across * column + (across > down ? PixelSamples.firstColumn(row % across, across) : 0);
     }
 
-    /** True if a sample is drawn whose column and row are drawn; x and y count samples from the tile's top left. */
+    /** x and y count samples from the tile's top left. */
     boolean draws(int x, int y) {
         return chosen.isEmpty() || chosen.get().get(y / samples * (tile.width() / samples) + x / samples);
     }
 
-    /** Returns the number of drawn samples in a row of a part of the tile. */
     int columns(Tile part) {
         return SceneBlocks.ceilDiv(part.width(), across);
     }
@@ -82,7 +79,7 @@ public record DrawRequest(
         return SceneBlocks.ceilDiv(part.height(), down);
     }
 
-    /** Returns the side of the square that a drawn sample stands for, in samples. */
+    /** Side of the square that a drawn sample stands for, in samples. */
     double footprintScale() {
         return Math.sqrt(across * down);
     }

@@ -16,10 +16,7 @@ import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.files.Checksum;
 import sunbeam.precompute.files.Sha256;
 
-/**
- * Text chunks of the frames of a picture or an animation, with a hash of each frame's parameters, which tells whether an existing file is
- * up to date.
- */
+/** Text chunks of frames, with a hash that tells whether an existing file is up to date. */
 public final class FrameText {
     private final List<SceneData> parts;
     private final String size;
@@ -28,7 +25,7 @@ public final class FrameText {
 
     /**
      * @param parts data of the scene, one for each patch and reflectance component
-     * @param overlays description of what is drawn over the picture, which enters the hash; empty for nothing
+     * @param overlays description of what is drawn over the picture; empty for nothing
      */
     public FrameText(List<SceneData> parts, int width, int height, PixelSamples samples, String overlays) {
         this.parts = List.copyOf(parts);
@@ -68,12 +65,7 @@ public final class FrameText {
         return Sha256.of(inputs + SceneWriter.describe(scene));
     }
 
-    /**
-     * Returns the text chunks of one frame.
-     *
-     * @param exposure factor of linear colors
-     * @param renderer name of the graphics driver, GL_RENDERER
-     */
+    /** Returns a frame's text chunks; {@code renderer} is the driver's GL_RENDERER. */
     public Map<String, String> of(Scene scene, double exposure, String renderer) {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", scene.get(SceneSettings.TITLE).isEmpty() ? "Scene" : scene.get(SceneSettings.TITLE));

@@ -33,7 +33,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                         "geometry", new FloatTarget.Spec(block.width(), block.height(), images, true)));
     }
 
-    /** Returns the images by the names of the shading pass's samplers. */
+    /** Keys are the names of the shading pass's samplers. */
     Map<String, Texture> textures() {
         Map<String, Texture> textures = new HashMap<>();
         for (String sampler : layout.samplers()) {
@@ -42,26 +42,17 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         return textures;
     }
 
-    /**
-     * Reads a part of the full layout's image views: per pixel the direction to the viewer and a fourth value that is 0 without skin
-     * (shaders/include/patch_state.glsl). The part's top row comes first.
-     */
+    /** Direction to the viewer per pixel, top row first, and 0 without skin (shaders/include/patch_state.glsl). Full layout only. */
     float[] views(Tile part) {
         return attributes.read(0, part);
     }
 
-    /**
-     * Reads a part of the full layout's image tangents: per pixel the direction of the patch's x axis in world space, and the visible share
-     * of the sky. The part's top row comes first.
-     */
+    /** The patch's x axis in world space per pixel, top row first, and the visible share of the sky. Full layout only. */
     float[] tangents(Tile part) {
         return attributes.read(2, part);
     }
 
-    /**
-     * Returns the index of a pixel's texel as in shaders/skin.frag: counted row by row from the bottom left. x and y count from the block's
-     * top left.
-     */
+    /** Index of a texel as in shaders/skin.frag, row by row from the bottom left; x and y count from the block's top left. */
     int texel(int x, int y) {
         int width = attributes.spec().width();
         return (attributes.spec().height() - 1 - y) * width + x;
@@ -72,7 +63,6 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         attributes.close();
     }
 
-    /** Contents of a geometry buffer. */
     enum Layout {
         /** All attributes in single precision (shaders/geometry.frag); with depth 68 bytes per pixel. */
         FULL("geometry.frag", "views", "normals", "tangents", "albedos"),
@@ -98,12 +88,9 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         }
     }
 
-    /**
-     * LRU cache of the geometry buffers of a picture's blocks (deferred shading; Saito and Takahashi 1990). The buffers stay valid while the
-     * scene's {@link SkinGeometry} is the same.
-     */
+    /** LRU cache of a picture's blocks (deferred shading; Saito and Takahashi 1990), valid for one {@link SkinGeometry}. */
     static final class Cache implements AutoCloseable {
-        /** Capacity in blocks: those of a picture of 2048 x 2048 pixels, which take 290 MB. */
+        /** Blocks of a picture of 2048 x 2048 pixels, which take 290 MB. */
         static final int CAPACITY = 4;
 
         private final RenderContext context;
@@ -127,14 +114,13 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                 buffer = newBuffer(block);
                 buffers.put(block, buffer);
             }
-            // Draws the whole block at once, since the draw of each part would process all vertices.
+            // The draw of each part would process all vertices.
             if (!drawn.contains(block)) {
                 View.Area area = new View.Area(geometry.width(), geometry.height(), block);
                 geometry.graph(program)
                         .draw(context, area, buffer.attributes(), Tile.whole(block.width(), block.height()));
                 drawn.add(block);
-                // Waits, so that geometry pass and shading pass are timed separately. Moving pictures have no time for
-                // that.
+                // Geometry pass and shading pass are timed separately, except in moving pictures.
                 if (layout == Layout.FULL) {
                     context.finish();
                 }
@@ -153,7 +139,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             geometry = wanted;
         }
 
-        /** Returns the oldest buffer again if there is no room for another and it is as large as the block: new memory takes time. */
+        /** Returns the oldest buffer again if the cache is full and it has the block's size: new memory takes time. */
         private GeometryBuffer newBuffer(Tile block) {
             if (buffers.size() == CAPACITY) {
                 Tile oldest = buffers.keySet().iterator().next();
@@ -180,7 +166,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
     }
 
     /**
-     * Input of the geometry pass of a picture; equal inputs draw equal attributes.
+     * Input of the geometry pass; equal inputs draw equal attributes.
      *
      * @param closed whether the triangles enclose a body
      * @param rotatePatch rotation of the patch about the normal, radians
@@ -202,9 +188,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             SceneGraphs.view(view, mesh.bounds()).applyRaysTo(program, new View.Area(width, height, block));
         }
 
-        /**
-         * Returns the matrix from (x, y, depth) to world space: x and y in pixels from the block's lower left, depth as in the depth buffer.
-         */
+        /** From (x, y, depth) to world space: x and y in pixels from the block's lower left, depth as in the depth buffer. */
         Matrix4f blockToWorld(Tile block) {
             Matrix4f toClip = SceneGraphs.view(view, mesh.bounds()).worldToClip(new View.Area(width, height, block));
             return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);

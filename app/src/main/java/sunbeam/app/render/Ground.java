@@ -23,10 +23,10 @@ import sunbeam.app.scene.mesh.SkyVisibility;
 /** The plane on which a mesh lies (shaders/ground.frag). It turns with the mesh and hides the background. */
 final class Ground implements AutoCloseable {
     private static final int CHANNELS = 4;
-    // Side in pixels of the squares of a moving picture that share one sample of the ground.
+    // In pixels, of the squares of a moving picture with one sample.
     private static final int MOVING_PIXELS = 2;
 
-    // Largest opacity of the ground, which distinguishes it from the mesh, whose opacity is 1.
+    // Distinguishes the ground from the mesh, whose opacity is 1.
     private static final float MOST_OPAQUE = Math.nextDown(1f);
 
     private final RenderContext context;
@@ -46,7 +46,10 @@ final class Ground implements AutoCloseable {
         this.movingTarget = new CachedTarget(context, "moving ground", FloatTarget.Format.RGBA8, false);
     }
 
-    /** Creates the ground at a height, that of the mesh's lowest point in meters, with its visible share of the sky. */
+    /**
+     * @param height height of the mesh's lowest point in meters
+     * @param seen the ground's visible share of the sky
+     */
     static Ground create(RenderContext context, double height, SkyVisibility seen) {
         int side = SkyVisibility.GROUND_SIDE;
         FloatTexture sky = context.createFloatTexture(
@@ -67,8 +70,7 @@ final class Ground implements AutoCloseable {
     }
 
     /**
-     * Draws the ground into those samples of a part of a block that show no mesh. All samples of a pixel get the same value, since the
-     * ground is smooth.
+     * Draws the ground into those samples of a part of a block that show no mesh, equal ones in a pixel, since it is smooth.
      *
      * @param pixels {@link ScenePicture#rgba} of the piece's drawn samples, top row first; changed
      */
@@ -105,10 +107,7 @@ final class Ground implements AutoCloseable {
         }
     }
 
-    /**
-     * Draws the ground into a whole block of a moving picture in sRGB; the mesh is drawn over it. One sample serves four pixels, since the
-     * ground is smooth.
-     */
+    /** Draws the ground in sRGB into a whole block of a moving picture; the mesh is drawn over it. */
     void fillMovingBlock(FloatTarget picture, Scene scene, SkinGeometry geometry, Tile block, double exposure) {
         if (moving.isEmpty()) {
             moving = Optional.of(program(context, 1));

@@ -13,13 +13,9 @@ import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
 
-/**
- * Marker of the light's direction: a cone from the picture's center that opens towards the light, dim if the light is behind the model.
- *
- * @param towards unit vector towards the light, camera space
- */
+/** Cone from the picture's center towards the light, a unit vector in camera space; dim if the light is behind the model. */
 public record LightCone(Vector3fc towards) {
-    // Length and half width as shares of the picture's shorter side; width of lines in pixels.
+    // Shares of the picture's shorter side; width of lines in pixels.
     private static final double LENGTH = 0.4;
     private static final double HALF_WIDTH = 0.035;
     private static final float STROKE = 1.4f;

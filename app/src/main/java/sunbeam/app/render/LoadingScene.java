@@ -24,7 +24,7 @@ public final class LoadingScene implements AutoCloseable {
         return new LoadingScene(loader, scene);
     }
 
-    /** Creates a context for the upload. If that fails, a failure of loading is reported first, since the user can fix it. */
+    /** Creates a context for the upload. A failure of loading is reported first, since the user can fix it. */
     public RenderContext offscreen() {
         try {
             return RenderContext.offscreen();
@@ -34,13 +34,7 @@ public final class LoadingScene implements AutoCloseable {
         }
     }
 
-    /**
-     * Uploads each part of the scene.
-     *
-     * @return one session per part, to be closed by the caller
-     * @throws GraphicsException if the device has no room
-     * @see SceneLoader#parts(Scene)
-     */
+    /** Uploads each part as a session, which the caller closes. Throws {@link GraphicsException} if the device has no room. */
     public List<SceneSession> upload(RenderContext context) {
         List<SceneSession> sessions = new ArrayList<>();
         try {

@@ -27,12 +27,7 @@ final class MovingPictures implements AutoCloseable {
         this.context = context;
     }
 
-    /**
-     * Draws a picture without baking tiles. A larger divisor draws fewer pixels with larger footprints.
-     *
-     * @param divisor factor by which columns and rows are reduced
-     * @return sRGB picture
-     */
+    /** Draws a picture in sRGB without baking tiles. The divisor reduces columns and rows and enlarges footprints. */
     BufferedImage draw(
             UploadedScene uploaded, Scene scene, int fullWidth, int fullHeight, double divisor, double exposure) {
         int width = (int) Math.ceil(fullWidth / divisor);
@@ -42,8 +37,7 @@ final class MovingPictures implements AutoCloseable {
         }
         SkinGeometry geometry = uploaded.geometry(scene, width, height, true);
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        // Pixels are written directly, which ends Swing's acceleration of the image; an image that is painted once
-        // gains nothing from it.
+        // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
         int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             long start = System.nanoTime();
@@ -70,14 +64,9 @@ final class MovingPictures implements AutoCloseable {
         }
     }
 
-    /**
-     * Shading pass of pictures drawn while something moves (shaders/moving.frag): few taps per pixel in resident tiles of the color table, sRGB
-     * as the only output.
-     */
+    /** Shading pass of moving pictures (shaders/moving.frag): few taps per pixel in resident tiles, sRGB output only. */
     static final class MovingSkin implements AutoCloseable {
-        // Most taps along a footprint's major axis. Software renderers have time for one; a coarser level then blurs
-        // the
-        // major axis, too.
+        // Software renderers have time for one tap along the major axis; a coarser level then blurs it, too.
         private static final int SOFTWARE_TAPS = 1;
         private static final int HARDWARE_TAPS = 4;
 
@@ -106,13 +95,7 @@ final class MovingPictures implements AutoCloseable {
             return program;
         }
 
-        /**
-         * Draws a block of a picture.
-         *
-         * @param buffer attributes in {@link GeometryBuffer.Layout#MOVING}
-         * @param block block to draw, in pixels of the picture
-         * @return 0xffRRGGBB, top row first
-         */
+        /** Returns a block in pixels as 0xffRRGGBB, top row first, from a buffer in {@link GeometryBuffer.Layout#MOVING}. */
         int[] draw(
                 Scene scene,
                 Optional<Ground> ground,

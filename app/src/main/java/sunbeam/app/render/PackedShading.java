@@ -11,13 +11,13 @@ import sunbeam.app.gpu.colors.Footprints;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
-    /** Coverage of a pixel whose color is missing because a tile is not resident; equal to MISSING_COVERAGE in shaders/skin.frag. */
+    /** Coverage of a pixel that needs a tile which is not resident; MISSING_COVERAGE in shaders/skin.frag. */
     static final float MISSING_COVERAGE = -1;
 
     private static final int CHANNELS = 4;
     // Images of the target: radiance, centers of footprints, axes of footprints.
     private static final int IMAGES = 3;
-    // Side of the squares of pixels packed one after the other, so that neighbors stay neighbors.
+    // Pixels of a square follow one another, so that neighbors stay neighbors.
     private static final int SQUARE = 4;
 
     private final RenderContext context;
@@ -38,10 +38,9 @@ final class PackedShading implements AutoCloseable {
     /**
      * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
-     * @param buffer geometry of the block, also of pixels beside the part, since footprints are differences to neighbors
-     * @param piece part to shade
-     * @return linear XYZ and coverage, 4 values per shaded pixel, the part's top row first; zeros where there is no skin; where tiles are
-     *     missing, the body's color without diffraction and the coverage {@link #MISSING_COVERAGE}
+     * @param buffer geometry of the block, also beside the part, since footprints are differences to neighbors
+     * @return linear XYZ and coverage per shaded pixel, the part's top row first; zeros without skin; where tiles are missing, the body's
+     *     color without diffraction and {@link #MISSING_COVERAGE}
      */
     float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
         Tile part = piece.inBlock();
@@ -57,7 +56,7 @@ final class PackedShading implements AutoCloseable {
         return lit;
     }
 
-    /** Shades some pixels and returns those of them whose color is missing. */
+    /** Returns the pixels whose color is missing. */
     private int[] shade(
             SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered, float[] lit) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
@@ -104,7 +103,6 @@ final class PackedShading implements AutoCloseable {
                 sums[i] += drawn[i];
             }
         }
-        // Alpha is the sum of the draws' weights.
         for (int at = 0; at < sums.length; at += CHANNELS) {
             for (int c = 0; c < CHANNELS; c++) {
                 sums[at + c] /= sums[at + CHANNELS - 1];
@@ -118,7 +116,7 @@ final class PackedShading implements AutoCloseable {
         addFeedback(skin, request, buffer, part, covered(buffer.views(part), piece, request));
     }
 
-    /** Adds the footprints of some pixels to the feedback, in all levels that they read. */
+    /** Adds footprints to the feedback, in all levels that they read. */
     private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
             Packing packing = upload(covered, first, buffer, part, request);
@@ -130,7 +128,7 @@ final class PackedShading implements AutoCloseable {
         }
     }
 
-    /** Returns the indices, among the drawn samples of the piece, of those that show skin, ordered square by square. */
+    /** Returns the indices of the piece's drawn samples that show skin, ordered square by square. */
     private static int[] covered(float[] views, SceneBlocks.Piece piece, DrawRequest request) {
         Tile part = piece.inBlock();
         int columns = request.columns(part);
@@ -154,10 +152,7 @@ final class PackedShading implements AutoCloseable {
         return Arrays.copyOf(pixels, count);
     }
 
-    /**
-     * Uploads for each slot the index of the geometry buffer's texel that it shades; -1 for none. Returns the packing of the next pixels
-     * from the first.
-     */
+    /** Uploads the index of the geometry buffer's texel that each slot shades, -1 for none, for the pixels from the first. */
     private Packing upload(int[] covered, int first, GeometryBuffer buffer, Tile part, DrawRequest request) {
         Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
         int columns = request.columns(part);
@@ -193,18 +188,17 @@ final class PackedShading implements AutoCloseable {
     }
 
     /**
-     * Positions of scattered pixels in a compact target. Software renderers shade 4 x 4 pixels at once and give each processor squares of 64 x
-     * 64: pixels packed into full small squares, spread over several large ones, keep all processors busy.
+     * Positions of scattered pixels in a compact target. Software renderers shade 4 x 4 pixels at once and give each processor squares of
+     * 64 x 64: full small squares, spread over several large ones, keep all processors busy.
      *
      * @param count pixels, from 1 to {@link #MOST}
      * @param columns columns in use: one large square for every 256 pixels, which fill four of its rows, up to all 16 squares
      * @param rows rows in use, a multiple of 4
      */
     private record Packing(int count, int columns, int rows) {
-        /** Columns of the target: 16 large squares. */
+        /** 16 large squares. */
         static final int COLUMNS = 1024;
 
-        /** Rows of the target. */
         static final int ROWS = 32;
 
         static final int MOST = COLUMNS * ROWS;
@@ -220,17 +214,17 @@ final class PackedShading implements AutoCloseable {
             return new Packing(count, columns, SMALL * SceneBlocks.ceilDiv(count, SMALL * columns));
         }
 
-        /** Returns the part of the target that is in use; its rows count from the top. */
+        /** Rows count from the top. */
         Tile used() {
             return new Tile(0, ROWS - rows, columns, rows);
         }
 
-        /** Returns the index of a pixel's slot in the target, row by row from the bottom left, as {@code gl_FragCoord}. */
+        /** Counts row by row from the bottom left, as {@code gl_FragCoord}. */
         int slot(int pixel) {
             return COLUMNS * row(pixel) + column(pixel);
         }
 
-        /** Returns the index of a pixel's slot in {@link #used} as read back: row by row from the top left. */
+        /** Index in {@link #used} as read back: row by row from the top left. */
         int indexInReadback(int pixel) {
             return columns * (rows - 1 - row(pixel)) + column(pixel);
         }

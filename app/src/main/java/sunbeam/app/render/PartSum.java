@@ -21,10 +21,10 @@ import sunbeam.precompute.method.TableMethod;
  * (shaders/include/blend.glsl). The body is blended in after the sum, since its visibility depends on all diffracted light.
  */
 public final class PartSum {
-    /** Longer side, in pixels, of the picture that is metered for automatic exposure. */
+    /** In pixels, longer side of the picture that is metered for automatic exposure. */
     public static final int METER_SIDE = 160;
 
-    /** Samples along a pixel's side of the metered picture by method table; other methods take one. */
+    /** Samples along a metered pixel's side by method table; other methods take one. */
     public static final int TABLE_SAMPLES = 2;
 
     private final List<SceneSession> sessions;
@@ -34,7 +34,7 @@ public final class PartSum {
         this.sessions = List.copyOf(sessions);
     }
 
-    /** Compares some colors of the tables that were baked for a picture with exact ones; warns of those that err too much. */
+    /** Compares some baked colors with exact ones and warns of tables that err too much. */
     public void validate() {
         tables().forEach(VirtualTexture::validate);
     }
@@ -53,12 +53,7 @@ public final class PartSum {
         return draw(request, SceneSession::draw);
     }
 
-    /**
-     * Draws a tile of a picture. With adaptive samples, pixels whose first samples differ are drawn again with all samples.
-     *
-     * @param tile tile in pixels
-     * @param exposure factor of linear colors, for the display
-     */
+    /** Draws a tile of pixels. With adaptive samples, pixels whose first samples differ are drawn again with all samples. */
     public PixelPicture draw(Scene scene, int width, int height, Tile tile, PixelSamples samples, double exposure) {
         int side = samples.side();
         var pixels = new PixelPicture(
@@ -73,11 +68,10 @@ public final class PartSum {
     }
 
     /**
-     * Returns the scene's exposure if it is set, else the automatic exposure of a small picture with the ratio of sides of the whole. It
-     * depends neither on the whole picture's size and samples nor on finer levels of a color table than the coarsest: a picture that is
-     * refined level by level keeps its exposure.
+     * Returns the scene's exposure if it is set, else the automatic exposure of a small picture with the same ratio of sides. It depends
+     * neither on the whole picture's size and samples nor on finer levels of a color table than the coarsest: a picture that is refined
+     * level by level keeps its exposure.
      *
-     * @param tiles division of the small picture into tiles by measured time
      * @param interrupted polled before each tile
      * @return empty if interrupted
      */
@@ -130,7 +124,6 @@ public final class PartSum {
      *
      * @param stride every stride-th pixel of every stride-th row has a sample; a power of two
      * @param white luminance to which brighter samples are dimmed, so that interpolation does not spread a glint
-     * @param tiles division into tiles by measured time
      * @param interrupted polled before each tile
      * @return empty if interrupted
      */
@@ -196,10 +189,7 @@ public final class PartSum {
         return sessions.get(0).draw(request.with(request.scene().with(SceneSettings.DIFFRACTION, 0.0)));
     }
 
-    /**
-     * Adds a part's light to a sum. A missing color adds no diffracted light. The coverage is the same for all parts, except that a missing
-     * color has -1 instead of 1.
-     */
+    /** A missing color adds no diffracted light. All parts have the same coverage, except that a missing color has -1 instead of 1. */
     private static void add(ScenePicture part, ScenePicture sum) {
         for (int i = 0; i < sum.rgba().length; i++) {
             sum.rgba()[i] = i % 4 == 3 ? Math.abs(part.rgba()[i]) : sum.rgba()[i] + part.rgba()[i];

@@ -9,9 +9,9 @@ import java.awt.geom.Line2D;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
 
-/** Overlay of the nanostructure's orientation: strokes along its x axis from an even grid of dots on the skin, foreshortened. */
+/** Strokes along the nanostructure's x axis from an even grid of dots on the skin, foreshortened. */
 public final class PatchStrokes {
-    // In pixels: distance between dots, length of a stroke that lies in the picture plane, diameter of a dot.
+    // In pixels: distance of dots, length of a stroke in the picture plane, diameter of a dot.
     private static final int STEP = 24;
     private static final double LENGTH = 18;
     private static final double DOT = 4;
@@ -20,7 +20,7 @@ public final class PatchStrokes {
 
     private PatchStrokes() {}
 
-    /** Draws the strokes over a picture and disposes of the graphics. */
+    /** Draws the strokes and disposes of the graphics. */
     public static void paint(Graphics2D graphics, SceneSession session, int width, int height) {
         float[] alongX = session.patchDirections(width, height);
         Scene scene = session.scene();
@@ -38,8 +38,8 @@ public final class PatchStrokes {
                 scene.view().camera().worldToCamera().transformDirection(along);
                 double fromX = x + 0.5;
                 double fromY = y + 0.5;
-                // In the plane of the picture, whose point at the pixel lies at (X, Y, -1): a step of (a, b, c) moves
-                // it by (a + c X, b + c Y).
+                // At the pixel's point (X, Y, -1) of the picture's plane, a step of (a, b, c) moves it by (a + c X, b +
+                // c Y).
                 double right = along.x + along.z * perPixel * (fromX - 0.5 * width);
                 double up = along.y - along.z * perPixel * (fromY - 0.5 * height);
                 stroke(graphics, fromX, fromY, fromX + LENGTH * right, fromY - LENGTH * up);

@@ -19,17 +19,14 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
 
 /**
- * Point of the skin under a pixel, the shader's tangent frame there (with relief and the patch's rotation), and the directions to light and
- * viewer in that frame.
+ * Point of the skin under a pixel and its tangent frame, with relief and the patch's rotation. Unit vectors.
  *
  * @param position meters, world space
  * @param region index of the point's patch in the scene
- * @param center center of the mesh, about which a scene's orientation turns the mesh, meters, world space
- * @param tangent unit vector, world space
- * @param bitangent unit vector, world space
- * @param normal unit vector, world space
- * @param wi unit vector towards the light, tangent frame; z is negative if the light is behind the skin
- * @param wr unit vector towards the viewer, tangent frame; z may be negative where relief turns the normal away
+ * @param center center of the mesh, about which a scene's orientation turns it, meters, world space
+ * @param tangent world space, as bitangent and normal
+ * @param wi towards the light, tangent frame; z is negative if the light is behind the skin
+ * @param wr towards the viewer, tangent frame; z may be negative where relief turns the normal away
  */
 public record Pick(
         Vector3fc position,
@@ -49,7 +46,7 @@ public record Pick(
         normal = new Vector3f(normal);
     }
 
-    /** Finds the point under a pixel by drawing it (shaders/pick.frag). */
+    /** Draws the pixel (shaders/pick.frag). */
     static final class Picking implements AutoCloseable {
         private static final int IMAGES = 6;
 

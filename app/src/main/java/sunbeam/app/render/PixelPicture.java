@@ -10,12 +10,12 @@ import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.Srgb;
 import sunbeam.precompute.text.Text;
 
-/** Pixels of a picture, or of a tile of one, which are means of samples: linear light, and colors on a display. */
+/** Pixels of a picture or a tile, means of samples: linear light, and colors on a display. */
 public final class PixelPicture {
     private static final int CHANNELS = 4;
 
-    // Least difference of a channel's display light, as a square root (about sRGB, 0 to 1), between samples of a pixel
-    // that differ: half as much changes pictures by a color difference of 0.02 in the mean.
+    // Of a channel's display light as a square root (about sRGB, 0 to 1), between samples that differ visibly. Half as
+    // much changes pictures by a color difference of 0.02 in the mean.
     private static final double LEAST_DIFFERENCE = 0.12;
 
     private final ScenePicture light;
@@ -31,7 +31,7 @@ public final class PixelPicture {
         this.behind = background.light();
     }
 
-    /** Returns a picture with one sample for each pixel in opaque sRGB, over its background, which is not exposed. */
+    /** Returns opaque sRGB of one sample per pixel, over the background, which is not exposed. */
     public static BufferedImage image(ScenePicture picture, DisplayTransform display, SceneColor background) {
         PixelPicture pixels = new PixelPicture(picture.width(), picture.height(), display, background);
         pixels.setAll(picture, 1, 1);
@@ -55,10 +55,10 @@ public final class PixelPicture {
     }
 
     /**
-     * Sets pixels to means of their samples. These are transformed to display light before averaging, so that thin bright lines keep their
-     * color and smooth edges.
+     * Sets pixels to means of their samples, transformed to display light first, so that thin bright lines keep their color and smooth
+     * edges.
      *
-     * @param pixels indices of pixels, row by row
+     * @param pixels indices, row by row
      * @param samples samples of all pixels, {@code across x down} for each
      * @return those of these pixels whose samples differ visibly
      */
@@ -76,7 +76,7 @@ public final class PixelPicture {
         return differing;
     }
 
-    /** Computes pixels one after the other, on one thread. */
+    /** Not thread-safe. */
     private final class Mean {
         private final int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         private final ScenePicture samples;
@@ -90,7 +90,7 @@ public final class PixelPicture {
             this.samples = samples;
         }
 
-        /** Returns true if the pixel's samples differ visibly. */
+        /** True if the samples differ visibly. */
         boolean set(int pixel, int across, int down) {
             Arrays.fill(sum, 0);
             Arrays.fill(least, 1);
@@ -112,7 +112,7 @@ public final class PixelPicture {
         }
 
         private void add(int from) {
-            // All samples of a pixel that show the ground below the mesh are equal, so that one transform serves them.
+            // A pixel's samples of the ground are equal and need one transform.
             if (last < 0 || !areEqual(samples.rgba(), last, from)) {
                 transform(from);
                 last = from;
@@ -124,7 +124,7 @@ public final class PixelPicture {
             }
         }
 
-        /** Computes a sample's display light over the background; the sample's light is premultiplied by coverage. */
+        /** The sample's light is premultiplied by coverage. */
         private void transform(int from) {
             float uncovered = Math.max(0, 1 - samples.rgba()[from + CHANNELS - 1]);
             display.light(samples.rgba(), from, sample);
@@ -141,32 +141,22 @@ public final class PixelPicture {
         }
     }
 
-    /**
-     * Numbers of pixels that a mesh fills by half or more, and of the lit ones among them: those with an sRGB channel of {@link #LEAST_CODE} or
-     * more.
-     *
-     * @param lit lit pixels, 0 to {@code filled}
-     * @param filled pixels of the mesh
-     */
+    /** Pixels that a mesh fills by half or more, and the lit ones among them, with an sRGB channel of {@link #LEAST_CODE} or more. */
     public record LitPixels(long lit, long filled) {
         public static final LitPixels NONE = new LitPixels(0, 0);
 
-        /** Least sRGB channel, of 255, that is visible beside bright pixels. */
+        /** Visible beside bright pixels, of 255. */
         private static final int LEAST_CODE = 8;
 
         /**
-         * Share of lit pixels below which a picture is black with specks: a grating of 2 um on a bare sphere lights 0.7 % at 320 x 240 pixels
-         * and 3 % at 64 x 48, a snake's nanostructure 77 %.
+         * With fewer, a picture is black with specks: a grating of 2 um on a bare sphere lights 0.7 % at 320 x 240 pixels and 3 % at 64 x
+         * 48, a snake's nanostructure 77 %.
          */
         private static final double LEAST_SHARE = 0.05;
 
         private static final double LEAST_LIGHT = Srgb.linear(LEAST_CODE);
 
-        /**
-         * Counts the pixels of a picture.
-         *
-         * @param pixels linear light of whole pixels, not of their samples
-         */
+        /** Counts whole pixels, not their samples. */
         public static LitPixels of(ScenePicture pixels, DisplayTransform display) {
             double[] light = new double[3];
             long lit = 0;
@@ -185,7 +175,7 @@ public final class PixelPicture {
             return new LitPixels(lit + other.lit, filled + other.filled);
         }
 
-        /** Returns the share of the mesh's pixels that are lit, 0 to 1; 0 if the picture shows no mesh. */
+        /** Share of the mesh's pixels that are lit, 0 to 1; 0 without mesh. */
         public double share() {
             return filled == 0 ? 0 : (double) lit / filled;
         }

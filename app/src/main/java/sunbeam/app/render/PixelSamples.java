@@ -5,31 +5,25 @@ import sunbeam.precompute.method.TableMethod;
 import sunbeam.precompute.text.Text;
 
 /**
- * Samples of a pixel: a square of {@code side x side}. With adaptive samples a pixel has its <em>first</em> samples, one in each row and
- * column of the square with a larger footprint, and all samples instead only if these differ visibly, as at rims.
+ * Square of {@code side x side} samples. With adaptive samples a pixel has its <em>first</em> samples, one in each row and column with a
+ * larger footprint, or all if these differ visibly, as at rims.
  *
- * @param side samples along a pixel's side, 1 to {@link #MOST}; even if adaptive
+ * @param side from 1 to {@link #MOST}; even if adaptive
  */
 public record PixelSamples(int side, boolean isAdaptive) {
-    /** Most samples along a pixel's side. */
     public static final int MOST = 8;
 
-    // Fewest samples of a whole picture: 2 x 2 per pixel at 1280 x 720. With fewer, the rims of a snake's scales differ
-    // visibly from their exact color (mean CIEDE2000 above 1), whatever the picture's size.
+    // Samples of 2 x 2 per pixel at 1280 x 720. With fewer, the rims of a snake's scales differ visibly from their
+    // exact color (mean CIEDE2000 above 1), whatever the picture's size.
     private static final double PICTURE_SAMPLES = 2560.0 * 1440;
 
-    // Least side of adaptive samples.
     private static final int LEAST_ADAPTIVE = 4;
 
-    /** Returns samples that all pixels have. */
     public static PixelSamples uniform(int side) {
         return new PixelSamples(side, false);
     }
 
-    /**
-     * Returns the default samples. Method {@code table} has adaptive ones, more in a small picture; methods whose samples are costly have
-     * one.
-     */
+    /** Method {@code table} has adaptive samples, more in a small picture; methods whose samples are costly have one. */
     public static PixelSamples of(SceneMethod method, int width, int height) {
         if (!method.type().equals(TableMethod.TYPE)) {
             return uniform(1);
@@ -38,7 +32,7 @@ public record PixelSamples(int side, boolean isAdaptive) {
         return new PixelSamples(Math.max(LEAST_ADAPTIVE, side + side % 2), true);
     }
 
-    /** Returns the samples of a picture in a window: uniform ones, whose tiles are known before the picture is drawn. */
+    /** In a window samples are uniform: their tiles are known before the picture is drawn. */
     public static PixelSamples inWindow(SceneMethod method, int width, int height) {
         return uniform(method.type().equals(TableMethod.TYPE) ? side(width, height) : 1);
     }
@@ -47,7 +41,7 @@ public record PixelSamples(int side, boolean isAdaptive) {
         return (int) Math.max(2, Math.min(MOST, Math.ceil(Math.sqrt(PICTURE_SAMPLES / ((double) width * height)))));
     }
 
-    /** Returns words such as "16 samples a pixel (--supersample 4)". */
+    /** Such as "16 samples a pixel (--supersample 4)". */
     public String describe() {
         int most = side * side;
         return isAdaptive
@@ -55,12 +49,11 @@ public record PixelSamples(int side, boolean isAdaptive) {
                 : most == 1 ? "1 sample a pixel" : Text.format("%d samples a pixel (--supersample %d)", most, side);
     }
 
-    /** Returns the number of first samples in each row of a pixel's square. */
     int firstAcross() {
         return isAdaptive ? 1 : side;
     }
 
-    /** Returns the column of the first sample in a row of a pixel's square; no two rows have the same. */
+    /** Column of the first sample in a row of a pixel's square; no two rows have the same. */
     static int firstColumn(int row, int side) {
         return 2 * (row + 1) % (side + 1) - 1;
     }

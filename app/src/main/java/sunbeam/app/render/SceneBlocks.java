@@ -5,17 +5,13 @@ import java.util.List;
 import jrtr.Tile;
 
 /**
- * Division of a picture into blocks, one render target each: as few as possible and nearly equal, since each block costs a pass over all
- * vertices. Blocks depend on the picture's size alone, so that a pixel is equal bit for bit in any tile.
- *
- * @param blockWidth pixels per row of a block; the rightmost blocks may have fewer
- * @param blockHeight rows of a block; the lowest blocks may have fewer
+ * Blocks of a picture, one render target each: few and nearly equal, since each costs a pass over all vertices. They depend on the
+ * picture's size alone, so that a pixel is equal bit for bit in any tile. The last blocks may be smaller.
  */
 record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
-    /** Most pixels of a block. */
     static final int MOST_PIXELS = 1 << 20;
 
-    // Longest side of a block in pixels; all known cards with OpenGL 3.3 have render targets of this size.
+    // All known cards with OpenGL 3.3 have render targets of this size.
     private static final int LONGEST_SIDE = 1 << 11;
 
     /** @param multiple samples along a pixel's side, which divide the picture's sides and those of all blocks */
@@ -25,17 +21,14 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
                 width, height, blockWidth, part(height, Math.min(LONGEST_SIDE, MOST_PIXELS / blockWidth), multiple));
     }
 
-    /**
-     * Divides a side into as few nearly equal parts as possible, none above a length, and returns the length of the longest part. One part
-     * more is taken if all are then equal, since equal blocks share buffers.
-     */
+    /** Returns the longest of few nearly equal parts of a side; one part more is taken if all are then equal and share buffers. */
     private static int part(int side, int longest, int multiple) {
         int units = side / multiple;
         int fewest = ceilDiv(units, longest / multiple);
         return multiple * ceilDiv(units, units % fewest != 0 && units % (fewest + 1) == 0 ? fewest + 1 : fewest);
     }
 
-    /** Returns the quotient of two positive integers, rounded up. */
+    /** Rounds up; for positive integers. */
     static int ceilDiv(int dividend, int divisor) {
         return (dividend + divisor - 1) / divisor;
     }
@@ -43,7 +36,7 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     /**
      * Part of a tile that lies in one block.
      *
-     * @param block block, in pixels of the picture
+     * @param block in pixels of the picture
      * @param inBlock the part, in pixels from the block's corner
      * @param x column of the piece in the tile
      * @param y row of the piece in the tile
@@ -51,10 +44,9 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
     record Piece(Tile block, Tile inBlock, int x, int y) {}
 
     /**
-     * Returns the tiles of the picture, block by block, in pixels.
+     * Returns tiles in pixels, block by block, at most {@code side} wide and high.
      *
      * @param samples number of this picture's pixels along the side of a pixel of the tiles
-     * @param side most pixels along a tile's side
      */
     List<Tile> tiles(int samples, int side) {
         int columns = Math.max(1, blockWidth / samples);

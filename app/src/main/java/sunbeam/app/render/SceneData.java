@@ -25,16 +25,14 @@ import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables;
 
 /**
- * Input of a {@link SceneSession}: a scene with its loaded and computed data, for one patch and one reflectance component. The data of a
- * scene's parts share mesh, sky and textures: the same objects.
+ * Input of a {@link SceneSession} for one patch and one reflectance component. A scene's parts share the objects of mesh, sky and textures.
  *
  * @param sky visible share of the sky; computed on first use
- * @param region index of the patch in the scene; method and tables are for this patch
- * @param method plan of the method, for every pair of directions
- * @param tables textures and uniforms of the method's shader
+ * @param region index of the patch in the scene, to which method and tables belong
+ * @param method plan for every pair of directions
  * @param bakers bakers of the color table's tiles; empty for methods without one
  * @param body texture, scales and orientations of the mesh, and the area that the patch covers
- * @param reflectanceComponent component that method and tables are for; empty for an index that is the same at all wavelengths
+ * @param reflectanceComponent component of method and tables; empty for an index that is the same at all wavelengths
  */
 public record SceneData(
         Scene scene,
@@ -62,19 +60,12 @@ public record SceneData(
                 .toList();
     }
 
-    /**
-     * True if another scene can be drawn with these data, since it differs only in light, camera, weights and other settings that need no
-     * loading.
-     */
+    /** True if another scene differs only in light, camera, weights and other settings that need no loading. */
     public boolean suits(Scene other) {
         return scene.sharesParts(other);
     }
 
-    /**
-     * Returns the same data for another scene; this for an equal one.
-     *
-     * @throws IllegalArgumentException for a scene that {@link #suits} does not allow
-     */
+    /** Returns the same data for another scene. Throws IllegalArgumentException unless {@link #suits} allows it. */
     public SceneData with(Scene other) {
         if (!suits(other)) {
             throw new IllegalArgumentException(
@@ -83,12 +74,11 @@ public record SceneData(
         return other.equals(scene) ? this : with(other, mesh, sky, body);
     }
 
-    /** Returns the same patch, method and tables for another scene, mesh and body. */
     SceneData with(Scene scene, Mesh mesh, Supplier<SkyVisibility> sky, Body body) {
         return new SceneData(scene, mesh, sky, region, patch, method, tables, bakers, body, reflectanceComponent);
     }
 
-    /** Returns one value for each patch of a scene, in order, from the data of all its parts. */
+    /** Returns one value for each patch of a scene, in order. */
     public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> value) {
         List<T> all = new ArrayList<>();
         for (SceneData part : parts) {
@@ -99,7 +89,7 @@ public record SceneData(
         return all;
     }
 
-    /** True if the methods are the same object: comparing their values would take as long as loading them. */
+    /** Compares objects: comparing values would take as long as loading them. */
     @SuppressWarnings("ReferenceEquality")
     boolean sharesMethod(SceneData other) {
         return method == other.method;
@@ -107,7 +97,7 @@ public record SceneData(
 
     /**
      * Component of the reflectance of a skin with an index by wavelength: a product of one function of wavelength and one of direction. The
-     * skin's diffracted light is the sum over its components (see {@link ReflectionPart}).
+     * diffracted light is the sum over the components.
      *
      * @param reflection spectral factor of the light and weights of Schlick's two terms
      * @param digest hash of the index over the visible wavelengths

@@ -15,15 +15,13 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.Viewpoint;
 
-/** Creates scene graphs and their parts from scenes. */
+/** Creates scene graphs from scenes. */
 final class SceneGraphs {
-    // Distance of near and far plane from the mesh's center, in radii of the mesh; a bit more than 1, so that rounding
-    // clips nothing.
+    // Distance of both planes from the mesh's center, in its radii; above 1, so that rounding clips nothing.
     private static final float MARGIN = 1.02f;
-    // Least ratio of near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
+    // Near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
     private static final float NEAREST = 1e-3f;
-    // Least distance of near and far plane from the mesh's center, as a share of the eye's distance, so that float32
-    // separates the planes for any mesh.
+    // Distance of both planes from the mesh's center relative to the eye's, so that float32 separates them.
     private static final float THINNEST = 1e-4f;
 
     private SceneGraphs() {}
@@ -34,14 +32,14 @@ final class SceneGraphs {
         return new SceneGraph(root, view(scene.view(), shape.vertices().bounds()));
     }
 
-    /** Returns a scene's lights in world space, the key light first. */
+    /** Returns lights in world space, the key light first. */
     static List<Node.Light> lights(Scene scene) {
         return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
                 .map(light -> new Node.Light(light.towards(), new Vector3f((float) light.intensity())))
                 .toList();
     }
 
-    /** Returns the variance of each light's directions, in the order of {@link #lights}, in square radians. */
+    /** Variance of each light's directions, in the order of {@link #lights}, in square radians. */
     static float[] variances(Scene scene) {
         float[] variances = new float[1 + scene.fillLights().size()];
         for (int i = 0; i < variances.length; i++) {

@@ -47,8 +47,7 @@ import sunbeam.precompute.text.Text;
 
 /** Loads the data of scenes. Needs no OpenGL and may run on any thread; may take seconds. */
 public final class SceneLoader {
-    // Progress, as approximate shares of the time: when all heights are read, of the whole; when a part's method is
-    // planned, of the rest, which plans and tables take.
+    // Finished shares: of the whole when heights are read, of the rest when a part's method is planned.
     private static final double HEIGHTS_READ = 0.2;
     private static final double METHOD_PLANNED = 0.4;
 
@@ -62,10 +61,7 @@ public final class SceneLoader {
         this(environment, warning, warning);
     }
 
-    /**
-     * @param warning accepts warnings about files, one line each
-     * @param patchRemark accepts {@link SceneData#patchRemarks} with the patch's name
-     */
+    /** @param patchRemark accepts {@link SceneData#patchRemarks} with the patch's name */
     public SceneLoader(Environment environment, Consumer<String> warning, Consumer<String> patchRemark) {
         this.environment = environment;
         this.warning = warning;
@@ -74,9 +70,8 @@ public final class SceneLoader {
     }
 
     /**
-     * Loads a scene's parts, one per patch and reflectance component; the scene's picture is their sum.
+     * Loads a scene's parts, one per patch and reflectance component, ordered by patch; the scene's picture is their sum.
      *
-     * @return parts, ordered by patch
      * @throws sunbeam.precompute.files.InputException if mesh, texture, map, index, patch or its descriptor cannot be used
      * @throws sunbeam.precompute.setting.SettingException if a choice about patch or method cannot be used; names its source
      */
@@ -95,18 +90,13 @@ public final class SceneLoader {
         }
     }
 
-    /** Loads a scene's data without its diffraction. Starts to compute the visible sky in the background if the scene needs it. */
+    /** Loads a scene without diffraction; computes the visible sky in the background if the scene needs it. */
     public SceneShape shape(Scene scene) {
         Mesh mesh = mesh(scene).mesh();
         return new SceneShape(mesh, sky(scene, mesh), bodies(scene));
     }
 
-    /**
-     * Loads a scene's parts and reuses those data of previous parts whose settings are unchanged; does not check whether files have
-     * changed.
-     *
-     * @param progress accepts the finished share, 0 to 1
-     */
+    /** Loads a scene's parts, reusing data of unchanged settings without checking files; {@code progress} gets shares, 0 to 1. */
     public List<SceneData> parts(Scene scene, List<SceneData> previous, DoubleConsumer progress) {
         SceneData first = previous.get(0);
         if (first.suits(scene)) {
@@ -186,7 +176,7 @@ public final class SceneLoader {
                 .toList();
     }
 
-    /** Rejects a wide light with a table of coherent averages: only ensemble averages have levels for it. */
+    /** Only ensemble averages have levels for a wide light. */
     private static void requireEnsemble(Scene scene) {
         boolean isWide = Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
                 .anyMatch(light -> scene.deviation(light) > 0);
@@ -241,7 +231,7 @@ public final class SceneLoader {
                 .toList();
     }
 
-    /** Plans a method and makes its tables, for every pair of directions, since light and camera may move. */
+    /** Plans for every pair of directions, since light and camera may move. */
     private SceneData withTables(
             Scene scene,
             Supplier<SceneShape> shape,
@@ -287,7 +277,7 @@ public final class SceneLoader {
     }
 
     /**
-     * Data of a scene without its diffraction, whose data take longer to load.
+     * Data of a scene without its diffraction, which takes longer to load.
      *
      * @param sky visible share of the sky; computed on first use
      * @param bodies texture, scales and orientations of the mesh, each with the area of one patch

@@ -6,10 +6,10 @@ import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
 
 /**
- * A drawn scene, or a tile of one, in linear colors before exposure.
+ * A scene's picture or a tile of one, in linear colors before exposure.
  *
- * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity. A sample has opacity 1 on the
- *     mesh, below 1 on the ground, else 0; a {@link #reduced} pixel has the mesh's coverage from 0 to 1. Shared, not copied
+ * @param rgba {@code height * width * 4}, row 0 on top: CIE X, Y, Z, each times opacity, and the opacity: 1 on the mesh, below 1 on the
+ *     ground, else 0; in a {@link #reduced} pixel the mesh's coverage. Shared, not copied
  */
 public record ScenePicture(int width, int height, float[] rgba) {
     private static final int CHANNELS = 4;
@@ -19,13 +19,13 @@ public record ScenePicture(int width, int height, float[] rgba) {
                 width, height, new float[Math.multiplyExact(CHANNELS, Math.multiplyExact(width, height))]);
     }
 
-    /** Adds pictures of several lights to the first and returns it. */
+    /** Adds pictures to the first and returns it. */
     static ScenePicture sum(List<ScenePicture> pictures) {
         pictures.stream().skip(1).forEach(pictures.get(0)::add);
         return pictures.get(0);
     }
 
-    /** Adds another light's picture; a color missing in either is missing in the sum. */
+    /** A color missing in either picture is missing in the sum. */
     private void add(ScenePicture other) {
         for (int i = 0; i < rgba.length; i++) {
             rgba[i] = i % CHANNELS == CHANNELS - 1 ? Math.min(rgba[i], other.rgba[i]) : rgba[i] + other.rgba[i];
@@ -41,10 +41,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /**
-     * Returns a picture whose pixels are means of {@code factor x factor} samples of this one, without the ground, which counts as
-     * background.
-     */
+    /** Returns means of {@code factor x factor} samples, without the ground, which counts as background. */
     public ScenePicture reduced(int factor) {
         ScenePicture small = empty(width / factor, height / factor);
         for (int row = 0; row < small.height; row++) {
@@ -56,7 +53,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         return small;
     }
 
-    /** Sets a pixel to the mean of a rectangle of samples, as {@link #reduced}. */
+    /** Averages a rectangle of samples, as {@link #reduced}. */
     void setMean(int pixel, ScenePicture samples, int corner, int across, int down) {
         int to = CHANNELS * pixel;
         Arrays.fill(rgba, to, to + CHANNELS, 0);
@@ -78,8 +75,8 @@ public record ScenePicture(int width, int height, float[] rgba) {
     }
 
     /**
-     * Enlarges this picture by bilinear interpolation between its pixels of the mesh. Each pixel becomes the top left one of a square of
-     * {@code stride x stride}.
+     * Enlarges this picture by bilinear interpolation between its pixels of the mesh; each becomes the top left one of a square of {@code
+     * stride x stride}.
      *
      * @param shape full-resolution picture whose pixels show the mesh
      * @param white luminance to which brighter pixels are dimmed, so that interpolation does not spread a glint
@@ -117,7 +114,7 @@ public record ScenePicture(int width, int height, float[] rgba) {
         }
     }
 
-    /** Returns linear XYZ of the mesh: means over the covered part of each pixel, NaN in pixels without mesh. */
+    /** Linear XYZ of the mesh: means over the covered part of each pixel, NaN without mesh. */
     public LinearPicture linear() {
         float[] xyz = new float[3 * width * height];
         for (int i = 0; i < width * height; i++) {

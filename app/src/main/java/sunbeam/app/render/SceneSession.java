@@ -20,17 +20,15 @@ import sunbeam.app.scene.Scene;
 import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
- * A scene in graphics memory, drawn in tiles of any size. A pixel depends on the scene, the picture's size and its position, not on its
- * tile: pictures of the same scene and size are equal bit for bit.
- *
- * <p>Belongs to its context's thread. Owns its uploads, not the context.
+ * A scene in graphics memory, drawn in tiles of any size. A pixel depends on the scene, the picture's size and its position, bit for bit,
+ * not on its tile. Belongs to its context's thread. Owns its uploads, not the context.
  */
 public final class SceneSession implements AutoCloseable {
-    /** Side of the tiles of {@link #tiles} in pixels: two of the blocks of 64 x 64 pixels that llvmpipe gives to each processor. */
+    /** In pixels: two of the blocks of 64 x 64 that llvmpipe gives to each processor. */
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
-    // One cache with shadows (true), for the first light, and one without for the others.
+    // With shadows (true) for the first light, without for the others.
     private final Map<Boolean, GeometryBuffer.Cache> buffers = new HashMap<>();
     private final MovingPictures moving;
     private final PackedShading shading;
@@ -38,11 +36,7 @@ public final class SceneSession implements AutoCloseable {
     private final UploadedScene uploaded;
     private long meshNanoseconds;
 
-    /**
-     * Uploads a scene.
-     *
-     * @throws jrtr.GraphicsException if the device has no room for it
-     */
+    /** Uploads a scene; throws {@link jrtr.GraphicsException} if the device has no room for it. */
     public SceneSession(RenderContext context, SceneData data) {
         this(context, () -> new UploadedScene(context, data));
     }
@@ -64,7 +58,7 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.data();
     }
 
-    /** Returns the method's tables, which callers may use in this context until the next update. */
+    /** Callers may use the tables in this context until the next update. */
     public UploadedTables method() {
         return uploaded.skin().method();
     }
@@ -73,39 +67,24 @@ public final class SceneSession implements AutoCloseable {
         return data().scene();
     }
 
-    /**
-     * Changes the scene. Mesh, textures and method stay in graphics memory if the new data have the same objects. On failure the old scene
-     * stays.
-     *
-     * @throws jrtr.GraphicsException if the device has no room for it
-     */
+    /** Changes the scene; the same objects stay uploaded. Throws {@link jrtr.GraphicsException} without room and keeps the old scene. */
     public void update(SceneData next) {
         uploaded.update(next);
     }
 
-    /**
-     * Changes to a scene that differs in light, camera, orientation, weights, rotation, exposure or background only, without upload.
-     *
-     * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
-     */
+    /** Changes to another scene without upload. Throws IllegalArgumentException unless {@link SceneData#suits} allows it. */
     public void update(Scene next) {
         update(data().with(next));
     }
 
-    /**
-     * Returns the tiles of a picture, block by block. Any other division draws the same picture; alternating between blocks is slower.
-     *
-     * @param samples samples along a pixel's side
-     */
+    /** Returns tiles block by block. Any other division draws the same picture; alternating between blocks is slower. */
     public static List<Tile> tiles(int width, int height, int samples) {
         return SceneBlocks.of(samples * width, samples * height, samples).tiles(samples, TILE_SIDE);
     }
 
     /**
-     * Draws a part of a picture.
+     * Draws a part of a picture, for a scene that {@link SceneData#suits} allows.
      *
-     * @return picture of the request's samples
-     * @throws IllegalArgumentException for a scene that {@link SceneData#suits} does not allow
      * @throws IllegalStateException if a scheduler bakes tiles and one that the part reads is missing
      */
     public ScenePicture draw(DrawRequest request) {
@@ -116,10 +95,7 @@ public final class SceneSession implements AutoCloseable {
         return part;
     }
 
-    /**
-     * Draws a part of a picture from resident tiles of the color table. Pixels that need a missing tile show the body and have {@link
-     * PackedShading#MISSING_COVERAGE}.
-     */
+    /** Draws from resident tiles. Pixels that need another show the body and have {@link PackedShading#MISSING_COVERAGE}. */
     ScenePicture drawResident(DrawRequest request) {
         if (!data().suits(request.scene())) {
             throw new IllegalArgumentException(
@@ -154,11 +130,11 @@ public final class SceneSession implements AutoCloseable {
         return buffer;
     }
 
-    /** Adds the footprints of all parts to the feedback. If interrupted, clears the feedback and returns false. */
+    /** Adds footprints to the feedback. If interrupted, clears it and returns false. */
     private boolean addFeedback(List<DrawRequest> parts, BooleanSupplier interrupted) {
         int lights = parts.get(0).scene().perLight().size();
         for (int light = 0; light < lights; light++) {
-            // Backwards, so that the LRU cache keeps the geometry of the parts that are drawn first.
+            // Backwards: the LRU cache keeps the geometry of parts that are drawn first.
             for (int i = parts.size() - 1; i >= 0; i--) {
                 if (interrupted.getAsBoolean()) {
                     virtualTexture().ifPresent(VirtualTexture::clearFeedback);
@@ -184,7 +160,7 @@ public final class SceneSession implements AutoCloseable {
                 .toList();
     }
 
-    /** Returns the errors of the color table at some samples of a picture; empty for methods without table. */
+    /** Returns the table's errors at some samples of a picture; empty for methods without table. */
     public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, PixelSamples samples) {
         if (virtualTexture().isEmpty()) {
             return Optional.empty();
@@ -199,12 +175,7 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.skin().virtualTexture();
     }
 
-    /**
-     * Requests all tiles that a picture reads, and the smaller picture that is metered for its exposure. May take seconds.
-     *
-     * @param interrupted polled before each part of the picture
-     * @return true unless interrupted
-     */
+    /** Requests the tiles of a picture and of its metered one; may take seconds. Polls {@code interrupted} per part, then returns false. */
     public boolean request(int width, int height, PixelSamples samples, BooleanSupplier interrupted) {
         if (virtualTexture().isEmpty()) {
             return true;
@@ -224,7 +195,7 @@ public final class SceneSession implements AutoCloseable {
         return true;
     }
 
-    /** Returns the time spent in geometry passes since the session was created. */
+    /** Time of all geometry passes of this session. */
     public long meshNanoseconds() {
         return meshNanoseconds + moving.meshNanoseconds();
     }
@@ -238,7 +209,7 @@ public final class SceneSession implements AutoCloseable {
         return moving.draw(uploaded, scene(), fullWidth, fullHeight, divisor, exposure);
     }
 
-    /** Returns the direction of the patch's x axis, 3 values per pixel in world space, top row first; zeros where there is no skin. */
+    /** The patch's x axis, 3 values per pixel in world space, top row first; zeros without skin. */
     float[] patchDirections(int width, int height) {
         SkinGeometry geometry = uploaded.geometry(scene(), width, height, false);
         float[] directions = new float[3 * width * height];
@@ -253,14 +224,7 @@ public final class SceneSession implements AutoCloseable {
         return directions;
     }
 
-    /**
-     * Returns the point under a pixel of a picture.
-     *
-     * @param x column of the pixel, from 0 at the left
-     * @param y row of the pixel, from 0 at the top
-     * @return empty for the background
-     * @throws IllegalArgumentException if the pixel is outside
-     */
+    /** Returns the point under a pixel, from the top left; empty for background. Throws IllegalArgumentException for a pixel outside. */
     public Optional<Pick> pick(int x, int y, int width, int height) {
         return picking.pick(
                 scene(), uploaded.mesh(), uploaded.body(), new View.Area(width, height, new Tile(x, y, 1, 1)));

@@ -24,13 +24,13 @@ import sunbeam.app.gpu.Shaders;
 
 /** Shadow maps of a mesh under its first light (shaders/include/shadow.glsl). Belongs to its context's thread. */
 final class Shadows implements AutoCloseable {
-    // Side of the map in texels, for still pictures and for moving ones, which may draw the map for each frame.
+    // In texels, for still pictures and for moving ones, which may draw the map for each frame.
     private static final int SIDE = 1024;
     private static final int MOVING_SIDE = 320;
-    // Distance of the light in radii of the mesh; its rays are parallel within a degree.
+    // In radii of the mesh; the light's rays are parallel within a degree.
     private static final float DISTANCE = 60;
     private static final float MARGIN = 1.02f;
-    // Offset of shaded points along the normal, in texels, so that a surface does not shade itself.
+    // In texels along the normal, so that a surface does not shade itself.
     private static final float LIFT = 2;
 
     private final RenderContext context;
@@ -40,7 +40,7 @@ final class Shadows implements AutoCloseable {
     private final FloatTarget noShadows;
     private final Map<Integer, FloatTarget> maps = new HashMap<>();
     private Optional<ShaderProgram> program = Optional.empty();
-    // Inputs of the last draw of each map, by its side.
+    // Keys are sides of the map.
     private final Map<Integer, Key> shown = new HashMap<>();
     private int side;
 
@@ -55,7 +55,7 @@ final class Shadows implements AutoCloseable {
         this.noShadows = context.createFloatTarget("no shadows", spec(1));
     }
 
-    /** Draws the map unless it is up to date. Moving pictures have a map of their own, which is coarser. */
+    /** Draws the map unless it is up to date; moving pictures have a coarser one. */
     void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
         side = moves ? MOVING_SIDE : SIDE;
         Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
@@ -86,7 +86,6 @@ final class Shadows implements AutoCloseable {
         lift = LIFT * 2 * reach / side;
     }
 
-    /** Returns the map by its sampler's name. */
     Map<String, Texture> textures() {
         return Map.of("shadowMap", maps.getOrDefault(side, noShadows).depth());
     }

@@ -29,7 +29,7 @@ import sunbeam.precompute.shader.ShaderTables;
 
 /** A diffraction method on a mesh: the method's tables, and shaders/skin.frag compiled with the method. */
 final class SkinSurface implements AutoCloseable {
-    // Draws with one random slope of fine relief each: at least LEAST_SLOPES, else SLOPES_PER_SAMPLE_ACROSS for each
+    // Each draw has one random slope of fine relief: at least LEAST_SLOPES draws, else SLOPES_PER_SAMPLE_ACROSS per
     // sample along a pixel's side. Few slopes meet a sharp order, and these pictures are the reference for method
     // table.
     private static final int LEAST_SLOPES = 16;
@@ -42,7 +42,7 @@ final class SkinSurface implements AutoCloseable {
     private final double diffractionScale;
     private final Optional<VirtualTexture> texture;
     private final Optional<ReflectanceComponent> component;
-    // Compiled when first used, since the first picture is a moving one.
+    // The first picture is a moving one and does not need it.
     private ShaderProgram program;
     private MovingSkin moving;
 
@@ -72,36 +72,32 @@ final class SkinSurface implements AutoCloseable {
         return new SkinSurface(UploadedTables.upload(context, none), 0, Optional.empty(), Optional.empty());
     }
 
-    /** Returns the method's tables, which callers may use in this context until the surface is closed. */
+    /** Callers may use the tables in this context until the surface is closed. */
     UploadedTables method() {
         return method;
     }
 
-    /** Returns the virtual texture of the method's color table; empty for methods that evaluate points. */
+    /** Empty for methods that evaluate points. */
     Optional<VirtualTexture> virtualTexture() {
         return texture;
     }
 
-    /**
-     * Returns the number of draws whose mean is the picture: methods that evaluate points use one slope of fine relief and one direction of
-     * a wide light per draw.
-     */
+    /** Number of draws whose mean is the picture: each has one slope of fine relief and one direction of a wide light. */
     int draws(Scene scene, int samplesAcross) {
         return texture.isEmpty() && (scene.slopeDeviation() > 0 || scene.deviation(scene.light()) > 0)
                 ? Math.max(LEAST_SLOPES, SLOPES_PER_SAMPLE_ACROSS * samplesAcross)
                 : 1;
     }
 
-    /** Returns the number of levels that a footprint reads. */
     int levelsRead(Scene scene) {
         return scene.deviation(scene.light()) > 0 ? 2 : 1;
     }
 
     /**
-     * Shades texels of a block. Image 0 of the target gets linear XYZ and coverage; images 1 and 2 get centers and axes of the {@link
-     * Footprints} if there is a {@link #virtualTexture}.
+     * Shades texels of a block. Image 0 of the target gets linear XYZ and coverage; with a {@link #virtualTexture} images 1 and 2 get
+     * centers and axes of {@link Footprints}.
      *
-     * @param sources for each pixel of the target the index of the texel to shade, as by {@link GeometryBuffer#texel}; -1 for none
+     * @param sources texel to shade of each target pixel, as by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined at pixels without source
      */
     void shade(
@@ -140,12 +136,7 @@ final class SkinSurface implements AutoCloseable {
         context.drawFullScreen(program, textures, target, tile);
     }
 
-    /**
-     * Computes and sets the uniforms of shaders/include/footprint.glsl.
-     *
-     * @param scene scene whose fine relief widens footprints, unless the table's levels include it
-     * @param isCoarsest whether all footprints read the coarsest level
-     */
+    /** Sets the uniforms of shaders/include/footprint.glsl. Fine relief widens footprints unless the table's levels include it. */
     static void setFootprints(
             ShaderProgram program,
             ColorTable table,
@@ -197,7 +188,7 @@ final class SkinSurface implements AutoCloseable {
         setReflection(program, scene);
     }
 
-    /** Sets Fresnel's reflectance: that of the index, or for an index by wavelength that of this surface's component. */
+    /** Reflectance of the index, or for an index by wavelength of this surface's component. */
     private void setReflection(ShaderProgram program, Scene scene) {
         if (component.isPresent()) {
             ReflectionPart reflection = component.get().reflection();
@@ -229,10 +220,9 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /**
-     * Parameters of one draw with shaders/skin.frag.
+     * Draw with shaders/skin.frag.
      *
-     * @param draw index of this draw, below {@link #draws}; if there are no colors, index among the levels that a footprint reads,
-     *     below {@link #levelsRead}
+     * @param draw index below {@link #draws}; without colors, index of a level below {@link #levelsRead}
      * @param hasColors false to write footprints only
      */
     record Pass(DrawRequest request, int draw, boolean hasColors) {}

@@ -57,7 +57,6 @@ final class SkinTextures implements AutoCloseable {
         return body == other;
     }
 
-    /** Returns the shape for a pass that draws the mesh. */
     Node.Shape shape(
             VertexBuffer mesh,
             ShaderProgram program,

@@ -6,48 +6,40 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import jrtr.Tile;
 
-/**
- * Divides drawing into tiles that take about {@link #BUDGET_NANOSECONDS} each, judged by the time of earlier tiles. Tiles must be short,
- * since drawing a tile cannot be interrupted.
- */
+/** Divides drawing into tiles of about {@link #BUDGET_NANOSECONDS}, judged by earlier tiles. Drawing a tile cannot be interrupted. */
 public final class TimedTiles {
     public static final long BUDGET_NANOSECONDS = 40_000_000;
 
-    /** Side of the squares that are divided into tiles, in pixels; the largest side of a tile. */
+    /** Largest side of a tile, in pixels. */
     public static final int LARGEST = 128;
 
     public static final int COARSEST = 32;
 
     private static final int SMALLEST = 8;
-    // Sides of tiles are multiples of the side of the squares in PackedShading.
+    // Side of the squares in PackedShading, of which tiles have whole numbers.
     private static final int MULTIPLE = 4;
-    // Factor per tile by which the largest time per pixel decays, so that one empty tile does not erase it.
+    // Per tile, so that one empty tile does not erase the largest time.
     private static final double DECAY = 0.9;
 
     private final LongSupplier clock;
-    // Largest time per pixel of recent tiles; initially that of the thesis's shader on two processors.
+    // Maximum of recent tiles; initially that of the thesis's shader on two processors.
     private double nanosecondsPerPixel = 120_000;
-    // Mean time of the last picture, including its empty pixels.
+    // Mean of the last picture, including its empty pixels.
     private double averagePerPixel = nanosecondsPerPixel;
 
-    /** @param clock clock in nanoseconds; may exclude work that does not depend on a tile's size */
+    /** @param clock in nanoseconds; may exclude work that does not depend on a tile's size */
     public TimedTiles(LongSupplier clock) {
         this.clock = clock;
     }
 
-    /** Returns a division into the largest tiles, for drawing without interruption. */
+    /** Returns the largest tiles, for drawing without interruption. */
     public static TimedTiles large() {
         TimedTiles tiles = new TimedTiles(() -> 0);
         tiles.nanosecondsPerPixel = 0;
         return tiles;
     }
 
-    /**
-     * Draws squares tile by tile.
-     *
-     * @param interrupted polled before each tile
-     * @return true if all were drawn
-     */
+    /** Draws squares tile by tile. Polls {@code interrupted} before each; returns false if interrupted. */
     public boolean draw(List<Tile> squares, BooleanSupplier interrupted, Consumer<Tile> drawing) {
         long begun = clock.getAsLong();
         for (Tile square : squares) {
@@ -70,10 +62,7 @@ public final class TimedTiles {
         return 1e-9 * averagePerPixel;
     }
 
-    /**
-     * Returns the smallest power of two, up to {@link #COARSEST}, by which columns and rows must be divided so that a picture is drawn
-     * within a time.
-     */
+    /** Smallest power of two, up to {@link #COARSEST}, by which columns and rows are divided to draw a picture in time. */
     public int stride(int width, int height, long nanoseconds) {
         int stride = 1;
         while (stride < COARSEST
@@ -83,7 +72,7 @@ public final class TimedTiles {
         return stride;
     }
 
-    /** Returns the side of the next tiles, a multiple of 4 from 8 to 128; a square of 128 is divided into tiles of about this side. */
+    /** A multiple of 4 from 8 to 128; a square of 128 is divided into tiles of about this side. */
     private int side() {
         int parts = 1;
         while (side(parts) > SMALLEST

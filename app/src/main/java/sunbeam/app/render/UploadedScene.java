@@ -64,7 +64,7 @@ final class UploadedScene implements AutoCloseable {
         return body;
     }
 
-    /** Returns the ground if the scene has one and its blend shows the body's own color, not diffraction alone. */
+    /** Returns the ground if the blend shows the body's own color, not diffraction alone. */
     Optional<Ground> ground(Scene scene) {
         return scene.ground().isPresent() && scene.hasBody() ? mesh.ground() : Optional.empty();
     }
@@ -73,12 +73,12 @@ final class UploadedScene implements AutoCloseable {
         return skin;
     }
 
-    /** Returns the geometry of a scene with the same meshes as the uploaded one; draws its shadow map first, if it has shadows. */
+    /** Geometry of a scene with the uploaded meshes; draws its shadow map first, if it has shadows. */
     SkinGeometry geometry(Scene scene, int width, int height, boolean moves) {
         Optional<Vector3fc> light =
                 scene.hasShadows() ? Optional.of(scene.light().towards()) : Optional.empty();
         light.ifPresent(towards -> shadows.draw(mesh(), mesh.mesh().closed(), scene.orientation(), towards, moves));
-        // Moving pictures read shadows in the shading pass, so that a moving light leaves the geometry valid.
+        // The shading pass of moving pictures reads shadows, so that a moving light leaves the geometry valid.
         Optional<Vector3fc> geometryLight = moves ? Optional.empty() : light;
         return new SkinGeometry(
                 mesh(),
@@ -131,14 +131,10 @@ final class UploadedScene implements AutoCloseable {
         shadows.close();
     }
 
-    /**
-     * A mesh in graphics memory.
-     *
-     * @param ground ground below the mesh; present if the mesh was uploaded with the visible share of the sky per vertex
-     */
+    /** @param ground ground below the mesh; present if the mesh has the visible share of the sky per vertex */
     private record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {
 
-        /** Uploads a mesh for a scene; may wait for the visible share of the sky. */
+        /** May wait for the visible share of the sky. */
         static UploadedMesh upload(RenderContext context, Scene scene, Mesh mesh, Supplier<SkyVisibility> sky) {
             if (!scene.occludesSky()) {
                 return new UploadedMesh(

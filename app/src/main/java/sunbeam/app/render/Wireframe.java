@@ -16,13 +16,13 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 
-/** Draws a scene's mesh as the edges of its triangles, and its vertices' normals as strokes; nearer triangles hide farther ones. */
+/** Draws the edges of a mesh's triangles, and its normals as strokes; nearer triangles hide farther ones. */
 public final class Wireframe {
     private static final Color EDGE = new Color(0xd0d6e0);
     private static final Color NORMAL = new Color(0xffb040);
     private static final float STROKE = 0.5f;
 
-    /** Length of a normal's stroke relative to the radius of the mesh's bounds. */
+    /** Relative to the radius of the mesh's bounds. */
     private static final float NORMAL_LENGTH = 0.03f;
 
     private Wireframe() {}
@@ -32,7 +32,7 @@ public final class Wireframe {
         float[] tips = vertices(scene, mesh, NORMAL_LENGTH);
         double scale = 0.5 * height / scene.view().halfHeight(width, height);
         int[] indices = mesh.indices();
-        // Triangles in drawing order, farthest first, without those that reach behind the eye.
+        // Farthest first, without triangles that reach behind the eye.
         int[] triangles = IntStream.range(0, mesh.triangles())
                 .filter(t -> IntStream.range(0, 3).allMatch(corner -> depth(vertices, indices[3 * t + corner]) > 0))
                 .boxed()
@@ -87,11 +87,7 @@ public final class Wireframe {
                 0.5 * height - scale * vertices[3 * vertex + 1] / depth);
     }
 
-    /**
-     * Returns the vertices in camera space: x to the right, y up, z towards the viewer.
-     *
-     * @param offset distance along the normals, relative to the radius of the mesh's bounds
-     */
+    /** Vertices in camera space: x right, y up, z towards the viewer; moved along the normals by radii of the mesh's bounds. */
     private static float[] vertices(Scene scene, Mesh mesh, float offset) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
                 .mul(SceneGraphs.toWorld(

@@ -16,9 +16,7 @@ import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 
-/**
- * Bakes tiles of a color table's levels, or reads them from the cache. Not thread-safe; a level's baker may need the thread that opened it.
- */
+/** Bakes tiles of a color table or reads cached ones. Not thread-safe; a level's baker may need the thread that opened it. */
 final class CachedBaker implements Scheduler.TileBaker {
     // About a second on two processors. Smaller jobs show progress sooner but evaluate more rays twice.
     private static final int RADIAL_BATCH = 4800;
@@ -34,7 +32,7 @@ final class CachedBaker implements Scheduler.TileBaker {
     private final LevelBakers bakers;
     private final List<TileGrid> grids = new ArrayList<>();
     private final List<LevelBaking> bakings = new ArrayList<>();
-    // By level or POINTS. Opening a baker takes longer than baking a few samples.
+    // Keys are levels or POINTS. Opening a baker takes longer than baking a few samples.
     private final Map<Integer, ColorBaker> openBakers = new TreeMap<>();
     private CachedTiles cached;
     private boolean hasBaked;
@@ -57,9 +55,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         return grids;
     }
 
-    /**
-     * Bakes cached tiles first, then tiles of the coarsest level; within a level, tiles at similar angles of (u, v), which share rays.
-     */
+    /** Bakes cached tiles first, then the coarsest level; within a level, tiles at similar angles of (u, v), which share rays. */
     @Override
     public Scheduler.BakedTiles bake(TileSet missing, CancellationToken token) {
         for (int level = missing.levels() - 1; level >= 0; level--) {
@@ -110,6 +106,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         return all;
     }
 
+    /** Returns the number of samples to evaluate for tiles that the cache lacks. */
     long missing(TileSet tiles) {
         long places = 0;
         for (int level = 0; level < tiles.levels(); level++) {
@@ -122,10 +119,7 @@ final class CachedBaker implements Scheduler.TileBaker {
         return places;
     }
 
-    /**
-     * Validates the table at some footprints unless all tiles came from the cache. If it misses its tolerance, warns once and discards the
-     * cached tiles.
-     */
+    /** Validates newly baked tiles at some footprints; beyond the tolerance warns once and discards the cached tiles. */
     void validate(Footprints.Sample.Tabulated sample, ColorBaker.Token token) {
         if (hasBaked && !warned) {
             VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {

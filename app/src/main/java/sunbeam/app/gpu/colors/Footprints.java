@@ -17,7 +17,7 @@ import sunbeam.precompute.errors.ErrorStatistics;
  * Footprints in (u, v, w), as shaders/include/footprint.glsl finds them.
  *
  * @param centers u, v, w and level of each footprint; level -1 where nothing is diffracted
- * @param axes change of u, v, w along the line of each footprint's taps, and their number
+ * @param axes change of u, v, w along the line of each footprint's evenly spread taps, and their number
  */
 public record Footprints(float[] centers, float[] axes) {
     private static final int CHANNELS = 4;
@@ -73,8 +73,7 @@ public record Footprints(float[] centers, float[] axes) {
     /** Random footprints at which a color table is validated. Not thread-safe. */
     static final class Sample {
         // Footprints, and bright ones to compare: most of a grating are dark. In 95 % of samples the median of 60 lies
-        // between the 37th and
-        // the 63rd percentile of all.
+        // between the 37th and the 63rd percentile of all.
         private static final int CAPACITY = 1000;
         private static final int ENOUGH_BRIGHT = 60;
         private static final long SEED = 35;

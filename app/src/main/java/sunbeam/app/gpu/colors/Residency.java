@@ -59,10 +59,7 @@ final class Residency implements AutoCloseable {
         return all == 0 ? 1 : 1 - (double) missing(tiles).count() / all;
     }
 
-    /**
-     * Sets the tiles to be added next, so that the texture is allocated once. Throws {@link GraphicsException} if they exceed the card's or
-     * Java's memory.
-     */
+    /** Sets the tiles to be added next; throws {@link GraphicsException} if they exceed the card's or Java's memory. */
     void expect(TileSet missing) {
         long tiles = resident.count() + missing.count();
         long textures = bytes(tiles);

@@ -58,10 +58,7 @@ public final class VirtualTexture implements AutoCloseable {
         return baker.table();
     }
 
-    /**
-     * Adds the tiles of some footprints to the feedback. The table is validated at those {@code ofPicture}, but not at those of metering,
-     * which read too coarse a level.
-     */
+    /** Adds tiles to the feedback. The table is validated at footprints {@code ofPicture}; those of metering read too coarse a level. */
     public void addFeedback(Footprints footprints, boolean ofPicture) {
         if (ofPicture) {
             sample.add(footprints);
@@ -74,10 +71,7 @@ public final class VirtualTexture implements AutoCloseable {
         feedback.clear();
     }
 
-    /**
-     * Bakes the missing tiles of the feedback, or all of a small table, while the caller waits. Throws {@link GraphicsException} if memory
-     * does not suffice.
-     */
+    /** Bakes the feedback's tiles, or all of a small table, and waits. Throws {@link GraphicsException} if memory does not suffice. */
     public void bakeFeedback() {
         if (scheduler.isPresent()) {
             throw new IllegalStateException("a picture reads tiles that were not requested for it");
@@ -189,9 +183,7 @@ public final class VirtualTexture implements AutoCloseable {
         schedule(afterwards);
     }
 
-    /**
-     * Requests all tiles if all are in the cache or resident, which is faster than finding those that footprints read; else returns false.
-     */
+    /** Requests all tiles if all are cached or resident, which is faster than finding those that footprints read; else returns false. */
     public boolean requestWhole() {
         if (!isCached.getNow(false) && !isComplete()) {
             return false;

@@ -6,11 +6,7 @@ import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
-/**
- * Visible difference between two pictures, over pixels where either is not black.
- *
- * @param high 95th percentile of CIEDE2000
- */
+/** Median and 95th percentile of CIEDE2000 between two pictures, over pixels where either is not black. */
 public record PictureDifference(double median, double high) {
 
     /** Compares pixels over the area of the base, which must not exceed the picture. */

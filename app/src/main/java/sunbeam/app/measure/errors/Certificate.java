@@ -75,11 +75,7 @@ public record Certificate(
         return new Certificate(places, false, "XYZ", Comparison.relative(compared), differences, limits);
     }
 
-    /**
-     * Compares random rows, at most all; {@code row} compares one by its number from 0.
-     *
-     * @param tolerance relative error for which the table was made
-     */
+    /** Compares random rows, at most all, of a table that was made for a relative error; {@code row} compares one, counted from 0. */
     public static Certificate ofRows(
             ProgressDisplay display,
             int rows,

@@ -41,8 +41,8 @@ public final class DirectionSampler {
     }
 
     /**
-     * View near an order, at a normally distributed distance of its width: one in three along x, one along y (as gratings have them), one
-     * anywhere. Uniform if no order is visible.
+     * View near an order, normally distributed by its width: a third along x, a third along y, a third anywhere; uniform if none is
+     * visible.
      */
     public Query aimed() {
         int kind = random.nextInt(3);
