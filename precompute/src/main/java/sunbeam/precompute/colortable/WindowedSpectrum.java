@@ -12,8 +12,6 @@ final class WindowedSpectrum {
     private final PowerSpectrum bins;
     private final double sigmaFrequency;
     private final double reach;
-    // Computed on first use; two threads may compute it, neither waits.
-    private volatile PowerSpectrum transposed;
 
     /**
      * The window is no longer than the plan's; bins beyond {@code reach} sigma_f, of weights below exp(-reach^2), are left out; decimation
@@ -86,10 +84,8 @@ final class WindowedSpectrum {
     /** Blurs the spectrum for rays, less than 90 degrees apart, that are closer to the same axis; angles from the x axis, radians. */
     RayBatch batch(double firstAngle, double lastAngle, RayBatch.Knots knots) {
         boolean alongX = isAlongX(0.5 * (firstAngle + lastAngle));
-        if (alongX && transposed == null) {
-            transposed = bins.transposed();
-        }
-        return new RayBatch(alongX ? transposed : bins, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
+        PowerSpectrum crossed = alongX ? bins.transposed() : bins;
+        return new RayBatch(crossed, alongX, sigmaFrequency, reach, firstAngle, lastAngle, knots);
     }
 
     static boolean isAlongX(double angle) {

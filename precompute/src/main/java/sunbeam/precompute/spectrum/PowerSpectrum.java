@@ -5,10 +5,16 @@ import sunbeam.precompute.numerics.Lagrange;
 
 /**
  * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.
- * Built once per surface; each user applies its own window. Powers are {@code [row][column][term]}, not to be changed.
+ * Built once per surface; each user applies its own window. Powers are {@code [row][column][term]}, not to be changed. Thread-safe.
  */
 public record PowerSpectrum(
-        HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[] powers, double tolerance) {
+        HeightScale scale,
+        CoefficientTable coefficients,
+        Axis x,
+        Axis y,
+        double[] powers,
+        double tolerance,
+        Exchanged exchanged) {
     /** Largest angular frequency of a power over the phase: two scaled heights, both in -1..1, differ by at most 2. */
     public static final double BANDWIDTH = 2;
 
@@ -25,6 +31,16 @@ public record PowerSpectrum(
         public double place(double frequency) {
             return frequency * period - first;
         }
+    }
+
+    /** Spectrum with x and y exchanged, once it is made: as large as the spectrum, and all open bakers of a table use it. */
+    static final class Exchanged {
+        private volatile PowerSpectrum spectrum;
+    }
+
+    private PowerSpectrum(
+            HeightScale scale, CoefficientTable coefficients, Axis x, Axis y, double[] powers, double tolerance) {
+        this(scale, coefficients, x, y, powers, tolerance, new Exchanged());
     }
 
     /** Returns a surface's spectrum with a relative root-mean-square error of the powers over an octave of phases. */
@@ -68,8 +84,12 @@ public record PowerSpectrum(
         return coefficients.at(scale.phase(wavelength, absoluteW));
     }
 
-    /** Exchanges x and y. */
+    /** Returns the spectrum with x and y exchanged, made on first use; two threads may make it, neither waits. */
     public PowerSpectrum transposed() {
+        PowerSpectrum known = exchanged.spectrum;
+        if (known != null) {
+            return known;
+        }
         double[] target = new double[powers.length];
         int stride = stride();
         IntStream.range(0, x.count).parallel().forEach(column -> {
@@ -78,7 +98,10 @@ public record PowerSpectrum(
                 System.arraycopy(powers, from, target, (column * y.count + row) * stride, stride);
             }
         });
-        return new PowerSpectrum(scale, coefficients, y, x, target, tolerance);
+        known = new PowerSpectrum(scale, coefficients, y, x, target, tolerance);
+        known.exchanged.spectrum = this;
+        exchanged.spectrum = known;
+        return known;
     }
 
     /**

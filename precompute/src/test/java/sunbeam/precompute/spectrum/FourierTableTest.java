@@ -104,6 +104,21 @@ class FourierTableTest {
         }
     }
 
+    /** All levels of a table may be open at a time; a copy for each would take as many times the memory. */
+    @Test
+    void allUsersOfASpectrumShareItTransposed() {
+        HeightLevels heights = HeightLevels.of(Surfaces.random(12, 10, 40e-9, 300e-9, 1));
+        TaylorExpansion expansion = new TaylorExpansion(HeightScale.mean(heights), 5, 5);
+        FourierTable table = FourierTable.of(heights, expansion, Band.of(-2, 4), Band.of(-3, 1), done -> {});
+        PowerSpectrum spectrum = PowerSpectrum.of(table, TOLERANCE);
+        PowerSpectrum transposed = spectrum.transposed();
+        assertThat(spectrum.transposed()).isSameAs(transposed);
+        assertThat(transposed.transposed()).isSameAs(spectrum);
+        int width = spectrum.x().count();
+        int height = spectrum.y().count();
+        assertThat(transposed.terms(0, 1)[0][height + 2]).isEqualTo(spectrum.terms(0, 1)[0][2 * width + 1]);
+    }
+
     private static double power(PowerSpectrum spectrum, double phase, int bin) {
         double[] functions = spectrum.coefficients().at(phase);
         return IntStream.range(0, functions.length)
