@@ -42,12 +42,12 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         return textures;
     }
 
-    /** Direction to the viewer per pixel, top row first, and 0 without skin (shaders/include/patch_state.glsl). Full layout only. */
+    /** Full layout only: direction to the viewer, and a value that is 0 without skin (include/patch_state.glsl); top row first. */
     float[] views(Tile part) {
         return attributes.read(0, part);
     }
 
-    /** The patch's x axis in world space per pixel, top row first, and the visible share of the sky. Full layout only. */
+    /** Full layout only: the patch's x axis in world space, and the visible share of the sky; top row first. */
     float[] tangents(Tile part) {
         return attributes.read(2, part);
     }

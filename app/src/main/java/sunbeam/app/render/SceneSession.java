@@ -175,7 +175,7 @@ public final class SceneSession implements AutoCloseable {
         return uploaded.skin().virtualTexture();
     }
 
-    /** Requests the tiles of a picture and of its metered one; may take seconds. Polls {@code interrupted} per part, then returns false. */
+    /** Requests the tiles of a picture and of its metered one; may take seconds. Returns false if {@code interrupted}, polled per part. */
     public boolean request(int width, int height, PixelSamples samples, BooleanSupplier interrupted) {
         if (virtualTexture().isEmpty()) {
             return true;

@@ -59,7 +59,7 @@ final class Residency implements AutoCloseable {
         return all == 0 ? 1 : 1 - (double) missing(tiles).count() / all;
     }
 
-    /** Sets the tiles to be added next; throws {@link GraphicsException} if they exceed the card's or Java's memory. */
+    /** Sets the tiles to be added, to allocate the texture once; throws {@link GraphicsException} beyond the card's or Java's memory. */
     void expect(TileSet missing) {
         long tiles = resident.count() + missing.count();
         long textures = bytes(tiles);

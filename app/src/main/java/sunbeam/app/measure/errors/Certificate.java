@@ -75,7 +75,7 @@ public record Certificate(
         return new Certificate(places, false, "XYZ", Comparison.relative(compared), differences, limits);
     }
 
-    /** Compares random rows, at most all, of a table that was made for a relative error; {@code row} compares one, counted from 0. */
+    /** Compares random rows, at most all, of a table made for relative error {@code tolerance}; {@code row} compares one, from 0. */
     public static Certificate ofRows(
             ProgressDisplay display,
             int rows,
