@@ -8,24 +8,28 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
-record SurfaceSums(HeightMap map, HeightLevels heights) {
+record SurfaceSums(HeightMap map, HeightLevels heights, boolean isTabulated) {
     SurfaceSums(HeightMap map) {
         this(map, HeightLevels.of(map));
     }
 
+    /** Decides once: it takes as long as a sum over a small map. */
+    private SurfaceSums(HeightMap map, HeightLevels heights) {
+        this(map, heights, !heights.areTooManyToTabulate());
+    }
+
     Sums overRows(double w, double wavelength, AxisWeights... alongY) {
-        return heights.areTooManyToTabulate()
-                ? overSamples(w, wavelength, alongY)
-                : overRows(phases(w, wavelength), alongY);
+        return isTabulated ? overRows(phases(w, wavelength), alongY) : overSamples(w, wavelength, alongY);
     }
 
     /** Sums without a table of p by height; reads memory sequentially. */
     Sums overSamples(double w, double wavelength, AxisWeights... alongY) {
         double phasePerMeter = 2 * Math.PI / wavelength * w;
+        double zero = phaseZero();
         return overRows(
                 (row, real, imaginary) -> {
                     for (int column = 0; column < imaginary.length; column++) {
-                        imaginary[column] = phasePerMeter * (map.at(column, row) - phaseZero());
+                        imaginary[column] = phasePerMeter * (map.at(column, row) - zero);
                     }
                     // Replaces the phases by their sines.
                     UnitCircle.points(imaginary, real);
@@ -75,11 +79,12 @@ record SurfaceSums(HeightMap map, HeightLevels heights) {
     /** Returns exp(i k w h) of every distinct height: cosines, sines. */
     double[][] phases(double w, double wavelength) {
         double waveNumber = 2 * Math.PI / wavelength;
+        double zero = phaseZero();
         double[] levels = heights.levels();
         double[] cosines = new double[levels.length];
         double[] sines = new double[levels.length];
         for (int i = 0; i < levels.length; i++) {
-            sines[i] = waveNumber * w * (levels[i] - phaseZero());
+            sines[i] = waveNumber * w * (levels[i] - zero);
         }
         UnitCircle.points(sines, cosines);
         return new double[][] {cosines, sines};
