@@ -30,7 +30,10 @@ public record ScanFormat(String name, Reading<Boolean> check, Reading<List<ScanC
             new ScanFormat("Park Systems TIFF", TiffTagReaders::isPark, TiffTagReaders::park),
             new ScanFormat("Igor binary wave (.ibw)", BinaryHeaderReaders::isIgorWave, BinaryHeaderReaders::igorWave));
 
-    /** Fast test without exceptions for any content, or reader of a header, whose samples can be read while the file is open. */
+    /**
+     * Fast test whether a file has the format, which throws no exception for any content; or reader of the channels from its header, whose samples
+     * can be read while the file is open. The reader throws ScanException if the file cannot be used.
+     */
     @FunctionalInterface
     public interface Reading<T> {
         T read(ScanBytes file) throws IOException;

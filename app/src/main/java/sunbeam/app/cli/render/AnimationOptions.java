@@ -42,7 +42,7 @@ public final class AnimationOptions {
     record Sweep(double from, double to) {
         static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
 
-        /** Returns the angle of a frame, from 0. Whole turns leave out the last angle, the same as the first, to loop smoothly. */
+        /** Returns the angle of a frame, counted from 0. Whole turns leave out the last angle, the same as the first, to loop smoothly. */
         double at(int frame, int frames) {
             double turns = (to - from) / (2 * Math.PI);
             boolean whole = Math.abs(turns) > 0.5 && Math.abs(turns - Math.rint(turns)) < 1e-9;

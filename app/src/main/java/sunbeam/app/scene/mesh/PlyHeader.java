@@ -11,6 +11,7 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.scan.SampleType;
 import sunbeam.precompute.text.Quoted;
 
+/** Header of a PLY file, with its elements in the file's order. */
 record PlyHeader(Encoding encoding, List<Element> elements) {
     private static final int MOST_LINES = 1000;
     private static final int LONGEST_LINE = 1000;

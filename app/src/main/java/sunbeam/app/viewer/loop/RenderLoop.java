@@ -70,7 +70,10 @@ public final class RenderLoop implements AutoCloseable {
     /** Final picture of a state, and the time since all its tiles were resident. */
     public record Finished(ViewState state, Stage.Final picture, long nanoseconds) {}
 
-    /** @param news passes notifications to the listener, perhaps on another thread */
+    /**
+     * Creates a loop whose thread, once started, creates the stage by {@code opening}; {@code news} passes notifications to the listener, perhaps
+     * on another thread.
+     */
     public RenderLoop(Supplier<? extends Stage> opening, Consumer<Consumer<Listener>> news) {
         this(opening, news, System::nanoTime);
     }

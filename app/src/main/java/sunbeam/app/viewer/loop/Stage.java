@@ -17,6 +17,7 @@ public interface Stage extends AutoCloseable {
      *
      * @param divisor factor by which columns and rows are reduced, or (without color tables) the distance of diffraction samples in pixels
      * @param hasColors true if the picture shows diffracted light, not only the body
+     * @param exposure factor by which XYZ was multiplied for display
      * @param secondsToFinal estimated time of the final picture; 0 if unknown
      */
     record Preview(BufferedImage image, double divisor, boolean hasColors, double exposure, double secondsToFinal) {}
