@@ -147,9 +147,7 @@ final class PeriodModel {
         if (1 / found.low() - 1 / found.high() <= 2 * WIDEST * wave.length()) {
             return found;
         }
-        return straight || alone || prominence >= WITHOUT_LINES
-                ? found.probable("so uneven that this scan does not determine it to 10 %; use a larger one")
-                : vague.none(gloss + ", is too uneven for a grating");
+        return found.probable("so uneven that this scan does not determine it to 10 %; use a larger one");
     }
 
     /** Returns the share, 0..1, of the variance in means along the wave's straight lines. */

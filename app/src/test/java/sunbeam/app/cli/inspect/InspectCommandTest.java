@@ -2,15 +2,20 @@ package sunbeam.app.cli.inspect;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.SplittableRandom;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.app.cli.CommandLineFixture;
 import sunbeam.app.terminal.ExitCode;
 
@@ -68,6 +73,17 @@ final class InspectCommandTest extends CommandLineFixture {
         double pitch =
                 report.get("width_m").doubleValue() / report.get("columns").intValue();
         assertThat(pitch).isLessThan(95e-9);
+    }
+
+    /** Elaphe's ridges are uneven; each part holds ten or more. */
+    @ParameterizedTest
+    @ValueSource(strings = {"10um:40um,30um:60um", "5um:15um,5um:15um", "40um:60um,5um:25um"})
+    void partsOfASkinWithUnevenRidgesAreProbablyGratings(String part) {
+        Path skin = Path.of("..", "..", "shared", "patches", "elaphe.png").toAbsolutePath();
+        assumeTrue(Files.exists(skin), () -> "the measured patches are not there: " + skin);
+        assertSuccess(sunbeam(
+                "inspect " + skin + " --width 65um --max-height 375nm --crop " + part + " --output @sheet.png"));
+        assertThat(out.toString()).startsWith("Probably a grating of about 1.");
     }
 
     @Test

@@ -49,7 +49,7 @@ class PatchOptionsTest extends CommandLineFixture {
         Patch patch = load(standard);
         assertThat(patch.source()).contains("levelling plane", "edges blended");
         assertThat(ScanLimit.of(standard, patch).choices().get(MethodSettings.COHERENCE_LENGTH))
-                .isCloseTo(4e-6, within(1e-15));
+                .isEqualTo(patch.heights().width());
     }
 
     /** Three folders have a file of the same name. */
