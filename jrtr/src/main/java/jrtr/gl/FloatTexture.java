@@ -103,7 +103,7 @@ public final class FloatTexture extends Texture {
         upload(layer, texels.slice(), GL3.GL_FLOAT);
     }
 
-    /** As {@link #uploadLayer(int, FloatBuffer)}, from bit patterns of IEEE 754 binary16 floats, for a texture of those. */
+    /** Uploads a layer of a texture of 16-bit floats, from bit patterns of IEEE 754 binary16. */
     public void uploadLayer(int layer, ShortBuffer texels) {
         if (spec.format().bytesPerChannel != Short.BYTES) {
             throw new IllegalArgumentException("texture '" + label() + "' has floats of 32 bits, not of 16");

@@ -128,7 +128,7 @@ final class GlUniforms {
         return uniform;
     }
 
-    /** As {@link #find}; throws if the type is none of the given ones. */
+    /** Finds a uniform; throws if its type is none of the given ones. */
     Uniform findOfType(String name, String value, int... types) {
         Uniform uniform = find(name);
         if (uniform == null || IntStream.of(types).anyMatch(type -> type == uniform.type)) {

@@ -137,7 +137,7 @@ public final class ShaderProgram extends Resource {
         set(uniform, "float[]", values, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
     }
 
-    /** As with floats. */
+    /** Sets a uniform of integers, or an array of them. */
     public void set(String uniform, int[] values) {
         BiConsumer<GL3, GlUniforms.Uniform> setter = (gl, found) -> {
             int count = elements(found, values.length);

@@ -14,7 +14,7 @@ import sunbeam.precompute.text.Text;
 public final class PixelPicture {
     private static final int CHANNELS = 4;
 
-    // Of a channel's display light as a square root (about sRGB, 0 to 1), between samples that differ visibly. Half as
+    // Visible difference of two samples in a channel: square root of display light, 0 to 1. Half as
     // much changes pictures by a color difference of 0.02 in the mean.
     private static final double LEAST_DIFFERENCE = 0.12;
 

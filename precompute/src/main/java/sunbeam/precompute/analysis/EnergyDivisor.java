@@ -16,8 +16,8 @@ import sunbeam.precompute.text.Text;
 
 /**
  * Divisor of radiance that conserves energy: the light of all orders over that of a mirror of the same material, where it exceeds 1, by direction
- * of light and wavelength. It does not depend on the direction of view, so reciprocity is lost. Of a map with many orders, its middle
- * represents it. Thread-safe.
+ * of light and wavelength. It does not depend on the direction of view, so reciprocity is lost. The middle of a map
+ * with many orders represents it. Thread-safe.
  */
 public final class EnergyDivisor {
     private static final int LIGHTS = 24;

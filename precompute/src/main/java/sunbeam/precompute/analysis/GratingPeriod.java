@@ -59,7 +59,7 @@ public record GratingPeriod(
     private static final int FEWEST_SAMPLES = 12;
     // Meters; three of the shortest periods with colors under light from above.
     private static final double SHORTEST_SIDE = 3 * Verdict.VIOLET;
-    // Of periods: a scanner's axes differ in scale, too.
+    // Difference of alike periods: a scanner's axes differ in scale, too.
     private static final double ALIKE = 0.05;
     // Ratio of periods above which the longer one holds several lines.
     private static final double MANY_LINES = 2.5;

@@ -34,7 +34,7 @@ record TextFile(ScanBytes file, Charset charset, List<String> header, boolean de
     // Commas and points within a line of semicolons, or "1,024.5" before a blank.
     private static final Pattern THOUSANDS =
             Pattern.compile("(?m)^(?=[^;\n]*;)(?=[^.\n]*\\.)[^,\n]*,|(?<![\\d.,])\\d{1,3}(?:,\\d{3})+\\.\\d+[ \\t]");
-    // Of ESRI's ASCII grids.
+    // A key of ESRI's ASCII grids.
     private static final Pattern NO_DATA = Pattern.compile("(?i)\\s*nodata_value\\s+(\\S{1,30})\\s*");
 
     /** Recognizes a text by a line of numbers in its first 256 KB; an empty mark is detected. */

@@ -255,7 +255,7 @@ public final class ColorCommand extends FileCommand {
     }
 
     /**
-     * Returns the exposure for all surfaces; the automatic one is the geometric mean of theirs, so that a bright one leaves none black. Those
+     * Returns the exposure for all surfaces; the automatic one is the geometric mean of theirs, so that a bright one leaves none black. Surfaces
      * without color count only if none has any.
      */
     private double factor(ToDoubleFunction<List<LinearPicture>> exposed, List<SurfaceColors> surfaces) {

@@ -133,7 +133,7 @@ final class StageSessions implements AutoCloseable {
         private static final double SLOWEST = 2.5;
         private static final double NEWEST = 0.25;
 
-        // By scale; 0 before the first frame.
+        // Index: scale; 0 before the first frame.
         private final double[] recorded = new double[DIVISORS.length];
         private int scale;
         // Time of the last frame at the current scale, and running mean, in nanoseconds; 0 before the first.

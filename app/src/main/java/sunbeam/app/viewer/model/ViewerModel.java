@@ -25,7 +25,7 @@ public final class ViewerModel {
 
     @FunctionalInterface
     public interface Loading {
-        /** As {@link LoadedScene#load(sunbeam.app.render.SceneLoader, Scene, LoadedScene, DoubleConsumer)}. */
+        /** Calls {@link LoadedScene#load(sunbeam.app.render.SceneLoader, Scene, LoadedScene, DoubleConsumer)}. */
         LoadedScene load(Scene scene, LoadedScene previous, DoubleConsumer progress);
     }
 

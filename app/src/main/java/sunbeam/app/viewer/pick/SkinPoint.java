@@ -66,7 +66,7 @@ public record SkinPoint(Scene scene, Pick pick) {
                 (int) Math.floor(0.5 * width + perUnit * seen.x), (int) Math.floor(0.5 * height - perUnit * seen.y));
     }
 
-    /** As {@link #pixel}; empty if the skin faces away from the viewer or lies behind the camera. Occlusion is not tested. */
+    /** Returns {@link #pixel}; empty if the skin faces away from the viewer or lies behind the camera. Occlusion is not tested. */
     public Optional<Point> seen(int width, int height) {
         Vector3f seen = scene.view().camera().worldToCamera().transformPosition(pick.position(), new Vector3f());
         return seen.z < 0 && pick.wr().z() > 0 ? Optional.of(pixel(width, height)) : Optional.empty();
