@@ -2,7 +2,7 @@
 // the square roots of X, Y and Z; Lagrange's polynomial through SLICE_TAPS slices interpolates along w.
 
 // COLOR_SLICES: slices in w, 1 for a table of one light; COLOR_TILE_SIDE, COLOR_LAYER_SIDE: texels along the side of a tile and of an atlas
-// layer; COLOR_FILTER: cubicXyz or linearXyz.
+// layer; COLOR_FILTER: the function of Interpolation.shaderFunction.
 
 // Atlas of the filters' coefficients. A page holds a tile with a border along both axes: one texel before the tile, two after it.
 uniform sampler2DArray colorTexels;

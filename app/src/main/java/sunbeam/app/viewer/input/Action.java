@@ -21,7 +21,7 @@ import sunbeam.app.viewer.window.FileActions.Kind;
 import sunbeam.app.viewer.window.ScenePresenter.Overlay;
 import sunbeam.app.viewer.window.Viewer;
 
-/** Key actions. Menus, key bindings, help and the table in docs/viewer.md derive from this enum. */
+/** Key actions, from which menus, key bindings and help derive; HelpTest compares docs/viewer.md with them. */
 @SuppressWarnings("ImmutableEnumChecker") // rows of texts, and lambdas without state
 enum Action {
     TURN(
