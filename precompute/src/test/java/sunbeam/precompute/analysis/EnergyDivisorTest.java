@@ -107,6 +107,18 @@ class EnergyDivisorTest {
                 .isGreaterThanOrEqualTo(least);
     }
 
+    /** A part of three tracks would have orders of its own. */
+    @Test
+    void aPatchOfFewOrdersIsDividedAsAWhole() {
+        HeightMap three = Surfaces.sampled(300, 2, TRACK / 100, (column, row) -> column % 100 < 50 ? 0 : DEPTH);
+        HeightMap one = Surfaces.sampled(100, 2, TRACK / 100, (column, row) -> column < 50 ? 0 : DEPTH);
+        double expected = new EnergyDivisor(one, RefractiveIndex.KERATIN, SUNLIGHT).at(ABOVE, 720e-9);
+        assertThat(expected).isGreaterThan(1.3);
+        // The expansions of both err by 1e-6 rms.
+        assertThat(new EnergyDivisor(three, RefractiveIndex.KERATIN, SUNLIGHT).at(ABOVE, 720e-9))
+                .isCloseTo(expected, within(1e-5));
+    }
+
     @Test
     void aMirrorAndAShallowSurfaceAreNotDivided() {
         HeightMap mirror = Surfaces.of(16, 16, 100e-9, (x, y) -> 0);
