@@ -11,7 +11,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
-import sunbeam.app.viewer.ViewerStart;
+import sunbeam.app.viewer.Viewer;
 
 /** Command {@code view}: shows a scene in a window. */
 @Command(
@@ -63,9 +63,9 @@ public final class ViewCommand extends ReportingCommand {
         };
         Dimension pictureSize = size == null ? null : new Dimension(size.width(), size.height());
         if (measure == null) {
-            ViewerStart.show(first, environment(), warning, pictureSize);
+            Viewer.show(first, environment(), warning, pictureSize);
         } else {
-            out().println(ViewerStart.measure(first, environment(), warning, pictureSize, measure));
+            out().println(Viewer.measure(first, environment(), warning, pictureSize, measure));
         }
         return ExitCode.OK.code();
     }

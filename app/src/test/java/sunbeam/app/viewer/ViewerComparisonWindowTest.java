@@ -17,7 +17,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
 import sunbeam.app.scene.SceneMethod;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.viewer.picture.Divider;
+import sunbeam.app.viewer.components.Divider;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.plan.MethodSettings;
@@ -95,11 +95,11 @@ final class ViewerComparisonWindowTest extends ViewerInAWindow {
     }
 
     private BufferedImage shown() throws Exception {
-        return onEvents(() -> painted(viewer.window().picture()));
+        return onEvents(() -> painted(viewer.window.picture));
     }
 
     private Divider divider() {
-        return viewer.window().picture().divider();
+        return viewer.window.picture.divider();
     }
 
     private BufferedImage awaitOther() throws Exception {

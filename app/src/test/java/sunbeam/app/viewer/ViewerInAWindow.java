@@ -49,10 +49,9 @@ import sunbeam.app.scene.Weights;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.texture.Scales;
 import sunbeam.app.terminal.Environment;
-import sunbeam.app.viewer.pick.SkinPoint;
-import sunbeam.app.viewer.picture.PictureView;
-import sunbeam.app.viewer.window.ScenePresenter.Overlay;
-import sunbeam.app.viewer.window.Viewer;
+import sunbeam.app.viewer.ScenePresenter.Overlay;
+import sunbeam.app.viewer.components.PictureView;
+import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.patch.PatchRequest;
@@ -88,12 +87,12 @@ public abstract class ViewerInAWindow {
         robot = new Robot();
         robot.setAutoDelay(10);
         arrivals = new Arrivals();
-        viewer = ViewerStart.open(scene(), environment(), line -> {}, null);
+        viewer = Viewer.open(scene(), environment(), line -> {}, null);
         onEvents(() -> {
-            viewer.window().showPanel(true);
-            viewer.window().picture().hideHint();
-            viewer.window().setBounds(0, 0, 620, 420);
-            viewer.presenter().toggle(Overlay.MAP);
+            viewer.window.showPanel(true);
+            viewer.window.picture.hideHint();
+            viewer.window.setBounds(0, 0, 620, 420);
+            viewer.presenter.toggle(Overlay.MAP);
         });
         awaitFinal();
     }
@@ -137,7 +136,7 @@ public abstract class ViewerInAWindow {
 
     /** Moves the mouse to a point of the picture's middle row and returns it. */
     Point middle(int right) throws Exception {
-        PictureView view = viewer.window().picture();
+        PictureView view = viewer.window.picture;
         Point corner = onEvents(view::getLocationOnScreen);
         Point point = new Point(corner.x + view.getWidth() / 2 + right, corner.y + view.getHeight() / 2);
         robot.mouseMove(point.x, point.y);
@@ -147,18 +146,18 @@ public abstract class ViewerInAWindow {
     /** Picks the point of the skin in the picture's middle. */
     @SuppressWarnings("ReferenceEquality") // another click's point, though perhaps an equal one
     Pick doubleClick() throws Exception {
-        Optional<SkinPoint> before = onEvents(() -> viewer.inspector().point());
+        Optional<SkinPoint> before = onEvents(() -> viewer.inspector.point());
         // Far from the last click, or else this one is the third of a row.
         middle(-80);
         click(1);
         middle(0);
         click(2);
         awaitOnEvents(() -> {
-            Optional<SkinPoint> now = viewer.inspector().point();
+            Optional<SkinPoint> now = viewer.inspector.point();
             return now.isPresent() && (before.isEmpty() || now.get() != before.get());
         });
         awaitFinal();
-        return onEvents(() -> viewer.inspector().point().orElseThrow().pick());
+        return onEvents(() -> viewer.inspector.point().orElseThrow().pick());
     }
 
     void click(int times) throws Exception {
@@ -175,7 +174,7 @@ public abstract class ViewerInAWindow {
     }
 
     <T extends Component> T control(String name, Class<T> type) {
-        return Dialogs.find(viewer.window().controls(), type, control -> name.equals(control.getName()));
+        return Dialogs.find(viewer.window.controls, type, control -> name.equals(control.getName()));
     }
 
     Environment environment() {
@@ -198,7 +197,7 @@ public abstract class ViewerInAWindow {
 
     /** Waits until the picture has the focus, which it requests if there is no window manager. */
     void focus() throws Exception {
-        PictureView view = viewer.window().picture();
+        PictureView view = viewer.window.picture;
         awaitOnEvents(() -> {
             if (!view.isFocusOwner()) {
                 view.requestFocus();
@@ -238,7 +237,7 @@ public abstract class ViewerInAWindow {
 
     /** Returns the picture that the command render writes for the viewer's scene, saved as a file. */
     BufferedImage rendered(String name) throws Exception {
-        return rendered(name, onEvents(() -> viewer.model().scene()));
+        return rendered(name, onEvents(() -> viewer.model.scene()));
     }
 
     /** Returns the picture that the command render writes for a scene, in the viewer's size. */
@@ -264,23 +263,23 @@ public abstract class ViewerInAWindow {
         // Wait until the render loop has received the last change.
         robot.delay(100);
         awaitOnEvents(() -> {
-            PictureView view = viewer.window().picture();
+            PictureView view = viewer.window.picture;
             return view.isFinal()
-                    && viewer.presenter().isSettled()
+                    && viewer.presenter.isSettled()
                     && view.picture().orElseThrow().getWidth() == view.pictureWidth();
         });
     }
 
     void change(UnaryOperator<Scene> change) throws Exception {
-        onEvents(() -> viewer.model().change(change));
+        onEvents(() -> viewer.model.change(change));
     }
 
     Scene modelScene() throws Exception {
-        return onEvents(() -> viewer.model().scene());
+        return onEvents(() -> viewer.model.scene());
     }
 
     SceneData loaded() throws Exception {
-        return onEvents(() -> viewer.model().loaded().orElseThrow().firstPart());
+        return onEvents(() -> viewer.model.loaded().orElseThrow().firstPart());
     }
 
     void choose(String name, String label) throws Exception {
@@ -295,7 +294,7 @@ public abstract class ViewerInAWindow {
     }
 
     String message() throws Exception {
-        return onEvents(() -> viewer.window().status().text());
+        return onEvents(() -> viewer.window.status.text());
     }
 
     /** @param name a built-in patch or its file */
@@ -317,7 +316,7 @@ public abstract class ViewerInAWindow {
     }
 
     BufferedImage picture() throws Exception {
-        return onEvents(() -> viewer.window().picture().picture().orElseThrow());
+        return onEvents(() -> viewer.window.picture.picture().orElseThrow());
     }
 
     /** Work on the event thread that may throw. */

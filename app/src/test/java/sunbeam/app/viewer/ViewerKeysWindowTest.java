@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.viewer.picture.PictureView;
+import sunbeam.app.viewer.components.PictureView;
 import sunbeam.precompute.setting.Choices;
 
 @Tag("window")
@@ -102,7 +102,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
         awaitLightOther(first);
         arrivals.await(KeyEvent.KEY_RELEASED, 1, () -> robot.keyRelease(KeyEvent.VK_L));
         Vector3f right = seenLight();
-        PictureView view = viewer.window().picture();
+        PictureView view = viewer.window.picture;
         assertThat(azimuth(right) - azimuth(first))
                 .as("half a turn is the shorter side")
                 .isCloseTo(30 * Math.PI / Math.min(view.getWidth(), view.getHeight()), within(ROUNDING));
@@ -114,7 +114,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     @Test
     void turntableAndLightSweepPlayUntilTheirKeyIsPressedAgain() throws Exception {
         press(KeyEvent.VK_T);
-        await(() -> onEvents(() -> viewer.model().scene().orientation().angle()) > Math.toRadians(20));
+        await(() -> onEvents(() -> viewer.model.scene().orientation().angle()) > Math.toRadians(20));
         Scene turning = modelScene();
         assertThat(turning.orientation().transform(new Vector3f(0, 0, 1)).z).isCloseTo(1, within((float) ROUNDING));
         assertThat(button("TURNTABLE")).isTrue();
@@ -130,23 +130,23 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     }
 
     private boolean button(String name) throws Exception {
-        JMenuBar bar = viewer.window().getJMenuBar();
+        JMenuBar bar = viewer.window.getJMenuBar();
         return onEvents(() -> Dialogs.find(bar, JToggleButton.class, button -> name.equals(button.getName()))
                 .isSelected());
     }
 
     @Test
     void thePanelHidesAndThePictureFillsTheScreen() throws Exception {
-        int beside = onEvents(() -> viewer.window().picture().getWidth());
+        int beside = onEvents(() -> viewer.window.picture.getWidth());
         press(KeyEvent.VK_F9);
-        await(() -> onEvents(() -> viewer.window().picture().getWidth()) > beside + 300);
+        await(() -> onEvents(() -> viewer.window.picture.getWidth()) > beside + 300);
         press(KeyEvent.VK_F11);
         Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
-        await(() -> onEvents(() -> viewer.window().getSize()).equals(screen));
+        await(() -> onEvents(() -> viewer.window.getSize()).equals(screen));
         press(KeyEvent.VK_F11);
-        await(() -> onEvents(() -> viewer.window().getWidth()) == 620);
+        await(() -> onEvents(() -> viewer.window.getWidth()) == 620);
         press(KeyEvent.VK_F9);
-        await(() -> onEvents(() -> viewer.window().picture().getWidth()) == beside);
+        await(() -> onEvents(() -> viewer.window.picture.getWidth()) == beside);
     }
 
     @Test
@@ -169,7 +169,7 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
 
     private List<String> marked(String title) throws Exception {
         return onEvents(() -> {
-            JMenuBar bar = viewer.window().getJMenuBar();
+            JMenuBar bar = viewer.window.getJMenuBar();
             JMenu menu = Dialogs.find(
                     bar, JMenu.class, candidate -> candidate.getText().equals(title));
             menu.setSelected(true);
@@ -189,6 +189,6 @@ final class ViewerKeysWindowTest extends ViewerInAWindow {
     }
 
     private void awaitScene(Predicate<Scene> condition) throws Exception {
-        awaitOnEvents(() -> condition.test(viewer.model().scene()));
+        awaitOnEvents(() -> condition.test(viewer.model.scene()));
     }
 }

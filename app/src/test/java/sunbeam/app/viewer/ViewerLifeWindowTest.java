@@ -31,15 +31,12 @@ import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.viewer.ViewMeasurement.StartJournal;
+import sunbeam.app.viewer.components.MethodChoice;
+import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
-import sunbeam.app.viewer.panel.MethodChoice;
-import sunbeam.app.viewer.picture.PictureView;
-import sunbeam.app.viewer.window.RecentFiles;
-import sunbeam.app.viewer.window.ViewMeasurement.StartJournal;
-import sunbeam.app.viewer.window.Viewer;
-import sunbeam.app.viewer.window.ViewerWindow;
 import sunbeam.app.work.BackgroundTask;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
@@ -55,12 +52,13 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     throw new GraphicsException("no OpenGL 3.3 here");
                 },
                 () -> null);
-        assertThatThrownBy(blind::awaitPicture).hasMessageContaining("no OpenGL 3.3 here");
+        assertThatThrownBy(() -> new BackgroundTask<>(blind.presenter.firstPicture).get())
+                .hasMessageContaining("no OpenGL 3.3 here");
         onEvents(() -> {
-            JLabel label = (JLabel) blind.window().picture().getComponent(0);
+            JLabel label = (JLabel) blind.window.picture.getComponent(0);
             assertThat(label.isVisible()).isTrue();
             assertThat(label.getText()).contains("no OpenGL 3.3 here");
-            assertThat(Dialogs.all(blind.window().status(), JLabel.class))
+            assertThat(Dialogs.all(blind.window.status, JLabel.class))
                     .extracting(JLabel::getText)
                     .contains("No picture of this scene");
             blind.quit();
@@ -80,12 +78,12 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                 },
                 GraphicsStage::new,
                 shape::get);
-        PictureView view = early.window().picture();
+        PictureView view = early.window.picture;
         awaitOnEvents(() -> view.picture().isPresent());
         int[] body = onEvents(() -> Pictures.pixels(view.picture().orElseThrow()));
         // The white cylinder before the background, both of one color each but for the shading.
         assertThat(Arrays.stream(body).distinct().count()).isGreaterThan(8);
-        assertThat(early.model().loaded()).isEmpty();
+        assertThat(early.model.loaded()).isEmpty();
         patchMayLoad.complete(null);
         awaitOnEvents(view::isFinal);
         onEvents(early::quit);
@@ -125,10 +123,10 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     @Test
     void closedDuringAComputationItEndsAtTheNextTile() throws Exception {
         onEvents(() -> {
-            viewer.model().change(ViewerLifeWindowTest::costly);
-            viewer.window().setSize(1100, 800);
+            viewer.model.change(ViewerLifeWindowTest::costly);
+            viewer.window.setSize(1100, 800);
         });
-        await(() -> loaded().suits(modelScene()) && !viewer.window().picture().isFinal());
+        await(() -> loaded().suits(modelScene()) && !viewer.window.picture.isFinal());
         closeWindow();
         assertEnd();
     }
@@ -137,8 +135,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     void closedDuringALoadItEnds() throws Exception {
         Path patch = PatchFiles.descriptor(folder, "waves");
         onEvents(() -> {
-            viewer.files().loadPatch(patch);
-            viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING));
+            viewer.files.loadPatch(patch);
+            viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING));
         });
         assertEnd();
     }
@@ -147,7 +145,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     void whatWasToBeSavedIsSavedBeforeTheEnd() throws Exception {
         Path picture = folder.resolve("picture.png");
         onEvents(() -> {
-            viewer.files().savePicture(picture);
+            viewer.files.savePicture(picture);
             viewer.quit();
         });
         assertEnd();
@@ -194,7 +192,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
     }
 
     private void closeWindow() throws Exception {
-        onEvents(() -> viewer.window().dispatchEvent(new WindowEvent(viewer.window(), WindowEvent.WINDOW_CLOSING)));
+        onEvents(() -> viewer.window.dispatchEvent(new WindowEvent(viewer.window, WindowEvent.WINDOW_CLOSING)));
     }
 
     /** The program with a thread that closes the window before the first picture or during its refinement. */
@@ -217,8 +215,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     for (Window window : Window.getWindows()) {
                         if (window instanceof ViewerWindow viewer
                                 && viewer.isShowing()
-                                && viewer.picture().picture().isPresent() == hasPicture
-                                && !viewer.picture().isFinal()) {
+                                && viewer.picture.picture().isPresent() == hasPicture
+                                && !viewer.picture.isFinal()) {
                             System.out.println(CLOSING);
                             viewer.dispatchEvent(new WindowEvent(viewer, WindowEvent.WINDOW_CLOSING));
                             return true;

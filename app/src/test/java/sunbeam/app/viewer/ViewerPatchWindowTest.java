@@ -28,7 +28,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
     void aPatchIsLoadedAndThePictureFollows() throws Exception {
         BufferedImage before = picture();
-        int panelBefore = onEvents(() -> viewer.window().controls().getWidth());
+        int panelBefore = onEvents(() -> viewer.window.controls.getWidth());
         Path file = PatchFiles.descriptor(folder, "waves");
         load(file);
         awaitPatch(file.toString());
@@ -46,7 +46,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                 .isEqualTo(file.toString());
         assertThat(onEvents(() -> label("status").getText())).startsWith("Final");
         assertThat(isBusy()).isFalse();
-        assertThat(onEvents(() -> viewer.window().controls().getWidth()))
+        assertThat(onEvents(() -> viewer.window.controls.getWidth()))
                 .as("columns of the panel, whatever the file's name")
                 .isEqualTo(panelBefore);
     }
@@ -72,9 +72,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     private JLabel caption() {
         return Dialogs.find(
-                viewer.window().controls(),
-                JLabel.class,
-                label -> label.getText().startsWith("Patch"));
+                viewer.window.controls, JLabel.class, label -> label.getText().startsWith("Patch"));
     }
 
     @Test
@@ -98,14 +96,14 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     @Test
     void anImageIsAskedForItsScale() throws Exception {
         Path file = PatchFiles.image(folder, "waves.png");
-        SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
+        SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
         Dialogs.answer("Scale of waves.png", "Cancel");
         assertThat(modelScene()).isEqualTo(scene());
-        SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
+        SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
         Dialogs.answer("Scale of waves.png", "OK");
         awaitComplaint("is no length", "such as 65um");
         assertThat(modelScene()).isEqualTo(scene());
-        SwingUtilities.invokeLater(() -> viewer.files().loadPatch(file));
+        SwingUtilities.invokeLater(() -> viewer.files.loadPatch(file));
         Dialogs.type("Scale of waves.png", "2 um", "300 nm");
         Dialogs.answer("Scale of waves.png", "OK");
         awaitPatch(file.toString());
@@ -128,14 +126,14 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
 
     @Test
     void whileAPatchIsLoadedTheStatusNamesItAndTheOldPictureIsDimmedAndNotFinal() throws Exception {
-        int before = brightness(onEvents(() -> painted(viewer.window().picture())));
+        int before = brightness(onEvents(() -> painted(viewer.window.picture)));
         Path file = PatchFiles.descriptor(folder, "next");
         onEvents(() -> {
-            viewer.files().loadPatch(file);
+            viewer.files.loadPatch(file);
             // Nothing is loaded yet, since results come back on this thread.
             assertThat(label("status").getText()).startsWith("Loading next.json");
-            assertThat(viewer.window().picture().isFinal()).isFalse();
-            assertThat(brightness(painted(viewer.window().picture()))).isLessThan(before);
+            assertThat(viewer.window.picture.isFinal()).isFalse();
+            assertThat(brightness(painted(viewer.window.picture))).isLessThan(before);
         });
         awaitPatch(file.toString());
         awaitFinal();
@@ -149,11 +147,11 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     }
 
     private void load(Path file) throws Exception {
-        onEvents(() -> viewer.files().loadPatch(file));
+        onEvents(() -> viewer.files.loadPatch(file));
     }
 
     private JLabel label(String name) {
-        return Dialogs.find(viewer.window().status(), JLabel.class, label -> name.equals(label.getName()));
+        return Dialogs.find(viewer.window.status, JLabel.class, label -> name.equals(label.getName()));
     }
 
     private boolean isBusy() throws Exception {
@@ -164,10 +162,9 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
     void aSceneThatIsSavedAndLoadedAgainShowsTheSamePicture() throws Exception {
         Path patch = PatchFiles.descriptor(folder, "waves");
         onEvents(() -> {
-            viewer.files().loadPatch(patch);
-            viewer.model()
-                    .change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3))
-                            .with(SceneSettings.TEXTURE, "elaphe"));
+            viewer.files.loadPatch(patch);
+            viewer.model.change(scene -> scene.with(Choices.none().with(SceneSettings.ROTATE_PATCH, 0.3))
+                    .with(SceneSettings.TEXTURE, "elaphe"));
         });
         await(() -> loaded().suits(modelScene()));
         drag(InputEvent.BUTTON1_DOWN_MASK);
@@ -188,7 +185,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         assertThat(picture()).isNotSameAs(saved);
         assertThat(different(saved, picture(), false)).isZero();
         assertThat(message()).contains("loaded mine.json");
-        assertThat(onEvents(() -> viewer.files().recent())).containsExactly(folder.resolve("mine.json"));
+        assertThat(onEvents(() -> viewer.files.recent())).containsExactly(folder.resolve("mine.json"));
         Scene again = modelScene();
         press(KeyEvent.VK_RIGHT);
         await(() -> !loaded().scene().equals(again));
@@ -222,9 +219,9 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
                 .containsKeys("Scene", "Patch", "Method", "Size", "Exposure", "Parameters")
                 .containsEntry("Plan", loaded().method().summary())
                 .hasEntrySatisfying("Renderer", name -> assertThat(name).isNotBlank());
-        onEvents(() -> viewer.files().savePicture(folder.resolve("missing/picture.png")));
+        onEvents(() -> viewer.files.savePicture(folder.resolve("missing/picture.png")));
         await(() -> message().startsWith("cannot write"));
         assertThat(message()).contains("does not exist").doesNotContain("\n");
-        assertThat(onEvents(() -> viewer.window().picture().isFinal())).isTrue();
+        assertThat(onEvents(() -> viewer.window.picture.isFinal())).isTrue();
     }
 }

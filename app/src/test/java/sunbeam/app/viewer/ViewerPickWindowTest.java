@@ -17,9 +17,9 @@ import org.joml.Vector3fc;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.Pick;
-import sunbeam.app.viewer.pick.SkinPoint;
-import sunbeam.app.viewer.pick.SpectrumPlot;
-import sunbeam.app.viewer.window.ScenePresenter.Overlay;
+import sunbeam.app.viewer.ScenePresenter.Overlay;
+import sunbeam.app.viewer.components.SkinPoint;
+import sunbeam.app.viewer.components.SpectrumPlot;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.text.Text;
@@ -55,10 +55,10 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
 
     private void assertTheNumbersFitAWindowThatIsJustOpened() throws Exception {
         onEvents(() -> {
-            viewer.presenter().toggle(Overlay.MAP);
-            viewer.window().setSize(1180, 880);
-            viewer.window().validate();
-            JComponent panel = viewer.window().pick();
+            viewer.presenter.toggle(Overlay.MAP);
+            viewer.window.setSize(1180, 880);
+            viewer.window.validate();
+            JComponent panel = viewer.window.pick;
             assertThat(panel.getVisibleRect().getSize())
                     .as("what is seen without scrolling")
                     .isEqualTo(panel.getSize());
@@ -81,7 +81,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         await(() -> curvePixels(CURVE) > 100);
         BufferedImage spectrum = onEvents(() -> painted(plot()));
         assertTheNumbersAreCopied(text);
-        BufferedImage marked = onEvents(() -> painted(viewer.window().picture()));
+        BufferedImage marked = onEvents(() -> painted(viewer.window.picture));
         // The ring of the mark is six pixels around the point.
         int row = shown.getHeight() / 2;
         assertThat(marked.getSubimage(shown.getWidth() / 2 - 9, row - 9, 18, 18))
@@ -100,7 +100,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void assertASecondPointStandsBesideTheFirst() throws Exception {
-        SkinPoint first = onEvents(() -> viewer.inspector().point().orElseThrow());
+        SkinPoint first = onEvents(() -> viewer.inspector.point().orElseThrow());
         middle(-80);
         click(1);
         middle(24);
@@ -108,7 +108,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         click(2);
         robot.keyRelease(KeyEvent.VK_SHIFT);
         await(() -> curvePixels(SECOND_CURVE) > 20 && curvePixels(CURVE) > 100);
-        assertThat(onEvents(() -> viewer.inspector().points()))
+        assertThat(onEvents(() -> viewer.inspector.points()))
                 .hasSize(2)
                 .element(0)
                 .isEqualTo(first);
@@ -117,7 +117,7 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
         double expected = CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2, row))
                 .difference(CieLab.ofSrgb(shown.getRGB(shown.getWidth() / 2 + 24, row)));
         String words = Text.format("CIEDE2000 %.1f", expected);
-        awaitOnEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
+        awaitOnEvents(() -> Dialogs.all(viewer.window.pick, JLabel.class).stream()
                 .anyMatch(label -> label.getText().equals(words)));
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         await(() -> message().startsWith("copied both"));
@@ -133,15 +133,15 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private void assertTheNumbersAreCopied(String text) throws Exception {
-        BufferedImage before = screen(viewer.window().status());
+        BufferedImage before = screen(viewer.window.status);
         press(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
         await(() -> message().startsWith("copied"));
-        JComponent view = viewer.window().picture();
+        JComponent view = viewer.window.picture;
         awaitOnEvents(() -> Dialogs.all(view, JTextArea.class).get(0).getVisibleRect().height > 10);
         assertThat(onEvents(view::getHeight))
                 .as("the picture keeps its size")
                 .isEqualTo(picture().getHeight());
-        assertThat(different(before, screen(viewer.window().status()), false))
+        assertThat(different(before, screen(viewer.window.status), false))
                 .as("what is said covers nothing of the status line")
                 .isZero();
         String copied = copied();
@@ -152,18 +152,18 @@ final class ViewerPickWindowTest extends ViewerInAWindow {
     }
 
     private String panelText() throws Exception {
-        return onEvents(() ->
-                Dialogs.all(viewer.window().pick(), JTextArea.class).get(0).getText());
+        return onEvents(
+                () -> Dialogs.all(viewer.window.pick, JTextArea.class).get(0).getText());
     }
 
     private void awaitColor(int rgb) throws Exception {
         String words = Text.format("sRGB %d, %d, %d", rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255);
-        awaitOnEvents(() -> Dialogs.all(viewer.window().pick(), JLabel.class).stream()
+        awaitOnEvents(() -> Dialogs.all(viewer.window.pick, JLabel.class).stream()
                 .anyMatch(label -> label.getText().contains(words)));
     }
 
     private JComponent plot() {
-        return Dialogs.all(viewer.window().pick(), SpectrumPlot.class).get(0);
+        return Dialogs.all(viewer.window.pick, SpectrumPlot.class).get(0);
     }
 
     private long curvePixels(int color) throws Exception {

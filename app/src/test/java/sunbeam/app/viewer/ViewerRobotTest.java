@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Timeout;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
-import sunbeam.app.viewer.picture.PictureView;
-import sunbeam.app.viewer.window.ScenePresenter.Overlay;
+import sunbeam.app.viewer.ScenePresenter.Overlay;
+import sunbeam.app.viewer.components.PictureView;
 import sunbeam.precompute.method.FullMethod;
 import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.method.TableMethod;
@@ -52,7 +52,7 @@ final class ViewerRobotTest extends ViewerInAWindow {
                 assertNobodyBlocked();
             }
             if (random.nextBoolean()) {
-                onEvents(() -> viewer.window().setSize(700, 500));
+                onEvents(() -> viewer.window.setSize(700, 500));
                 // Other tests cover loads of minutes.
                 change(scene -> scene());
                 awaitFinal();
@@ -82,14 +82,14 @@ final class ViewerRobotTest extends ViewerInAWindow {
             case 6 -> {
                 int width = random.nextInt(1, 1100);
                 int height = random.nextInt(1, 900);
-                onEvents(() -> viewer.window().setSize(width, height));
+                onEvents(() -> viewer.window.setSize(width, height));
             }
             default -> {
                 int x = random.nextInt(400);
                 onEvents(() -> {
-                    viewer.inspector().pick(x, x, false);
+                    viewer.inspector.pick(x, x, false);
                     if (x % 4 == 0) {
-                        viewer.presenter().toggle(Overlay.MAP);
+                        viewer.presenter.toggle(Overlay.MAP);
                     }
                 });
             }
@@ -121,7 +121,7 @@ final class ViewerRobotTest extends ViewerInAWindow {
 
     private void post(int kind, int held, int x, int y, int button) throws Exception {
         onEvents(() -> {
-            PictureView view = viewer.window().picture();
+            PictureView view = viewer.window.picture;
             view.dispatchEvent(new MouseEvent(view, kind, System.currentTimeMillis(), held, x, y, 1, false, button));
         });
     }

@@ -14,8 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import sunbeam.app.render.TimedTiles;
 import sunbeam.app.scene.SceneLight;
-import sunbeam.app.viewer.window.ScenePresenter.Overlay;
-import sunbeam.app.viewer.window.Viewer;
+import sunbeam.app.viewer.ScenePresenter.Overlay;
 
 /** The viewer in a real window, driven by a robot; windows that are made small, hidden, minimized and large again. */
 @Tag("window")
@@ -66,28 +65,27 @@ final class ViewerWindowTest extends ViewerInAWindow {
     void aWindowOfNoSizeGoesOnAndComesBack() throws Exception {
         BufferedImage before = picture();
         resize(1, 1);
-        awaitOnEvents(() -> viewer.window().picture().pictureHeight() < 1);
+        awaitOnEvents(() -> viewer.window.picture.pictureHeight() < 1);
         moveLight();
         resize(620, 420);
         awaitFinal();
         BufferedImage after = picture();
-        assertThat(after.getWidth())
-                .isEqualTo(onEvents(() -> viewer.window().picture().getWidth()));
+        assertThat(after.getWidth()).isEqualTo(onEvents(() -> viewer.window.picture.getWidth()));
         assertThat(different(before, after, false)).as("the light has moved").isGreaterThan(500);
         assertThat(different(before, after, true)).isZero();
     }
 
     @Test
     void aNarrowWindowOpensWithoutThePanel() throws Exception {
-        Viewer narrow = ViewerStart.open(scene(), environment(), line -> {}, new Dimension(480, 320));
+        Viewer narrow = Viewer.open(scene(), environment(), line -> {}, new Dimension(480, 320));
         onEvents(() -> {
-            assertThat(narrow.window().isPanelShown()).isFalse();
-            assertThat(narrow.window().picture().getSize()).isEqualTo(new Dimension(480, 320));
-            narrow.window().setSize(700, 500);
+            assertThat(narrow.window.isPanelShown()).isFalse();
+            assertThat(narrow.window.picture.getSize()).isEqualTo(new Dimension(480, 320));
+            narrow.window.setSize(700, 500);
         });
-        await(() -> onEvents(() -> narrow.window().picture().getWidth()) > 600);
-        onEvents(() -> narrow.window().setSize(1180, 880));
-        awaitOnEvents(() -> narrow.window().isPanelShown());
+        await(() -> onEvents(() -> narrow.window.picture.getWidth()) > 600);
+        onEvents(() -> narrow.window.setSize(1180, 880));
+        awaitOnEvents(() -> narrow.window.isPanelShown());
         onEvents(() -> narrow.quit());
         narrow.awaitEnd(PATIENCE_MILLISECONDS);
     }
@@ -96,38 +94,38 @@ final class ViewerWindowTest extends ViewerInAWindow {
     void aHiddenWindowIsDrawnAnewWhenItComesBack() throws Exception {
         BufferedImage before = picture();
         onEvents(() -> {
-            viewer.window().setExtendedState(Frame.ICONIFIED);
-            viewer.window().setVisible(false);
+            viewer.window.setExtendedState(Frame.ICONIFIED);
+            viewer.window.setVisible(false);
         });
         moveLight();
         onEvents(() -> {
-            viewer.window().setExtendedState(Frame.NORMAL);
-            viewer.window().setVisible(true);
+            viewer.window.setExtendedState(Frame.NORMAL);
+            viewer.window.setVisible(true);
         });
         awaitFinal();
         BufferedImage after = picture();
         assertThat(different(before, after, false)).as("the light has moved").isGreaterThan(500);
-        await(() -> different(screen(viewer.window().picture()), after, false) == 0);
+        await(() -> different(screen(viewer.window.picture), after, false) == 0);
         toggleStrokes();
-        await(() -> different(screen(viewer.window().picture()), after, false) > 500);
+        await(() -> different(screen(viewer.window.picture), after, false) > 500);
         assertThat(different(picture(), after, false))
                 .as("what is saved has no strokes")
                 .isZero();
         toggleStrokes();
-        await(() -> different(screen(viewer.window().picture()), after, false) == 0);
+        await(() -> different(screen(viewer.window.picture), after, false) == 0);
         drag(InputEvent.BUTTON1_DOWN_MASK);
         awaitFinal();
         assertThat(different(after, picture(), true)).isPositive();
     }
 
     private void toggleStrokes() throws Exception {
-        onEvents(() -> viewer.presenter().toggle(Overlay.STROKES));
+        onEvents(() -> viewer.presenter.toggle(Overlay.STROKES));
     }
 
     private void resize(int width, int height) throws Exception {
         onEvents(() -> {
-            viewer.window().setMinimumSize(null);
-            viewer.window().setSize(width, height);
+            viewer.window.setMinimumSize(null);
+            viewer.window.setSize(width, height);
         });
     }
 

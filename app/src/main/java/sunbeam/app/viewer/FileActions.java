@@ -1,0 +1,268 @@
+package sunbeam.app.viewer;
+
+import java.awt.GridLayout;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+import javax.swing.TransferHandler;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import jrtr.VertexData.BoundingSphere;
+import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.files.output.PngWriter;
+import sunbeam.app.render.FrameText;
+import sunbeam.app.render.PixelSamples;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.scene.Scenes;
+import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.viewer.components.ControlOrigin;
+import sunbeam.app.viewer.loop.Stage;
+import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.model.Drags;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.precompute.patch.PatchLoader;
+import sunbeam.precompute.patch.PatchRequest;
+import sunbeam.precompute.patch.PatchSettings;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.Setting;
+import sunbeam.precompute.setting.SettingException;
+
+/** Actions that load and save files, off the event thread. */
+public final class FileActions {
+    public enum Kind {
+        SCENE("scene", "json"),
+        PATCH(
+                "patch (descriptor, image or scan)",
+                "json png jpg jpeg bmp gif tif tiff gwy gsf spm nid mi sur sdf npy x3p jpk ibw txt csv asc xyz"),
+        MESH("mesh", "obj ply glb gltf"),
+        TEXTURE("texture", "png jpg jpeg bmp gif"),
+        PICTURE("picture", "png");
+
+        private final String words;
+        private final String endings;
+
+        Kind(String words, String endings) {
+            this.words = words;
+            this.endings = endings;
+        }
+
+        private List<String> endings() {
+            return List.of(endings.split(" ", -1));
+        }
+
+        FileNameExtensionFilter filter() {
+            String first = endings().stream().limit(4).collect(Collectors.joining(", ."));
+            String more = endings().size() > 4 ? ", ..." : "";
+            return new FileNameExtensionFilter(words + " (." + first + more + ")", endings.split(" ", -1));
+        }
+    }
+
+    private final Viewer viewer;
+    private final ViewerWindow window;
+    private final ViewerModel model;
+    private final RecentFiles recent;
+    private Path folder = Path.of("").toAbsolutePath();
+    private Path pictureWaiting;
+
+    FileActions(Viewer viewer, RecentFiles recent) {
+        this.viewer = viewer;
+        this.recent = recent;
+        window = viewer.window;
+        model = viewer.model;
+        window.getRootPane().setTransferHandler(new Drop());
+    }
+
+    public void load(Kind kind) {
+        ask(kind, JFileChooser.OPEN_DIALOG).ifPresent(file -> load(kind, file));
+    }
+
+    private void load(Kind kind, Path file) {
+        if (kind != Kind.TEXTURE) {
+            run(Executors.callable(() -> recent.add(file)), added -> {});
+        }
+        switch (kind) {
+            case SCENE ->
+                run(
+                        () -> Scenes.read(file),
+                        scene -> viewer.open(scene, () -> window.status.message("loaded " + file.getFileName())));
+            case MESH ->
+                model.open(
+                        model.scene()
+                                .withMesh(MeshSource.of(file.toAbsolutePath().toString())),
+                        this::frameMesh);
+            case TEXTURE -> model.change(scene -> scene.with(SceneSettings.TEXTURE, file.toString()));
+            case PATCH, PICTURE -> loadPatch(file);
+        }
+    }
+
+    private void frameMesh() {
+        LoadedScene loaded = model.loaded().orElseThrow();
+        BoundingSphere bounds = loaded.firstPart().mesh().toVertexData().bounds();
+        model.amend(scene -> Drags.framed(scene, bounds));
+    }
+
+    /** Loads a scene, mesh or patch, by name (meshes) or content. */
+    public void load(Path file) {
+        if (MeshSource.isFile(file)) {
+            load(Kind.MESH, file);
+            return;
+        }
+        run(() -> Scenes.isScene(file), isScene -> load(isScene ? Kind.SCENE : Kind.PATCH, file));
+    }
+
+    public List<Path> recent() {
+        return recent.files();
+    }
+
+    public void loadPatch(Path file) {
+        if (!Files.exists(file)) {
+            window.status.message("cannot load " + file + ": there is no such file");
+            return;
+        }
+        try {
+            patch(file).ifPresent(request -> model.change(scene -> scene.withOwnPatch(request)));
+        } catch (SettingException failure) {
+            window.status.message(failure.getMessage());
+        }
+    }
+
+    /** A dialog asks for the scales of an image; empty if the user cancels it. Other files contain theirs. */
+    private Optional<PatchRequest> patch(Path file) {
+        Choices named = Choices.at(ControlOrigin.INSTANCE)
+                .with(PatchSettings.PATCH, file.toAbsolutePath().toString());
+        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".json") || PatchLoader.isScan(file)) {
+            return Optional.of(new PatchRequest(named));
+        }
+        JPanel form = new JPanel(new GridLayout(2, 2, 8, 6));
+        JTextField width = field(form, PatchSettings.WIDTH);
+        JTextField maxHeight = field(form, PatchSettings.MAX_HEIGHT);
+        if (!confirms(form, "Scale of " + file.getFileName(), JOptionPane.PLAIN_MESSAGE)) {
+            return Optional.empty();
+        }
+        Choices scales = named.parsed(PatchSettings.WIDTH, width.getText(), ControlOrigin.INSTANCE)
+                .parsed(PatchSettings.MAX_HEIGHT, maxHeight.getText(), ControlOrigin.INSTANCE);
+        return Optional.of(new PatchRequest(scales));
+    }
+
+    private boolean confirms(Object question, String title, int type) {
+        int answer = JOptionPane.showConfirmDialog(window, question, title, JOptionPane.OK_CANCEL_OPTION, type);
+        return answer == JOptionPane.OK_OPTION;
+    }
+
+    private static JTextField field(JPanel form, Setting<Double> setting) {
+        JTextField field = new JTextField(10);
+        field.setToolTipText(ControlOrigin.INSTANCE.tip(setting, ""));
+        form.add(new JLabel(ControlOrigin.INSTANCE.name(setting)));
+        form.add(field);
+        return field;
+    }
+
+    public void saveScene() {
+        Scene scene = model.scene();
+        ask(Kind.SCENE, JFileChooser.SAVE_DIALOG)
+                .ifPresent(file -> save(file, () -> SceneWriter.write(file, Overwrite.REPLACE, scene)));
+    }
+
+    public void savePicture() {
+        ask(Kind.PICTURE, JFileChooser.SAVE_DIALOG).ifPresent(this::savePicture);
+    }
+
+    public void savePicture(Path file) {
+        pictureWaiting = file;
+        window.status.message("the picture is saved once it is final");
+        writeWaiting();
+    }
+
+    void writeWaiting() {
+        if (pictureWaiting == null || !window.picture.isFinal()) {
+            return;
+        }
+        Path file = pictureWaiting;
+        pictureWaiting = null;
+        ViewState state = viewer.presenter.completed().state();
+        Stage.Final picture = viewer.presenter.completed().picture();
+        String renderer = viewer.presenter.renderer();
+        save(file, () -> {
+            Scene scene = state.firstPart().scene();
+            PixelSamples samples = PixelSamples.inWindow(scene.method(), state.width(), state.height());
+            FrameText text = new FrameText(state.scene().parts(), state.width(), state.height(), samples, "");
+            PngWriter.write(file, Overwrite.REPLACE, picture.image(), text.of(scene, picture.exposure(), renderer));
+        });
+    }
+
+    private void save(Path file, Runnable writing) {
+        run(Executors.callable(writing), done -> window.status.message("saved " + file));
+    }
+
+    private <T> void run(Callable<T> work, Consumer<T> done) {
+        viewer.writing.run(work, done, window.status::message);
+    }
+
+    private Optional<Path> ask(Kind kind, int dialog) {
+        boolean saves = dialog == JFileChooser.SAVE_DIALOG;
+        JFileChooser chooser = new JFileChooser(folder.toFile());
+        chooser.setDialogTitle((saves ? "Save " : "Load ") + kind.words);
+        chooser.setDialogType(dialog);
+        chooser.setFileFilter(kind.filter());
+        if (chooser.showDialog(window, saves ? "Save" : "Load") != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        Path file = chooser.getSelectedFile().toPath().toAbsolutePath();
+        folder = file.getParent();
+        String name = file.getFileName().toString();
+        Path target = saves && !name.contains(".")
+                ? file.resolveSibling(name + "." + kind.endings().get(0))
+                : file;
+        String question = target.getFileName() + " exists. Replace it?";
+        boolean mayUse =
+                !saves || !Files.exists(target) || confirms(question, "Replace file", JOptionPane.QUESTION_MESSAGE);
+        return mayUse ? Optional.of(target) : Optional.empty();
+    }
+
+    private final class Drop extends TransferHandler {
+        @Override
+        public boolean canImport(TransferSupport support) {
+            if (support.isDrop()) {
+                if ((support.getSourceDropActions() & COPY) == 0) {
+                    return false;
+                }
+                // Force a copy: a source that moves files would delete the file afterwards.
+                support.setDropAction(COPY);
+            }
+            return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public boolean importData(TransferSupport support) {
+            try {
+                Object data = support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
+                if (data instanceof List<?> files && !files.isEmpty() && files.get(0) instanceof File file) {
+                    // The drag's source waits for this method, and loading may open a dialog.
+                    SwingUtilities.invokeLater(() -> load(file.toPath()));
+                    return true;
+                }
+            } catch (UnsupportedFlavorException | IOException failure) {
+                window.status.message("the dropped file cannot be read: " + failure.getMessage());
+            }
+            return false;
+        }
+    }
+}

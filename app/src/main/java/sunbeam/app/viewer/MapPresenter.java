@@ -1,0 +1,112 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+import sunbeam.app.render.SceneData;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.components.MapView;
+import sunbeam.app.viewer.components.MapView.GratingOrders;
+import sunbeam.app.viewer.components.SkinPoint;
+import sunbeam.precompute.analysis.GratingPeriod;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.patch.Patch;
+
+/** Presenter of the BRDF map for the picked point, or, if none is picked, for a skin that faces the viewer. On the event thread only. */
+final class MapPresenter {
+    // Lowest z of the unit vector to the light, about 0.6 degrees above the horizon; below, the radiance vanishes.
+    private static final double LOWEST_LIGHT = 0.01;
+
+    private final Viewer viewer;
+    private final MapView view;
+    private Optional<Direction> light = Optional.empty();
+    private Patch patch;
+    private Optional<GratingPeriod> period = Optional.empty();
+
+    MapPresenter(Viewer viewer) {
+        this.viewer = viewer;
+        view = viewer.window.map;
+    }
+
+    int region() {
+        return viewer.inspector.point().map(point -> point.pick().region()).orElse(0);
+    }
+
+    /**
+     * Marks the map as outdated by the newest scene. Returns the direction to the light in the map's tangent frame; empty if the light is
+     * behind the skin.
+     */
+    Optional<Direction> follow() {
+        Optional<SkinPoint> picked = viewer.inspector.point();
+        Scene scene = viewer.model.scene();
+        Vector3fc toLight = scene.light().towards();
+        // In camera space: +x right, +y up, +z to the viewer.
+        Vector3f seen = scene.view().camera().worldToCamera().transformDirection(toLight, new Vector3f());
+        Direction towards =
+                picked.map(point -> point.light(toLight)).orElseGet(() -> new Direction(seen.x, seen.y, seen.z));
+        if (towards.z() < LOWEST_LIGHT) {
+            view.clear("the light is behind the skin here");
+            return Optional.empty();
+        }
+        view.newest(false);
+        view.mark(
+                picked.map(point -> point.pick().wr()),
+                picked.isPresent() ? "BRDF at the picked point" : "BRDF of a skin that faces you");
+        return Optional.of(towards);
+    }
+
+    void show(BufferedImage image, Optional<Direction> towards, boolean isNewest) {
+        light = towards;
+        view.show(image);
+        markOrders();
+        if (isNewest) {
+            view.newest(true);
+            findPeriod();
+        }
+    }
+
+    private Optional<Patch> wantedPatch() {
+        return viewer.model.loaded().stream()
+                .flatMap(loaded -> loaded.ofRegion(region()).stream())
+                .findFirst()
+                .map(SceneData::patch);
+    }
+
+    /** Searches the period of the map's patch in the background, which takes seconds for a scan. */
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    private void findPeriod() {
+        Patch wanted = wantedPatch().orElse(null);
+        if (wanted == null || wanted == patch) {
+            return;
+        }
+        patch = wanted;
+        period = Optional.empty();
+        viewer.measuring.run(
+                () -> GratingPeriod.of(wanted),
+                found -> {
+                    if (patch == wanted) {
+                        period = Optional.of(found);
+                        markOrders();
+                    }
+                },
+                viewer.window.status::message);
+    }
+
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    private void markOrders() {
+        Optional<GratingPeriod> known =
+                wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);
+        List<GratingOrders> orders = known.filter(GratingPeriod::isSeen).stream()
+                .flatMap(found -> Stream.concat(Stream.of(found.wave()), found.others().stream()))
+                .flatMap(wave -> light.map(towards -> new GratingOrders(wave, towards)).stream())
+                .toList();
+        String words = known.map(found -> found.isSeen()
+                        ? "The period is " + found.estimate() + "."
+                        : "No orders are marked: " + found.reason() + ".")
+                .orElse("");
+        view.orders(orders, words);
+    }
+}

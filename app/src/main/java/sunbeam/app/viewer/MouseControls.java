@@ -1,0 +1,241 @@
+package sunbeam.app.viewer;
+
+import java.awt.Cursor;
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.BiPredicate;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
+import org.joml.Vector3f;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.Help.Group;
+import sunbeam.app.viewer.components.PictureView;
+import sunbeam.app.viewer.components.SkinPoint;
+import sunbeam.app.viewer.model.Drags;
+import sunbeam.app.viewer.model.ViewerModel;
+
+/** Mouse listener that applies the {@link Gesture}s to the scene. */
+public final class MouseControls extends MouseAdapter {
+    /** Mouse actions; handling, help and docs/viewer.md derive from this enum. The first constant that fits an event handles it. */
+    @SuppressWarnings("ImmutableEnumChecker") // rows of texts, and lambdas without state
+    enum Gesture {
+        DIVIDE(
+                new Help(Group.SKIN, "drag of the line between two methods", "moves it"),
+                (view, event) -> isDrag(event) && view.divider().isGrabbed(),
+                MouseControls::divide),
+        TURN(
+                new Help(
+                        Group.LIGHT,
+                        "left drag",
+                        "turns the model about the point under the pointer; what stands upright stays so"),
+                (view, event) -> isLeftDrag(event, 0),
+                MouseControls::turn),
+        ROLL(
+                new Help(Group.LIGHT, "Ctrl + Shift + left drag", "rolls the model"),
+                (view, event) -> isLeftDrag(event, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK),
+                MouseControls::roll),
+        LIGHT(
+                new Help(Group.LIGHT, "right drag, Shift + left drag", "moves the light"),
+                (view, event) -> (isDrag(event) && SwingUtilities.isRightMouseButton(event))
+                        || isLeftDrag(event, InputEvent.SHIFT_DOWN_MASK)
+                        || (event.getID() == MouseEvent.MOUSE_MOVED && view.isLightHeld()),
+                MouseControls::moveLight),
+        PAN(
+                new Help(Group.CAMERA, "middle drag, Ctrl + left drag", "pans"),
+                (view, event) -> (isDrag(event) && SwingUtilities.isMiddleMouseButton(event))
+                        || isLeftDrag(event, InputEvent.CTRL_DOWN_MASK),
+                MouseControls::pan),
+        ZOOM(
+                new Help(Group.CAMERA, "wheel", "zooms to the pointer"),
+                (view, event) -> event instanceof MouseWheelEvent,
+                MouseControls::zoom),
+        PICK_BESIDE(
+                new Help(Group.SKIN, "Shift + double click on the skin", "picks a second point beside it"),
+                (view, event) -> isDoubleClick(event) && event.isShiftDown(),
+                MouseControls::pick),
+        PICK(
+                new Help(Group.SKIN, "double click on the skin", "picks the point"),
+                (view, event) -> isDoubleClick(event),
+                MouseControls::pick);
+
+        final Help help;
+        private final transient BiPredicate<PictureView, MouseEvent> fits;
+        private final transient BiConsumer<MouseControls, MouseEvent> effect;
+
+        Gesture(Help help, BiPredicate<PictureView, MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> effect) {
+            this.help = help;
+            this.fits = fits;
+            this.effect = effect;
+        }
+
+        private static boolean isDrag(MouseEvent event) {
+            return event.getID() == MouseEvent.MOUSE_DRAGGED;
+        }
+
+        /** @param keys masks of the keys that are held, of Ctrl and Shift */
+        private static boolean isLeftDrag(MouseEvent event, int keys) {
+            int held = event.getModifiersEx() & (InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
+            return isDrag(event) && SwingUtilities.isLeftMouseButton(event) && held == keys;
+        }
+
+        private static boolean isDoubleClick(MouseEvent event) {
+            return event.getID() == MouseEvent.MOUSE_CLICKED
+                    && event.getClickCount() == 2
+                    && SwingUtilities.isLeftMouseButton(event);
+        }
+    }
+
+    private static final double ZOOM_STEP = 1.1;
+
+    private final Viewer viewer;
+    private final PictureView view;
+    private final ViewerModel model;
+    private Point last;
+    private Optional<SkinPoint> held = Optional.empty();
+    private int presses;
+
+    private MouseControls(Viewer viewer) {
+        this.viewer = viewer;
+        view = viewer.window.picture;
+        model = viewer.model;
+    }
+
+    public static void install(Viewer viewer) {
+        MouseControls controls = new MouseControls(viewer);
+        controls.view.addMouseListener(controls);
+        controls.view.addMouseMotionListener(controls);
+        controls.view.addMouseWheelListener(controls);
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        view.requestFocusInWindow();
+        last = event.getPoint();
+        view.divider().grab(isAtDivider(event));
+        held = Optional.empty();
+        int press = ++presses;
+        Point pixel = pixel(event);
+        viewer.inspector.locate(pixel.x, pixel.y, found -> held = press == presses ? found : held);
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        if (last != null) {
+            act(event);
+        }
+        last = event.getPoint();
+        view.setCursor(Cursor.getPredefinedCursor(isAtDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
+    }
+
+    private boolean isAtDivider(MouseEvent event) {
+        return view.divider().isAt(event.getX(), view.getWidth());
+    }
+
+    private void divide(MouseEvent event) {
+        view.divider().move((double) event.getX() / view.getWidth());
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent event) {
+        act(event);
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        act(event);
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        if (last != null) {
+            view.hideHint();
+            act(event);
+            last = event.getPoint();
+        }
+    }
+
+    private void act(MouseEvent event) {
+        if (view.getWidth() > 0 && view.getHeight() > 0) {
+            Stream.of(Gesture.values())
+                    .filter(gesture -> gesture.fits.test(view, event))
+                    .findFirst()
+                    .ifPresent(gesture -> gesture.effect.accept(this, event));
+        }
+    }
+
+    private Point pixel(MouseEvent event) {
+        double scale = view.pixelScale();
+        return new Point((int) (event.getX() * scale), (int) (event.getY() * scale));
+    }
+
+    private void pick(MouseEvent event) {
+        Point pixel = pixel(event);
+        viewer.inspector.pick(pixel.x, pixel.y, event.isShiftDown());
+    }
+
+    private void zoom(MouseEvent event) {
+        held = Optional.empty();
+        double factor = Math.pow(ZOOM_STEP, ((MouseWheelEvent) event).getPreciseWheelRotation());
+        int width = view.getWidth();
+        int height = view.getHeight();
+        double right = (event.getX() - 0.5 * width) / height;
+        double up = 0.5 - (double) event.getY() / height;
+        model.change(scene -> Drags.zoomed(scene, factor, right, up, width, height));
+    }
+
+    private void pan(MouseEvent event) {
+        double right = (double) (event.getX() - last.x) / view.getHeight();
+        double up = (double) (last.y - event.getY()) / view.getHeight();
+        model.change(scene -> Drags.panned(scene, right, up, view.getWidth(), view.getHeight()));
+    }
+
+    private void turn(MouseEvent event) {
+        orient(scene -> Drags.turned(scene, right(event), up(event)));
+    }
+
+    private void roll(MouseEvent event) {
+        double angle = angle(event.getPoint()) - angle(last);
+        orient(scene -> Drags.rolled(scene, angle));
+    }
+
+    /** Applies a change of orientation and moves the camera so that the grabbed point stays at its pixel. */
+    private void orient(UnaryOperator<Scene> change) {
+        viewer.player.stop();
+        model.change(scene -> {
+            Scene turned = change.apply(scene);
+            if (held.isEmpty()) {
+                return turned;
+            }
+            SkinPoint point = held.get();
+            Vector3f moved = new Vector3f(point.in(turned).pick().position());
+            return Drags.shifted(
+                    turned.withView(point.scene().view()),
+                    moved.sub(point.pick().position()),
+                    1);
+        });
+    }
+
+    private void moveLight(MouseEvent event) {
+        model.change(scene -> Drags.lit(scene, right(event), up(event)));
+    }
+
+    /** Returns the angle of the last move to the right; the view's shorter side is half a turn. */
+    private double right(MouseEvent event) {
+        return (event.getX() - last.x) * Math.PI / Math.min(view.getWidth(), view.getHeight());
+    }
+
+    private double up(MouseEvent event) {
+        return (last.y - event.getY()) * Math.PI / Math.min(view.getWidth(), view.getHeight());
+    }
+
+    /** Returns a point's angle around the picture's center, counterclockwise, radians. */
+    private double angle(Point point) {
+        return Math.atan2(0.5 * view.getHeight() - point.y, point.x - 0.5 * view.getWidth());
+    }
+}

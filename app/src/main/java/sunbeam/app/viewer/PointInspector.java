@@ -1,0 +1,203 @@
+package sunbeam.app.viewer;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import org.joml.Vector3fc;
+import sunbeam.app.render.SceneData;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.components.PickPanel;
+import sunbeam.app.viewer.components.PictureView;
+import sunbeam.app.viewer.components.SkinPoint;
+import sunbeam.app.viewer.components.SpectrumPlot;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.precompute.optics.Direction;
+import sunbeam.precompute.optics.DirectionPair;
+import sunbeam.precompute.plan.Average;
+import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.reference.ReferenceEvaluator;
+
+/** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
+public final class PointInspector {
+    private final Viewer viewer;
+    private final PictureView picture;
+    private final PickPanel panel;
+    // At most {@link PickPanel#MOST}, in the panel's order.
+    private final List<Inspected> picks = new ArrayList<>();
+
+    private static final class Inspected {
+        private SkinPoint point;
+        // Inputs (see spectrumInputs()) of the spectrum requested last and of the displayed one; empty for none.
+        private volatile List<Object> requestedInputs = List.of();
+        private List<Object> displayedInputs = List.of();
+
+        Inspected(SkinPoint point) {
+            this.point = point;
+        }
+    }
+
+    PointInspector(Viewer viewer) {
+        this.viewer = viewer;
+        picture = viewer.window.picture;
+        panel = viewer.window.pick;
+    }
+
+    public Optional<SkinPoint> point() {
+        return points().stream().findFirst();
+    }
+
+    public List<SkinPoint> points() {
+        return picks.stream().map(pick -> pick.point).toList();
+    }
+
+    /** Finds the point under a pixel of the picture; passes it, or empty, on the event thread. */
+    public void locate(int x, int y, Consumer<Optional<SkinPoint>> found) {
+        int width = picture.pictureWidth();
+        int height = picture.pictureHeight();
+        if (viewer.model.loaded().isEmpty() || !new Rectangle(width, height).contains(x, y)) {
+            return;
+        }
+        Scene scene = viewer.model.loaded().get().firstPart().scene();
+        viewer.loop.submit(stage -> {
+            Optional<SkinPoint> located = stage.pick(x, y, width, height).map(skin -> new SkinPoint(scene, skin));
+            SwingUtilities.invokeLater(() -> found.accept(located));
+        });
+    }
+
+    /** Picks the point under a pixel as the first or, beside it, as the second one; a pixel without skin removes it. */
+    public void pick(int x, int y, boolean isBeside) {
+        locate(x, y, located -> {
+            keepFirst(isBeside ? Math.min(1, picks.size()) : 0);
+            located.map(Inspected::new).ifPresent(picks::add);
+            viewer.presenter.show();
+            measure();
+        });
+    }
+
+    private void keepFirst(int count) {
+        stop();
+        picks.subList(count, picks.size()).clear();
+        for (int i = count; i < PickPanel.MOST; i++) {
+            panel.clear(i);
+        }
+        mark();
+    }
+
+    private void mark() {
+        picture.mark(picks.stream()
+                .map(pick -> pick.point.seen(picture.pictureWidth(), picture.pictureHeight()))
+                .toList());
+    }
+
+    /** Removes all points if the mesh has changed; otherwise moves them with the model and dims spectra of other inputs. */
+    public void follow(Scene scene) {
+        if (picks.stream().anyMatch(pick -> !pick.point.staysIn(scene))) {
+            keepFirst(0);
+            return;
+        }
+        for (int i = 0; i < picks.size(); i++) {
+            Inspected pick = picks.get(i);
+            pick.point = pick.point.in(scene);
+            List<Object> inputs = spectrumInputs(pick.point, scene);
+            if (!inputs.equals(pick.requestedInputs)) {
+                pick.requestedInputs = List.of(); // discards the running computation
+                panel.plot().await(i, false);
+            }
+            panel.outdate(i, !inputs.equals(pick.displayedInputs));
+        }
+        mark();
+    }
+
+    public void showAngles(Vector3fc towards) {
+        for (int i = 0; i < picks.size(); i++) {
+            SkinPoint found = picks.get(i).point;
+            panel.show(i, found.describe(towards, picture.pictureWidth(), picture.pictureHeight()));
+        }
+    }
+
+    private static List<Object> spectrumInputs(SkinPoint found, Scene scene) {
+        return List.of(found.pick(), scene.light().towards(), scene.patches(), scene.method());
+    }
+
+    /** Shows the points' colors in the final picture and requests their spectra for the scene's light. */
+    public void measure() {
+        viewer.model.loaded().ifPresent(loaded -> {
+            for (int i = 0; i < picks.size(); i++) {
+                measure(i, picks.get(i), loaded);
+            }
+        });
+    }
+
+    private void measure(int index, Inspected pick, LoadedScene loaded) {
+        SkinPoint measured = pick.point;
+        SceneData data = loaded.ofRegion(measured.pick().region()).get(0);
+        Point pixel = measured.pixel(picture.pictureWidth(), picture.pictureHeight());
+        picture.color(pixel.x, pixel.y).ifPresent(color -> panel.showColor(index, color));
+        List<Object> inputs = spectrumInputs(measured, data.scene());
+        if (inputs.equals(pick.requestedInputs)) {
+            return;
+        }
+        pick.requestedInputs = inputs;
+        panel.plot().await(index, true);
+        Direction wi = measured.light(data.scene().light().towards());
+        Direction wr = measured.pick().wr();
+        viewer.measuring.run(
+                () -> wi.z() > 0 && wr.z() > 0
+                        ? spectrum(data, new DirectionPair(wi, wr), () -> !inputs.equals(pick.requestedInputs))
+                        : new double[0],
+                powers -> {
+                    if (inputs.equals(pick.requestedInputs)) {
+                        pick.displayedInputs = inputs;
+                        panel.plot().show(index, powers);
+                    }
+                },
+                problem -> {
+                    if (inputs.equals(pick.requestedInputs)) {
+                        panel.plot().await(index, false);
+                    }
+                    viewer.window.status.message(problem);
+                });
+    }
+
+    /**
+     * Returns powers relative to a mirror at the plot's wavelengths, by direct summation over the height samples, without color table or
+     * series expansion; an empty array once {@code outdated} is true.
+     */
+    private static double[] spectrum(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
+        GaussianArea area = data.scene().method().seeing(data.patch()).area();
+        ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
+        boolean coherent = area.average() == Average.COHERENT;
+        double[] powers = new double[SpectrumPlot.COUNT];
+        for (int i = 0; i < powers.length; i++) {
+            if (outdated.getAsBoolean()) {
+                return new double[0];
+            }
+            double wavelength = SpectrumPlot.wavelength(i);
+            powers[i] = coherent
+                    ? reference.coherent(pair, wavelength)
+                    : reference.powers(pair, wavelength).ensemble();
+        }
+        return powers;
+    }
+
+    public void copy() {
+        if (picks.isEmpty()) {
+            viewer.window.status.message("nothing to copy: double-click the skin to pick a point");
+            return;
+        }
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(panel.numbers()), null);
+        viewer.window.status.message(
+                picks.size() > 1 ? "copied both points' numbers" : "copied the picked point's numbers");
+    }
+
+    public void stop() {
+        picks.forEach(pick -> pick.requestedInputs = List.of());
+    }
+}

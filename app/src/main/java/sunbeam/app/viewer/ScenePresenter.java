@@ -1,0 +1,309 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import javax.swing.SwingUtilities;
+import jrtr.GraphicsException;
+import jrtr.gl.RenderContext.ContextInfo;
+import sunbeam.app.render.LightCone;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.viewer.loop.RenderLoop;
+import sunbeam.app.viewer.loop.Stage;
+import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
+
+/** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
+public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
+    public enum Overlay {
+        CONE,
+        STROKES,
+        MAP
+    }
+
+    private final Viewer viewer;
+    private final ViewerModel model;
+    private final ViewerWindow window;
+    private final SplitViewPresenter splitView;
+    private final MapPresenter map;
+    // Both complete exceptionally if there will be no picture.
+    final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
+    final CompletableFuture<Void> finalPicture = new CompletableFuture<>();
+    private final Set<Overlay> overlays = EnumSet.of(Overlay.MAP);
+    private Optional<ViewMeasurement> measurement = Optional.empty();
+    // Number of the newest request for strokes; results of older requests are discarded.
+    private long newestStrokes;
+    private boolean failed;
+    private String renderer = "";
+    private ViewState requested;
+    private ViewState shown;
+    private RenderLoop.Finished completed;
+    private double loadedShare;
+
+    ScenePresenter(Viewer viewer, ViewerModel.Loading loading) {
+        this.viewer = viewer;
+        model = viewer.model;
+        window = viewer.window;
+        splitView = new SplitViewPresenter(viewer, loading);
+        map = new MapPresenter(viewer);
+    }
+
+    void noPicture(String why) {
+        firstPicture.completeExceptionally(new GraphicsException(why));
+        finalPicture.completeExceptionally(new GraphicsException(why));
+    }
+
+    void observe(Optional<ViewMeasurement> value) {
+        measurement = value;
+    }
+
+    /** True if the newest requested state's final picture is on screen. */
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    public boolean isSettled() {
+        return completed != null && completed.state() == requested;
+    }
+
+    /** Returns the last final picture, or null. */
+    RenderLoop.Finished completed() {
+        return completed;
+    }
+
+    String renderer() {
+        return renderer;
+    }
+
+    public boolean shows(Overlay overlay) {
+        return overlays.contains(overlay);
+    }
+
+    public void toggle(Overlay overlay) {
+        if (!overlays.remove(overlay)) {
+            overlays.add(overlay);
+        }
+        switch (overlay) {
+            case CONE -> followLight();
+            case STROKES -> {
+                removeStrokes();
+                if (isSettled()) {
+                    requestStrokes();
+                }
+            }
+            case MAP -> {
+                window.map.setVisible(shows(Overlay.MAP));
+                show();
+            }
+        }
+    }
+
+    private void removeStrokes() {
+        newestStrokes++;
+        window.picture.showStrokes(Optional.empty());
+    }
+
+    private void requestStrokes() {
+        if (!shows(Overlay.STROKES)) {
+            return;
+        }
+        long number = ++newestStrokes;
+        int width = window.picture.pictureWidth();
+        int height = window.picture.pictureHeight();
+        viewer.loop.submit(stage -> {
+            BufferedImage strokes = stage.strokes(width, height);
+            SwingUtilities.invokeLater(() -> {
+                if (number == newestStrokes) {
+                    window.picture.showStrokes(Optional.of(strokes));
+                }
+            });
+        });
+    }
+
+    static String title(Scene scene) {
+        String own = scene.get(SceneSettings.TITLE);
+        return own.isBlank() ? "Sunbeam" : own + " - Sunbeam";
+    }
+
+    void show() {
+        viewer.inspector.follow(model.scene());
+        followLight();
+        int width = window.picture.pictureWidth();
+        int height = window.picture.pictureHeight();
+        if (failed || width < 1 || height < 1 || model.loaded().isEmpty()) {
+            return;
+        }
+        LoadedScene loaded = model.loaded().get();
+        requested = new ViewState(
+                loaded, width, height, shows(Overlay.MAP) ? map.follow() : Optional.empty(), map.region(), false);
+        splitView.outdated();
+        window.picture.outdated();
+        removeStrokes();
+        window.status.outdated();
+        measurement.ifPresent(measured -> measured.requested(requested));
+        viewer.loop.show(requested);
+    }
+
+    /** Dims the picture and shows what loads while the newest scene's mesh, patches or method are not on screen. */
+    private void followLoad() {
+        if (failed) {
+            return;
+        }
+        boolean old = shown == null || !shown.firstPart().suits(model.scene());
+        window.picture.dim(old && shown != null);
+        if (old) {
+            window.status.loading(
+                    Optional.ofNullable(shown).map(state -> state.firstPart().scene()), model.scene(), loadedShare);
+        } else {
+            window.status.loaded();
+        }
+    }
+
+    private void followLight() {
+        window.picture.showCone(shows(Overlay.CONE) ? Optional.of(LightCone.of(model.scene())) : Optional.empty());
+        viewer.inspector.showAngles(model.scene().light().towards());
+    }
+
+    @Override
+    public void changed() {
+        window.controls.follow();
+        window.setTitle(title(model.scene()));
+        model.loaded().ifPresent(loaded -> viewer.journal.reached("patch, texture and plan"));
+        show();
+        followLoad();
+    }
+
+    @Override
+    public void loading(double share) {
+        loadedShare = share;
+        if (share == 0) {
+            window.status.message(" "); // clears the message of the last load
+        }
+        followLoad();
+    }
+
+    @Override
+    public void problem(String message) {
+        window.status.message(message);
+        if (model.loaded().isEmpty()) {
+            noPicture(message);
+            window.picture.showMessage(message);
+        }
+    }
+
+    @Override
+    public void opened(ContextInfo info) {
+        viewer.journal.reached("OpenGL");
+        renderer = info.renderer();
+    }
+
+    @Override
+    public void failed(String message) {
+        failed = true;
+        noPicture(message);
+        window.status.refused();
+        window.picture.showMessage("No picture: " + message);
+        window.status.message(message);
+    }
+
+    @Override
+    public void refused(String message) {
+        if (splitView.isRequested()) {
+            splitView.refused(message);
+            return;
+        }
+        window.status.message(message);
+        window.status.refused();
+        noPicture(message);
+        if (shown == null) { // the body alone is no picture of the scene
+            window.picture.showMessage(message);
+        }
+    }
+
+    @Override
+    public void body(BufferedImage image) {
+        if (!firstPicture.isDone()) {
+            window.picture.showPicture(image, image.getWidth(), image.getHeight(), false);
+            viewer.journal.reached("body");
+        }
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    public void preview(ViewState state, Stage.Preview preview) {
+        if (state.isOther()) {
+            splitView.preview(state, preview);
+            return;
+        }
+        boolean isNew = state != shown;
+        double divisor = preview.divisor();
+        boolean hasColors = preview.hasColors();
+        show(state, preview.image(), false, hasColors, preview.exposure());
+        viewer.journal.reached(hasColors ? "first picture" : "body");
+        if (isNew) {
+            window.status.moving(divisor);
+        } else {
+            window.status.still(divisor);
+        }
+        // Runs after Swing has painted the picture.
+        SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, divisor)));
+    }
+
+    @Override
+    public void waiting(double share) {
+        window.status.waiting(share);
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    public void complete(RenderLoop.Finished finished) {
+        ViewState state = finished.state();
+        Stage.Final picture = finished.picture();
+        if (state.isOther()) {
+            splitView.complete(state, picture);
+            return;
+        }
+        show(state, picture.image(), state == requested, true, picture.exposure());
+        viewer.journal.reached("final picture");
+        completed = finished;
+        finalPicture.complete(null);
+        viewer.files.writeWaiting();
+        viewer.inspector.measure();
+        if (state == requested) {
+            window.status.complete(finished.nanoseconds());
+            requestStrokes();
+            splitView.begin(state, picture.exposure());
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
+        firstPicture.complete(null);
+        if (shown == null || shown.firstPart().method() != state.firstPart().method()) {
+            window.status.method(state.firstPart(), renderer);
+        }
+        shown = state;
+        followLoad();
+        window.picture.showPicture(image, state.width(), state.height(), isFinal);
+        if (hasColors) {
+            window.controls.exposureInUse(exposure);
+        }
+    }
+
+    @Override
+    public void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+        if (state.isOther()) {
+            splitView.tile(state, image, x, y, shareDone);
+            return;
+        }
+        window.picture.showTile(image, x, y);
+        window.status.refining(shareDone);
+    }
+
+    @Override
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    public void map(ViewState state, BufferedImage image, boolean isFinal) {
+        map.show(image, state.mapLight(), isFinal && state == requested);
+    }
+}

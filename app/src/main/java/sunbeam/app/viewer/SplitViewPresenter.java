@@ -1,0 +1,134 @@
+package sunbeam.app.viewer;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import sunbeam.app.scene.Scene;
+import sunbeam.app.scene.SceneSettings;
+import sunbeam.app.viewer.components.ControlOrigin;
+import sunbeam.app.viewer.components.Divider;
+import sunbeam.app.viewer.components.MethodChoice;
+import sunbeam.app.viewer.loop.Stage;
+import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.app.viewer.model.ViewerModel;
+import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.text.Text;
+
+/**
+ * Presenter of the split view. When the scene's own picture is final, it requests the comparison method's picture with the same exposure; a
+ * newer state ends that request. Used on the event thread only.
+ */
+final class SplitViewPresenter {
+    private final Viewer viewer;
+    private final ViewerWindow window;
+    private final Divider divider;
+    private final ViewerModel.Loading loading;
+    // Final picture by the scene's own method, and its exposure; null if outdated.
+    private ViewState own;
+    private double exposure;
+    private ViewState requested;
+    private long previewed;
+    private LoadedScene loaded;
+    private Scene preparing;
+
+    SplitViewPresenter(Viewer viewer, ViewerModel.Loading loading) {
+        this.viewer = viewer;
+        this.loading = loading;
+        window = viewer.window;
+        divider = window.picture.divider();
+    }
+
+    void outdated() {
+        own = null;
+        requested = null;
+        divider.hide();
+    }
+
+    void begin(ViewState state, double exposureInUse) {
+        own = state;
+        exposure = exposureInUse;
+        requestPicture();
+    }
+
+    private void requestPicture() {
+        if (own == null) {
+            return;
+        }
+        Choices sameExposure =
+                Choices.at(ControlOrigin.INSTANCE).with(SceneSettings.EXPOSURE, OptionalDouble.of(exposure));
+        Optional<Scene> compared = window.controls.compared(own.firstPart().scene());
+        compared.ifPresent(scene -> draw(scene.keepingSurroundings().with(sameExposure)));
+    }
+
+    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
+    private void draw(Scene scene) {
+        if (loaded != null
+                && loaded.firstPart().mesh() == own.firstPart().mesh()
+                && loaded.firstPart().suits(scene)) {
+            loaded = loaded.with(scene);
+            requested = own.by(loaded);
+            divider.show(null, words(own), words(requested) + ", being drawn", false);
+            viewer.loop.show(requested);
+            return;
+        }
+        divider.show(null, words(own), MethodChoice.of(scene) + " is being prepared", false);
+        if (preparing != null && preparing.sharesParts(scene)) {
+            return;
+        }
+        preparing = scene;
+        LoadedScene previous = own.scene();
+        viewer.loading.run(
+                () -> loading.load(scene, previous, share -> {}),
+                result -> {
+                    preparing = null;
+                    loaded = result;
+                    requestPicture();
+                },
+                problem -> {
+                    preparing = null;
+                    refused(problem);
+                });
+    }
+
+    private static String words(ViewState state) {
+        return MethodChoice.of(state.firstPart().scene()).toString();
+    }
+
+    boolean isRequested() {
+        return requested != null;
+    }
+
+    void refused(String problem) {
+        requested = null;
+        divider.hide();
+        window.status.message(problem);
+    }
+
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    void preview(ViewState state, Stage.Preview preview) {
+        if (state == requested) {
+            previewed = System.nanoTime();
+            String words = Text.format(
+                    "%s, preview%s, final in about %.0f s",
+                    words(requested), StatusLine.scale(preview.divisor()), Math.ceil(preview.secondsToFinal()));
+            divider.show(preview.image(), words(own), words, false);
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
+        if (state == requested) {
+            String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone))
+                    + StatusLine.remaining(previewed, shareDone);
+            divider.showTile(image, x, y, words(requested) + done);
+        }
+    }
+
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
+    void complete(ViewState state, Stage.Final picture) {
+        if (state == requested) {
+            divider.show(picture.image(), words(own), words(requested), true);
+        }
+    }
+}

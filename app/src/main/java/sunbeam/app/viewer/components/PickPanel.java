@@ -1,0 +1,156 @@
+package sunbeam.app.viewer.components;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.text.DefaultCaret;
+import sunbeam.precompute.color.CieLab;
+import sunbeam.precompute.text.Text;
+
+/** Panel with frames, angles, colors and spectra of the picked points and their color difference. */
+public final class PickPanel extends JPanel {
+    public static final int MOST = 2;
+
+    private final transient List<Readout> readouts = List.of(
+            new Readout("Double-click the skin to see its\nframe, angles, color and spectrum."), new Readout(""));
+    private final JLabel difference = new JLabel(" ");
+    private final SpectrumPlot plot = new SpectrumPlot();
+
+    public PickPanel() {
+        setLayout(new BoxLayout(this, BoxLayout.Y_AXIS));
+        setAlignmentX(LEFT_ALIGNMENT);
+        setBorder(BorderFactory.createEmptyBorder(4, 0, 0, 0));
+        difference.setName("difference");
+        difference.setToolTipText("CIEDE2000 between both colors on screen, no unit; about 1 can just be seen");
+        difference.setBorder(BorderFactory.createEmptyBorder(4, 2, 4, 2));
+        Box colors = Box.createHorizontalBox();
+        readouts.forEach(readout -> colors.add(readout.color));
+        add(colors);
+        add(difference);
+        add(plot);
+        readouts.forEach(readout -> add(readout.text));
+        for (var part : getComponents()) {
+            ((JComponent) part).setAlignmentX(LEFT_ALIGNMENT);
+        }
+    }
+
+    public void show(int point, String description) {
+        readouts.get(point).show(description);
+    }
+
+    public void showColor(int point, int rgb) {
+        readouts.get(point).showColor(rgb);
+        showDifference();
+    }
+
+    private void showDifference() {
+        Optional<CieLab> first = readouts.get(0).lab();
+        Optional<CieLab> second = readouts.get(1).lab();
+        boolean isKnown = first.isPresent() && second.isPresent();
+        difference.setText(isKnown ? Text.format("CIEDE2000 %.1f", first.get().difference(second.get())) : " ");
+        difference.setVisible(readouts.get(1).color.isVisible());
+    }
+
+    public String numbers() {
+        String points = readouts.stream().map(Readout::numbers).collect(Collectors.joining());
+        return (points + (difference.getText() + "\n").stripLeading() + plot.numbers()).strip() + "\n";
+    }
+
+    public SpectrumPlot plot() {
+        return plot;
+    }
+
+    /** Removes a point's color until the next final picture, and dims an old spectrum. */
+    public void outdate(int point, boolean isSpectrumOld) {
+        readouts.get(point).outdate();
+        showDifference();
+        plot.setOld(point, isSpectrumOld);
+    }
+
+    public void clear(int point) {
+        readouts.get(point).clear();
+        showDifference();
+        plot.show(point, new double[0]);
+    }
+
+    /** Text of one picked point: frame, angles and color. */
+    private static final class Readout {
+        private final String hint;
+        private final JTextArea text;
+        private final JLabel color = new JLabel(" ");
+        private Color shown;
+
+        /** @param hint text shown while no point is picked; if empty, the readout is hidden instead */
+        Readout(String hint) {
+            this.hint = hint;
+            text = new JTextArea(hint, 8, 32) {
+                @Override
+                public Dimension getMaximumSize() {
+                    return new Dimension(Short.MAX_VALUE, getPreferredSize().height);
+                }
+            };
+            text.setEditable(false);
+            text.setOpaque(false);
+            // Do not scroll to each new text.
+            ((DefaultCaret) text.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+            text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 11));
+            text.setName("pick");
+            text.setToolTipText("Vectors in world space, no unit; angles to the normal and around it in degrees");
+            color.setPreferredSize(new Dimension(60, 22));
+            color.setMaximumSize(new Dimension(Short.MAX_VALUE, 22));
+            color.setToolTipText("Color on screen, sRGB 0 to 255");
+            follow();
+        }
+
+        private void follow() {
+            text.setVisible(!text.getText().isEmpty());
+            color.setVisible(!text.getText().equals(hint));
+        }
+
+        void show(String description) {
+            text.setText(description);
+            follow();
+        }
+
+        void showColor(int rgb) {
+            shown = new Color(rgb);
+            color.setOpaque(true);
+            color.setBackground(shown);
+            boolean bright = 0.3 * shown.getRed() + 0.59 * shown.getGreen() + 0.11 * shown.getBlue() > 128;
+            color.setForeground(bright ? Color.BLACK : Color.WHITE);
+            color.setText(Text.format("  sRGB %d, %d, %d", shown.getRed(), shown.getGreen(), shown.getBlue()));
+        }
+
+        /** Returns the color on screen relative to the screen's white; empty until the newest picture is final. */
+        Optional<CieLab> lab() {
+            return Optional.ofNullable(shown).map(rgb -> CieLab.ofSrgb(rgb.getRGB()));
+        }
+
+        String numbers() {
+            return !text.getText().equals(hint)
+                    ? (text.getText() + "\n" + color.getText().strip()).strip() + "\n"
+                    : "";
+        }
+
+        void outdate() {
+            shown = null;
+            color.setOpaque(false);
+            color.setText(" ");
+        }
+
+        void clear() {
+            show(hint);
+            outdate();
+        }
+    }
+}

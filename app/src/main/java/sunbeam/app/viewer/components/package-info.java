@@ -1,0 +1,2 @@
+/** Swing components of the window. */
+package sunbeam.app.viewer.components;

@@ -1,2 +1,0 @@
-/** Mouse and key input. */
-package sunbeam.app.viewer.input;

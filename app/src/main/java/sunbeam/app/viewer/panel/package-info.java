@@ -1,2 +1,0 @@
-/** Controls beside the picture. */
-package sunbeam.app.viewer.panel;

@@ -1,2 +1,0 @@
-/** Picked points: frames, angles, colors and spectra. */
-package sunbeam.app.viewer.pick;

@@ -1,2 +1,0 @@
-/** Painted components: picture, split view, BRDF map. */
-package sunbeam.app.viewer.picture;

@@ -1,2 +1,0 @@
-/** Window, status line and presenters. */
-package sunbeam.app.viewer.window;

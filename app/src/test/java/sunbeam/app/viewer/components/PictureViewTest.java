@@ -1,0 +1,146 @@
+package sunbeam.app.viewer.components;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import sunbeam.app.viewer.components.MapView.GratingOrders;
+import sunbeam.precompute.analysis.SpatialFrequency;
+import sunbeam.precompute.evaluation.GratingPlane;
+import sunbeam.precompute.optics.Direction;
+
+/** The picture, and the labels and orders that are drawn over a map. */
+class PictureViewTest {
+    @Test
+    void aPictureOfFewPixelsIsLinearBetweenTheirMiddles() {
+        BufferedImage few = random(7, 5);
+        BufferedImage many = enlarged(few, 19, 15);
+        for (int y = 0; y < 15; y++) {
+            for (int x = 0; x < 19; x++) {
+                double fromLeft = Math.max(0, Math.min(6, (x + 0.5) * 7 / 19 - 0.5));
+                double fromTop = Math.max(0, Math.min(4, (y + 0.5) * 5 / 15 - 0.5));
+                for (int shift = 0; shift < 24; shift += 8) {
+                    // Java2D rounds places to a 256th of a pixel along both axes, and values to whole numbers.
+                    assertThat(many.getRGB(x, y) >> shift & 0xff)
+                            .isCloseTo((int) Math.round(linear(few, fromLeft, fromTop, shift)), within(3));
+                }
+            }
+        }
+    }
+
+    @Test
+    void theLineAboutTheMouseIsThereUntilTheFirstDrag() {
+        PictureView view = new PictureView();
+        view.setSize(800, 600);
+        BufferedImage black = new BufferedImage(800, 600, BufferedImage.TYPE_INT_RGB);
+        view.showPicture(black, 800, 600, true);
+        assertThat(painted(view)).as("white letters").contains(0xffffffff);
+        view.hideHint();
+        assertThat(painted(view)).containsOnly(0xff000000);
+        assertThat(view.picture()).contains(black);
+    }
+
+    @Test
+    void inANarrowViewTheLineIsBrokenAndNotCut() {
+        PictureView view = new PictureView();
+        view.setSize(260, 300);
+        view.showPicture(new BufferedImage(260, 300, BufferedImage.TYPE_INT_RGB), 260, 300, true);
+        int[] painted = painted(view);
+        assertThat(painted).contains(0xffffffff);
+        for (int y = 0; y < 300; y++) {
+            assertThat(painted[260 * y]).as("left edge").isEqualTo(0xff000000);
+            assertThat(painted[260 * y + 259]).as("right edge").isEqualTo(0xff000000);
+        }
+    }
+
+    private static int[] painted(PictureView view) {
+        BufferedImage image = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
+        view.paintComponent(image.createGraphics());
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+
+    private static BufferedImage enlarged(BufferedImage few, int width, int height) {
+        PictureView view = new PictureView();
+        view.showPicture(few, width, height, false);
+        return view.picture().orElseThrow();
+    }
+
+    private static BufferedImage random(int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(8);
+        for (int i = 0; i < width * height; i++) {
+            image.setRGB(i % width, i / width, random.nextInt(1 << 24));
+        }
+        return image;
+    }
+
+    private static double linear(BufferedImage image, double x, double y, int shift) {
+        double sum = 0;
+        for (int row = 0; row < image.getHeight(); row++) {
+            for (int column = 0; column < image.getWidth(); column++) {
+                double weight = Math.max(0, 1 - Math.abs(x - column)) * Math.max(0, 1 - Math.abs(y - row));
+                sum += weight * (image.getRGB(column, row) >> shift & 0xff);
+            }
+        }
+        return sum;
+    }
+
+    @Test
+    void labelsAreWholeAndCoverNoOther() {
+        Rectangle bounds = new Rectangle(200, 200);
+        Graphics2D graphics = new BufferedImage(200, 200, BufferedImage.TYPE_INT_RGB).createGraphics();
+        MapView.Labels labels = new MapView.Labels(graphics, bounds);
+        Random random = new Random(5);
+        List<Rectangle2D> places = new ArrayList<>();
+        for (int i = 0; i < 200; i++) {
+            Rectangle2D place = labels.paint("+12", 200 * random.nextDouble(), 200 * random.nextDouble());
+            if (place != null) {
+                assertThat(bounds.contains(place)).isTrue();
+                assertThat(places).noneMatch(place::intersects);
+                places.add(place);
+            }
+        }
+        assertThat(places).hasSizeGreaterThan(20);
+        assertThat(new MapView.Labels(graphics, bounds).paint("x", 198, 100))
+                .as("turns away from the edge")
+                .isNotNull();
+    }
+
+    // Rounding of double precision.
+    private static final double ROUNDING = 1e-12;
+
+    /** Compares with GratingPlane for light from any direction. */
+    @Test
+    void ordersLieWhereTheGratingEquationSendsThem() {
+        double period = 1.5e-6;
+        double azimuth = Math.toRadians(35);
+        GratingPlane plane = new GratingPlane(Math.toRadians(20), Math.toRadians(50), azimuth);
+        Direction light = plane.pair(0).wi();
+        GratingOrders orders =
+                new GratingOrders(new SpatialFrequency(Math.cos(azimuth) / period, Math.sin(azimuth) / period), light);
+        int seen = 0;
+        for (int order = -4; order <= 4; order++) {
+            for (double wavelength : GratingOrders.WAVELENGTHS) {
+                double theta = plane.thetaR(order * wavelength / period);
+                boolean isThere = Math.abs(theta) < plane.largestThetaR();
+                assertThat(orders.direction(order, wavelength).isPresent()).isEqualTo(isThere);
+                if (isThere) {
+                    Point2D found = orders.direction(order, wavelength).orElseThrow();
+                    Direction expected = plane.pair(theta).wr();
+                    assertThat(found.getX()).isCloseTo(expected.x(), within(ROUNDING));
+                    assertThat(found.getY()).isCloseTo(expected.y(), within(ROUNDING));
+                    seen++;
+                }
+            }
+        }
+        assertThat(seen).as("marks").isGreaterThan(6);
+    }
+}
