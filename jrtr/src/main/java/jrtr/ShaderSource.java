@@ -26,15 +26,6 @@ public record ShaderSource(String name, String text, List<Line> origins) {
         }
     }
 
-    public ShaderSource {
-        origins = List.copyOf(origins);
-        long lines = text.chars().filter(character -> character == '\n').count();
-        if (lines != origins.size()) {
-            throw new IllegalArgumentException(
-                    "shader " + name + ": " + lines + " lines of text but " + origins.size() + " origins");
-        }
-    }
-
     /**
      * Returns the exception for a failed step of the driver. Its message starts with {@code file:line:} of the first error and quotes that
      * line. If no error has a known form, it starts with the shader's name. Warnings do not count.

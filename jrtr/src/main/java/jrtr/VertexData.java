@@ -69,15 +69,8 @@ public record VertexData(
         return new BoundingSphere(center, (float) Math.sqrt(radiusSquared));
     }
 
-    /** Sphere in the shape's coordinates and units; the center is copied, the radius at least 0. */
+    /** Sphere in the shape's coordinates and units, with a radius of at least 0. */
     public record BoundingSphere(Vector3fc center, float radius) {
-        public BoundingSphere {
-            center = new Vector3f(center);
-            if (!(radius >= 0) || Float.isInfinite(radius)) {
-                throw new IllegalArgumentException("bounding sphere's radius " + radius + " is not a length");
-            }
-        }
-
         public BoundingSphere transformed(Matrix4fc transformation) {
             Vector3f moved = transformation.transformPosition(center, new Vector3f());
             // The Frobenius norm bounds the factor by which the matrix lengthens a vector, in any shear.

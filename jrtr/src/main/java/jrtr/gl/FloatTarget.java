@@ -31,13 +31,6 @@ public final class FloatTarget extends Resource {
      * @param depth whether there is a 32-bit float depth image
      */
     public record Spec(int width, int height, int colors, boolean depth, Format format) {
-        public Spec {
-            if (width < 1 || height < 1 || colors < 1) {
-                throw new IllegalArgumentException(
-                        "target of " + width + " x " + height + " with " + colors + " images: each must be at least 1");
-            }
-        }
-
         public Spec(int width, int height, int colors, boolean depth) {
             this(width, height, colors, depth, Format.RGBA32F);
         }
@@ -76,7 +69,7 @@ public final class FloatTarget extends Resource {
         int[] drawBuffers = new int[spec.colors()];
         for (int color = 0; color < spec.colors(); color++) {
             drawBuffers[color] = GL3.GL_COLOR_ATTACHMENT0 + color;
-            String name = label() + "[" + color + "]";
+            String name = Integer.toString(color);
             // Screen images use BGRA here and in readColors, so that drivers copy without conversion.
             if (spec.format() == Format.RGBA8) {
                 attach(gl, drawBuffers[color], name, GL3.GL_RGBA8, GL3.GL_BGRA, SCREEN_COLORS, Integer.BYTES);
@@ -87,9 +80,7 @@ public final class FloatTarget extends Resource {
         }
         if (spec.depth()) {
             int internal = GL3.GL_DEPTH_COMPONENT32F;
-            int format = GL3.GL_DEPTH_COMPONENT;
-            String name = label() + "[depth]";
-            attach(gl, GL3.GL_DEPTH_ATTACHMENT, name, internal, format, GL3.GL_FLOAT, Float.BYTES);
+            attach(gl, GL3.GL_DEPTH_ATTACHMENT, "depth", internal, GL3.GL_DEPTH_COMPONENT, GL3.GL_FLOAT, Float.BYTES);
         }
         gl.glDrawBuffers(drawBuffers.length, drawBuffers, 0);
         int status = gl.glCheckFramebufferStatus(GL3.GL_FRAMEBUFFER);
@@ -103,7 +94,7 @@ public final class FloatTarget extends Resource {
     }
 
     private void attach(GL3 gl, int attachment, String name, int internal, int format, int type, int pixelBytes) {
-        Texture image = new Texture(device(), name, GL3.GL_TEXTURE_2D);
+        Texture image = new Texture(device(), label() + "[" + name + "]", GL3.GL_TEXTURE_2D);
         images.add(image);
         image.begin(gl, GL3.GL_CLAMP_TO_EDGE, GL3.GL_NEAREST, GL3.GL_NEAREST);
         double bytes = (double) pixelBytes * spec.width() * spec.height();
@@ -165,12 +156,10 @@ public final class FloatTarget extends Resource {
      * Reads part of an image: {@code 4 * tile.width * tile.height} floats, RGBA interleaved, the tile's top row first.
      *
      * @param color index of the image, from 0
-     * @throws GraphicsException if these are more floats than a Java array can hold
+     * @throws ArithmeticException if these are more floats than a Java array can hold
      */
     public float[] read(int color, Tile tile) {
-        requireColor(color);
-        requireInside(tile);
-        float[] pixels = new float[length(tile, CHANNELS)];
+        float[] pixels = new float[Math.toIntExact(CHANNELS * tile.pixels())];
         readPixels(color, tile, GL3.GL_RGBA, GL3.GL_FLOAT, FloatBuffer.wrap(pixels));
         turnUpsideDown(pixels, new float[CHANNELS * tile.width()]);
         return pixels;
@@ -178,24 +167,14 @@ public final class FloatTarget extends Resource {
 
     /** Reads part of an image as 0xAARRGGBB pixels, each channel clamped to [0, 1] and rounded to 8 bits, the tile's top row first. */
     public int[] readColors(int color, Tile tile) {
-        requireColor(color);
-        requireInside(tile);
-        int[] pixels = new int[length(tile, 1)];
+        int[] pixels = new int[Math.toIntExact(tile.pixels())];
         readPixels(color, tile, GL3.GL_BGRA, SCREEN_COLORS, IntBuffer.wrap(pixels));
         turnUpsideDown(pixels, new int[tile.width()]);
         return pixels;
     }
 
-    private int length(Tile tile, int channels) {
-        long length = tile.pixels() * channels;
-        if (length > Integer.MAX_VALUE - 8) {
-            throw new GraphicsException("reading " + tile.width() + " x " + tile.height() + " pixels of '" + label()
-                    + "' needs " + length + " values, more than a Java array can hold; read smaller tiles");
-        }
-        return (int) length;
-    }
-
     private void readPixels(int color, Tile tile, int format, int type, Buffer pixels) {
+        requireInside(tile);
         GL3 gl = gl();
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer[0]);
         gl.glReadBuffer(GL3.GL_COLOR_ATTACHMENT0 + color);
@@ -215,16 +194,8 @@ public final class FloatTarget extends Resource {
         }
     }
 
-    private void requireColor(int color) {
-        if (color < 0 || color >= spec.colors()) {
-            throw new IllegalArgumentException(
-                    "target '" + label() + "' has images 0 to " + (spec.colors() - 1) + ", not " + color);
-        }
-    }
-
     /** Returns an image as a texture (nearest, clamped) for a later draw into another target. Texel row 0 is the bottom row. */
     public Texture texture(int color) {
-        requireColor(color);
         gl();
         return images.get(color);
     }

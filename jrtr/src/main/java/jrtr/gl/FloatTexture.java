@@ -39,15 +39,8 @@ public final class FloatTexture extends Texture {
         LINEAR
     }
 
-    /** Shape, each side at least 1. An array is read by a {@code sampler2DArray}, others, of one layer, by a {@code sampler2D}. */
+    /** Shape, each side at least 1. An array is read by a {@code sampler2DArray}, another, which has one layer, by a {@code sampler2D}. */
     public record Spec(int width, int height, int layers, boolean array, Format format, Filter filter) {
-        public Spec {
-            if (width < 1 || height < 1 || layers < 1 || (!array && layers != 1)) {
-                throw new IllegalArgumentException("texture of " + width + " x " + height + " x " + layers
-                        + ": every side must be at least 1, and several layers need an array");
-            }
-        }
-
         /** For a {@code sampler2D}, with {@link Filter#NEAREST}. */
         public static Spec flat(int width, int height, Format format) {
             return new Spec(width, height, 1, false, format, Filter.NEAREST);

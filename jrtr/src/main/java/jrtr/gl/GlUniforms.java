@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 
 /**
@@ -37,13 +36,9 @@ final class GlUniforms {
             Map.entry(GL3.GL_FLOAT_MAT4, "mat4"));
 
     /** @param name without {@code [0]} */
-    record Uniform(String name, int location, int type, boolean array) {
-        private boolean isSampler() {
-            return samplerTarget() != 0 || !TYPES.containsKey(type);
-        }
-
-        /** Returns the texture target that this sampler reads, or 0 if the engine has no such textures. */
-        private int samplerTarget() {
+    private record Uniform(String name, int location, int type, boolean array) {
+        /** Returns the texture target that this sampler reads; 0 for other types. */
+        int samplerTarget() {
             return switch (type) {
                 case GL3.GL_SAMPLER_2D -> GL3.GL_TEXTURE_2D;
                 case GL3.GL_SAMPLER_2D_ARRAY -> GL3.GL_TEXTURE_2D_ARRAY;
@@ -53,7 +48,8 @@ final class GlUniforms {
 
         int components() {
             char last = typeName().charAt(typeName().length() - 1);
-            return Character.isDigit(last) ? last - '0' : 1;
+            int size = Character.isDigit(last) ? last - '0' : 1;
+            return typeName().startsWith("mat") ? size * size : size;
         }
 
         /** Returns the type as in GLSL, with brackets for an array, and the name. */
@@ -91,11 +87,12 @@ final class GlUniforms {
             }
         }
         for (Uniform uniform : active.values()) {
-            if (uniform.isSampler()) {
-                if (uniform.samplerTarget() == 0 || uniform.array) {
-                    throw new GraphicsException(program + ": sampler " + uniform.describe()
-                            + " is not supported; use sampler2D or sampler2DArray");
-                }
+            boolean isSampler = uniform.samplerTarget() != 0;
+            if (!TYPES.containsKey(uniform.type) || (isSampler && uniform.array)) {
+                throw new GraphicsException(program + ": sampler " + uniform.describe()
+                        + " is not supported; use sampler2D or sampler2DArray");
+            }
+            if (isSampler) {
                 gl.glUniform1i(uniform.location, units.size());
                 units.put(uniform.name, units.size());
             }
@@ -128,15 +125,54 @@ final class GlUniforms {
         return uniform;
     }
 
-    /** Finds a uniform; throws if its type is none of the given ones. */
-    Uniform findOfType(String name, String value, int... types) {
+    /** Sets a uniform of floats of the current program. */
+    void set(GL3 gl, String name, float[] values) {
         Uniform uniform = find(name);
-        if (uniform == null || IntStream.of(types).anyMatch(type -> type == uniform.type)) {
-            return uniform;
+        if (uniform == null) {
+            return;
         }
-        String hint = uniform.isSampler() ? "; bind a texture to it in the draw" : "";
-        throw new GraphicsException(
-                program + ": uniform " + uniform.describe() + " cannot be set to a " + value + hint);
+        int location = uniform.location;
+        int count = elements(uniform, values.length);
+        switch (uniform.type) {
+            case GL3.GL_FLOAT -> gl.glUniform1fv(location, count, values, 0);
+            case GL3.GL_FLOAT_VEC2 -> gl.glUniform2fv(location, count, values, 0);
+            case GL3.GL_FLOAT_VEC3 -> gl.glUniform3fv(location, count, values, 0);
+            case GL3.GL_FLOAT_VEC4 -> gl.glUniform4fv(location, count, values, 0);
+            case GL3.GL_FLOAT_MAT3 -> gl.glUniformMatrix3fv(location, count, false, values, 0);
+            case GL3.GL_FLOAT_MAT4 -> gl.glUniformMatrix4fv(location, count, false, values, 0);
+            default -> throw wrongType(uniform, "floats");
+        }
+    }
+
+    /** Sets a uniform of integers of the current program. */
+    void set(GL3 gl, String name, int[] values) {
+        Uniform uniform = find(name);
+        if (uniform == null) {
+            return;
+        }
+        int count = elements(uniform, values.length);
+        switch (uniform.type) {
+            case GL3.GL_INT -> gl.glUniform1iv(uniform.location, count, values, 0);
+            case GL3.GL_INT_VEC2 -> gl.glUniform2iv(uniform.location, count, values, 0);
+            case GL3.GL_INT_VEC3 -> gl.glUniform3iv(uniform.location, count, values, 0);
+            case GL3.GL_INT_VEC4 -> gl.glUniform4iv(uniform.location, count, values, 0);
+            default -> throw wrongType(uniform, "integers");
+        }
+    }
+
+    private int elements(Uniform uniform, int values) {
+        int components = uniform.components();
+        if (values == 0 || values % components != 0 || (!uniform.array && values != components)) {
+            throw new IllegalArgumentException(
+                    program + ": " + values + " values for uniform " + uniform.describe() + " do not fit");
+        }
+        return values / components;
+    }
+
+    private GraphicsException wrongType(Uniform uniform, String values) {
+        String hint = uniform.samplerTarget() != 0 ? "; bind a texture to it in the draw" : "";
+        return new GraphicsException(
+                program + ": uniform " + uniform.describe() + " cannot be set to " + values + hint);
     }
 
     void bind(GL3 gl, GlDevice device, Map<String, Texture> textures, FloatTarget target) {

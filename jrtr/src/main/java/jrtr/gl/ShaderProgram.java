@@ -3,7 +3,6 @@ package jrtr.gl;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.util.glsl.ShaderUtil;
 import java.util.Map;
-import java.util.function.BiConsumer;
 import jrtr.GraphicsException;
 import jrtr.ShaderSource;
 import org.joml.Matrix3fc;
@@ -80,84 +79,37 @@ public final class ShaderProgram extends Resource {
         gl.glUseProgram(name);
     }
 
-    /** @param value GLSL's name of the types, for messages */
-    private void set(String uniform, String value, BiConsumer<GL3, GlUniforms.Uniform> setter, int... types) {
+    /**
+     * Sets a {@code float}, a vector, a matrix column by column, or the first elements of an array. Elements past the array's end are
+     * ignored. Throws {@link IllegalArgumentException} if the number of values is 0 or does not fit the uniform's type.
+     */
+    public void set(String uniform, float... values) {
         GL3 gl = gl();
         gl.glUseProgram(name);
-        GlUniforms.Uniform found = uniforms.findOfType(uniform, value, types);
-        if (found != null) {
-            setter.accept(gl, found);
-        }
+        uniforms.set(gl, uniform, values);
     }
 
-    private void set(String uniform, String value, float[] values, int... types) {
-        BiConsumer<GL3, GlUniforms.Uniform> setter = (gl, found) -> {
-            int location = found.location();
-            switch (found.type()) {
-                case GL3.GL_FLOAT_MAT3 -> gl.glUniformMatrix3fv(location, 1, false, values, 0);
-                case GL3.GL_FLOAT_MAT4 -> gl.glUniformMatrix4fv(location, 1, false, values, 0);
-                case GL3.GL_FLOAT -> gl.glUniform1fv(location, elements(found, values.length), values, 0);
-                case GL3.GL_FLOAT_VEC2 -> gl.glUniform2fv(location, elements(found, values.length), values, 0);
-                case GL3.GL_FLOAT_VEC3 -> gl.glUniform3fv(location, elements(found, values.length), values, 0);
-                default -> gl.glUniform4fv(location, elements(found, values.length), values, 0);
-            }
-        };
-        set(uniform, value, setter, types);
-    }
-
-    public void set(String uniform, float value) {
-        set(uniform, "float", new float[] {value}, GL3.GL_FLOAT);
-    }
-
-    public void set(String uniform, int value) {
-        set(uniform, "int", (gl, found) -> gl.glUniform1i(found.location(), value), GL3.GL_INT);
+    /** Sets an {@code int}, a vector or an array of integers as {@link #set(String, float...)} does. */
+    public void set(String uniform, int... values) {
+        GL3 gl = gl();
+        gl.glUseProgram(name);
+        uniforms.set(gl, uniform, values);
     }
 
     public void set(String uniform, Vector2fc value) {
-        set(uniform, "vec2", new float[] {value.x(), value.y()}, GL3.GL_FLOAT_VEC2);
+        set(uniform, value.x(), value.y());
     }
 
     public void set(String uniform, Vector3fc value) {
-        set(uniform, "vec3", new float[] {value.x(), value.y(), value.z()}, GL3.GL_FLOAT_VEC3);
+        set(uniform, value.x(), value.y(), value.z());
     }
 
     public void set(String uniform, Matrix3fc value) {
-        set(uniform, "mat3", value.get(new float[9]), GL3.GL_FLOAT_MAT3);
+        set(uniform, value.get(new float[9]));
     }
 
     public void set(String uniform, Matrix4fc value) {
-        set(uniform, "mat4", value.get(new float[16]), GL3.GL_FLOAT_MAT4);
-    }
-
-    /**
-     * Sets the first elements of an array of {@code float}s or vectors, or one vector. Elements past the array's end are ignored. Throws
-     * {@link IllegalArgumentException} if the number of values is 0 or does not fit the uniform's type.
-     */
-    public void set(String uniform, float[] values) {
-        set(uniform, "float[]", values, GL3.GL_FLOAT, GL3.GL_FLOAT_VEC2, GL3.GL_FLOAT_VEC3, GL3.GL_FLOAT_VEC4);
-    }
-
-    /** Sets a uniform of integers, or an array of them. */
-    public void set(String uniform, int[] values) {
-        BiConsumer<GL3, GlUniforms.Uniform> setter = (gl, found) -> {
-            int count = elements(found, values.length);
-            switch (found.components()) {
-                case 1 -> gl.glUniform1iv(found.location(), count, values, 0);
-                case 2 -> gl.glUniform2iv(found.location(), count, values, 0);
-                case 3 -> gl.glUniform3iv(found.location(), count, values, 0);
-                default -> gl.glUniform4iv(found.location(), count, values, 0);
-            }
-        };
-        set(uniform, "int[]", setter, GL3.GL_INT, GL3.GL_INT_VEC2, GL3.GL_INT_VEC3, GL3.GL_INT_VEC4);
-    }
-
-    private int elements(GlUniforms.Uniform uniform, int values) {
-        int components = uniform.components();
-        if (values == 0 || values % components != 0 || (!uniform.array() && values != components)) {
-            throw new IllegalArgumentException(
-                    label() + ": " + values + " values for uniform " + uniform.describe() + " do not fit");
-        }
-        return values / components;
+        set(uniform, value.get(new float[16]));
     }
 
     public boolean isActive(String uniform) {

@@ -14,8 +14,8 @@ import jrtr.ShaderSource;
  * every folder. In {@code #include "{NAME}.glsl"} the name in braces is replaced by the define's value, so that a define can select a file.
  *
  * <p>{@link #load} expands includes by these rules. A file is included once. Later includes of it are skipped, even if the first one stands
- * inside an {@code #if}. {@code #version} stands in the root file only, before any code; the defines follow it. {@code #line} is an error,
- * since messages get their file and line from {@link ShaderSource}. Comments are removed.
+ * inside an {@code #if}. {@code #version} stands in the root file only, before any code; the defines follow it. Comments are removed.
+ * Messages get their file and line from {@link ShaderSource}, so {@code #line} must not be used.
  */
 @FunctionalInterface
 public interface ShaderLibrary {
@@ -31,7 +31,7 @@ public interface ShaderLibrary {
      * Loads a file and expands its includes.
      *
      * @param defines values by name; they become {@code #define NAME value} lines after {@code #version}, sorted by name
-     * @throws GraphicsException for a missing file, a cycle, a misplaced directive (all with file and line), or an invalid define
+     * @throws GraphicsException for a missing file or define, with file and line
      */
     default ShaderSource load(String name, Map<String, String> defines) {
         return new IncludeExpansion(this, defines).expand(name);

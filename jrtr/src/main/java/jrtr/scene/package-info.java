@@ -1,2 +1,2 @@
-/** Scene graph without calls of OpenGL. Graphs are immutable: an animation makes new ones of the same shapes, which stay uploaded. */
+/** Meshes in world space, lights, and views, without calls of OpenGL. */
 package jrtr.scene;

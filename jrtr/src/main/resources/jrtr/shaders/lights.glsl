@@ -1,4 +1,4 @@
-// Directional lights, which the engine sets (jrtr.scene.SceneGraph.Node.Light).
+// Directional lights, which the engine sets (jrtr.scene.Light).
 
 const int MAX_LIGHTS = 8;
 uniform int lightCount;

@@ -96,7 +96,7 @@ class ShaderProgramTest extends InARendering {
         ShaderProgram program =
                 rendering.program("uniform float gain; uniform sampler2D table;", "gain * texture(table, vec2(0))");
 
-        assertRefused(() -> program.set("gain", 1), "float gain cannot be set to a int");
+        assertRefused(() -> program.set("gain", 1), "float gain cannot be set to integers");
         assertRefused(() -> program.set("table", 0), "bind a texture");
     }
 

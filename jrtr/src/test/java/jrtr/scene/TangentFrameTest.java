@@ -9,7 +9,8 @@ import jrtr.VertexData;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.InARendering;
 import jrtr.gl.RenderContext.Faces;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.VertexBuffer;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
@@ -52,17 +53,15 @@ class TangentFrameTest extends InARendering {
     }
 
     private Images drawn(VertexData data, Matrix4f place, float rotation) {
-        Node.Shape shape = new Node.Shape(
-                rendering.context.createVertexBuffer("mesh", data),
-                rendering.meshProgram(SHADER),
-                Map.of(),
-                Node.Shape.tangentsTurned(rotation),
-                Faces.BOTH);
-        Node all = new Node.Group(new Node.Group(place, shape), new Node.Light(towardsLight, new Vector3f(1)));
+        ShaderProgram program = rendering.meshProgram(SHADER);
+        PlacedMesh.turnTangents(program, rotation);
+        Light.apply(List.of(new Light(towardsLight, new Vector3f(1))), program);
+        VertexBuffer mesh = rendering.context.createVertexBuffer("mesh", data);
         try (FloatTarget target =
                 rendering.context.createFloatTarget("frames", new FloatTarget.Spec(SIDE, SIDE, 5, true))) {
-            new SceneGraph(all, new View(camera, 0.5f, 0.5f, 20))
-                    .draw(rendering.context, View.Area.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
+            View view = new View(camera, 0.5f, 0.5f, 20);
+            new PlacedMesh(mesh, place, program, Map.of(), Faces.BOTH)
+                    .draw(rendering.context, view, View.Area.whole(SIDE, SIDE), target, Tile.whole(SIDE, SIDE));
             return new Images(List.of(target.read(0), target.read(1), target.read(2), target.read(3), target.read(4)));
         }
     }

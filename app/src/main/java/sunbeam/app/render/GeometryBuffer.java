@@ -14,8 +14,7 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.SceneGraph;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.PlacedMesh;
 import jrtr.scene.View;
 import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
@@ -117,8 +116,13 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             // The draw of each part would process all vertices.
             if (!drawn.contains(block)) {
                 View.Area area = new View.Area(geometry.width(), geometry.height(), block);
-                geometry.graph(program)
-                        .draw(context, area, buffer.attributes(), Tile.whole(block.width(), block.height()));
+                geometry.placed(program)
+                        .draw(
+                                context,
+                                geometry.sight(),
+                                area,
+                                buffer.attributes(),
+                                Tile.whole(block.width(), block.height()));
                 drawn.add(block);
                 // Geometry pass and shading pass are timed separately, except in moving pictures.
                 if (layout == Layout.FULL) {
@@ -183,26 +187,28 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             Optional<Vector3fc> shadowLight,
             int width,
             int height) {
+        View sight() {
+            return Framing.view(view, mesh.bounds());
+        }
 
         void applyRaysTo(ShaderProgram program, Tile block) {
-            SceneGraphs.view(view, mesh.bounds()).applyRaysTo(program, new View.Area(width, height, block));
+            sight().applyRaysTo(program, new View.Area(width, height, block));
         }
 
         /** From (x, y, depth) to world space: x and y in pixels from the block's lower left, depth as in the depth buffer. */
         Matrix4f blockToWorld(Tile block) {
-            Matrix4f toClip = SceneGraphs.view(view, mesh.bounds()).worldToClip(new View.Area(width, height, block));
+            Matrix4f toClip = sight().worldToClip(new View.Area(width, height, block));
             return toClip.invert().translate(-1, -1, -1).scale(2f / block.width(), 2f / block.height(), 2);
         }
 
-        SceneGraph graph(ShaderProgram program) {
-            Faces faces = closed && SceneGraphs.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
+        PlacedMesh placed(ShaderProgram program) {
+            Faces faces = closed && Framing.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
             boolean isShaded = program.isActive("shadowMap");
             if (isShaded) {
                 shadows.applyTo(program, shadowLight.isPresent());
             }
             Map<String, Texture> further = isShaded ? shadows.textures() : Map.of();
-            Node.Shape shape = body.shape(mesh, program, rotatePatch, faces, further);
-            return new SceneGraph(SceneGraphs.turned(orientation, shape), SceneGraphs.view(view, mesh.bounds()));
+            return body.placed(mesh, orientation, program, rotatePatch, faces, further);
         }
     }
 }

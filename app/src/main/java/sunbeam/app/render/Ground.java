@@ -10,7 +10,7 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.Light;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -134,7 +134,7 @@ final class Ground implements AutoCloseable {
 
     private void set(ShaderProgram to, Scene scene, SkinGeometry geometry, Tile block) {
         BoundingSphere bounds = geometry.mesh().bounds();
-        Matrix4f toWorld = SceneGraphs.toWorld(scene.orientation(), bounds);
+        Matrix4f toWorld = Framing.toWorld(scene.orientation(), bounds);
         float reach = (float) SkyVisibility.GROUND_REACH * bounds.radius();
         Vector3fc center = bounds.center();
         geometry.applyRaysTo(to, block);
@@ -148,7 +148,7 @@ final class Ground implements AutoCloseable {
         to.set("skyWeight", (float) scene.sky());
         to.set("ambientWeight", scene.get(SceneSettings.AMBIENT).floatValue());
         to.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());
-        Node.Light.apply(SceneGraphs.lights(scene), to);
+        Light.apply(Framing.lights(scene), to);
         geometry.shadows().applyTo(to, scene.hasShadows());
     }
 

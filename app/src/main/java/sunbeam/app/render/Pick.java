@@ -9,7 +9,8 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.Light;
+import jrtr.scene.PlacedMesh;
 import jrtr.scene.View;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -62,8 +63,10 @@ public record Pick(
         }
 
         Optional<Pick> pick(Scene scene, VertexBuffer mesh, SkinTextures body, View.Area pixel) {
-            Node.Shape shape = body.shape(mesh, program, scene.get(SceneSettings.ROTATE_PATCH), Faces.BOTH, Map.of());
-            SceneGraphs.of(scene, shape).draw(context, pixel, target, Tile.whole(1, 1));
+            double rotation = scene.get(SceneSettings.ROTATE_PATCH);
+            PlacedMesh placed = body.placed(mesh, scene.orientation(), program, rotation, Faces.BOTH, Map.of());
+            Light.apply(Framing.lights(scene), program);
+            placed.draw(context, Framing.view(scene.view(), mesh.bounds()), pixel, target, Tile.whole(1, 1));
             float[][] values = new float[IMAGES][];
             for (int i = 0; i < IMAGES; i++) {
                 values[i] = target.read(i);

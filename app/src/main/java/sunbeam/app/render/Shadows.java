@@ -11,8 +11,7 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.SceneGraph;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.PlacedMesh;
 import jrtr.scene.View;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
@@ -68,9 +67,9 @@ final class Shadows implements AutoCloseable {
             program = Optional.of(context.createMeshProgram(Shaders.library().load("shadow.frag")));
         }
         Faces faces = closed ? Faces.FRONT : Faces.BOTH;
-        Node.Shape shape = new Node.Shape(mesh, program.get(), Map.of(), Map.of(), faces);
-        SceneGraph graph = new SceneGraph(SceneGraphs.turned(orientation, shape), view);
-        graph.draw(context, View.Area.whole(side, side), map, Tile.whole(side, side));
+        Matrix4f toWorld = Framing.toWorld(orientation, mesh.bounds());
+        new PlacedMesh(mesh, toWorld, program.get(), Map.of(), faces)
+                .draw(context, view, View.Area.whole(side, side), map, Tile.whole(side, side));
         shown.put(side, key);
     }
 

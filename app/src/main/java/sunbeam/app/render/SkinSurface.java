@@ -10,7 +10,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.Light;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
@@ -165,19 +165,19 @@ final class SkinSurface implements AutoCloseable {
             GeometryBuffer buffer,
             Tile block,
             double exposure) {
-        int lights = SceneGraphs.lights(scene).size();
+        int lights = Framing.lights(scene).size();
         if (moving == null || moving.lights() != lights) {
             closeMoving();
             moving = new MovingSkin(context, method, texture, lights);
         }
         setLight(moving.program(), scene);
-        moving.program().set("lightVariances", SceneGraphs.variances(scene));
+        moving.program().set("lightVariances", Framing.variances(scene));
         return moving.draw(scene, ground, geometry, buffer, block, method.textures(), exposure);
     }
 
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
     private void setLight(ShaderProgram program, Scene scene) {
-        Node.Light.apply(SceneGraphs.lights(scene), program);
+        Light.apply(Framing.lights(scene), program);
         program.set("diffractionWeight", (float) (scene.get(SceneSettings.DIFFRACTION) * diffractionScale));
         program.set("textureWeight", scene.get(SceneSettings.TEXTURE_WEIGHT).floatValue());
         program.set("diffuseWeight", scene.get(SceneSettings.DIFFUSE).floatValue());

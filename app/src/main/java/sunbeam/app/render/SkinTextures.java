@@ -10,7 +10,8 @@ import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.PlacedMesh;
+import org.joml.Quaternionfc;
 import sunbeam.app.scene.mesh.SnakeBody;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -57,8 +58,10 @@ final class SkinTextures implements AutoCloseable {
         return body == other;
     }
 
-    Node.Shape shape(
+    /** Returns a mesh with these textures in world space, and sets the program's uniforms about them. */
+    PlacedMesh placed(
             VertexBuffer mesh,
+            Quaternionfc orientation,
             ShaderProgram program,
             double rotatePatch,
             Faces faces,
@@ -69,22 +72,22 @@ final class SkinTextures implements AutoCloseable {
         if (program.isActive("bodyTexture")) {
             textures.put("bodyTexture", colors);
         }
-        Map<String, Float> uniforms = new HashMap<>(Node.Shape.tangentsTurned(rotatePatch));
+        PlacedMesh.turnTangents(program, rotatePatch);
         boolean hasScales = body.scales() != Scales.NONE;
         double scalesPerUnit = hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
-        uniforms.put("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
-        uniforms.put("reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0));
-        uniforms.put("reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0));
+        program.set("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
+        program.set("reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0));
+        program.set("reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0));
         if (program.isActive("reliefLightest")) {
-            uniforms.put("reliefLightest", (float) ScaleRelief.LIGHTEST);
+            program.set("reliefLightest", (float) ScaleRelief.LIGHTEST);
         }
         if (program.isActive("patchMap")) {
             textures.put("patchMap", patches);
         }
         if (program.isActive("patchColor")) {
-            uniforms.put("patchColor", (float) body.patchColor());
+            program.set("patchColor", (float) body.patchColor());
         }
-        return new Node.Shape(mesh, program, textures, uniforms, faces);
+        return new PlacedMesh(mesh, Framing.toWorld(orientation, mesh.bounds()), program, textures, faces);
     }
 
     @Override

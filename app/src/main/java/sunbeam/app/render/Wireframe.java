@@ -90,8 +90,7 @@ public final class Wireframe {
     /** Vertices in camera space: x right, y up, z towards the viewer; moved along the normals by radii of the mesh's bounds. */
     private static float[] vertices(Scene scene, Mesh mesh, float offset) {
         Matrix4f view = new Matrix4f(scene.view().camera().worldToCamera())
-                .mul(SceneGraphs.toWorld(
-                        scene.orientation(), mesh.toVertexData().bounds()));
+                .mul(Framing.toWorld(scene.orientation(), mesh.toVertexData().bounds()));
         float[] vertices = new float[mesh.positions().length];
         float length = offset * mesh.toVertexData().bounds().radius();
         Vector3f place = new Vector3f();

@@ -25,7 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.Light;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import sunbeam.app.scene.SceneSettings.BodyAlpha;
@@ -57,7 +57,7 @@ public record Scene(
         List<SceneLight> fillLights,
         SceneMethod method) {
     /** The shaders' limit of lights, less the key light. */
-    public static final int MOST_FILL_LIGHTS = Node.Light.MOST - 1;
+    public static final int MOST_FILL_LIGHTS = Light.MOST - 1;
 
     private static final Choices STANDARD = standard();
 

@@ -47,7 +47,7 @@ class FramingTest {
 
     /** Greatest distance of the mesh from the middle along x and y, in halves of the picture. */
     private static float[] reach(Scene scene, int width, int height) {
-        Matrix4f toClip = SceneGraphs.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
+        Matrix4f toClip = Framing.view(scene.view(), new BoundingSphere(new Vector3f(), 1))
                 .worldToClip(View.Area.whole(width, height));
         float[] reach = new float[2];
         Vector3f point = new Vector3f();

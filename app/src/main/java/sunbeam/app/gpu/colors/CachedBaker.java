@@ -7,12 +7,14 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.TileGrid;
+import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.LevelBakers;
 
@@ -120,7 +122,7 @@ final class CachedBaker implements Scheduler.TileBaker {
     }
 
     /** Validates newly baked tiles at some footprints; beyond the tolerance warns once and discards the cached tiles. */
-    void validate(Footprints.Sample.Tabulated sample, ColorBaker.Token token) {
+    void validate(List<Footprints.Tabulated> sample, ColorBaker.Token token) {
         if (hasBaked && !warned) {
             VirtualTexture.miss(errors(sample, token), table().tolerance()).ifPresent(line -> {
                 warned = true;
@@ -130,8 +132,32 @@ final class CachedBaker implements Scheduler.TileBaker {
         }
     }
 
-    ErrorStatistics errors(Footprints.Sample.Tabulated sample, ColorBaker.Token token) {
-        return sample.errors((level, places) -> evaluate(level, places, token));
+    ErrorStatistics errors(List<Footprints.Tabulated> sample, ColorBaker.Token token) {
+        List<Comparison> compared = new ArrayList<>();
+        sample.stream()
+                .collect(Collectors.groupingBy(Footprints.Tabulated::level))
+                .forEach((level, footprints) -> {
+                    double scale = table().levels().get(level).scale();
+                    float[] exact = evaluate(level, places(footprints), token);
+                    int first = 0;
+                    for (Footprints.Tabulated footprint : footprints) {
+                        compared.add(footprint.compare(exact, first, scale));
+                        first += 3 * footprint.taps().length;
+                    }
+                });
+        return Comparison.relative(compared);
+    }
+
+    private static float[] places(List<Footprints.Tabulated> footprints) {
+        double[] places = footprints.stream()
+                .flatMap(footprint -> Arrays.stream(footprint.taps()))
+                .flatMapToDouble(Arrays::stream)
+                .toArray();
+        float[] rounded = new float[places.length];
+        for (int i = 0; i < places.length; i++) {
+            rounded[i] = (float) places[i];
+        }
+        return rounded;
     }
 
     /** Evaluates colors of a level or {@link #POINTS}, not yet multiplied by the level's scale. */

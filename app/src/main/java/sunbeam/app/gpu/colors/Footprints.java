@@ -1,17 +1,12 @@
 package sunbeam.app.gpu.colors;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.function.BiFunction;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.errors.Comparison;
-import sunbeam.precompute.errors.ErrorStatistics;
 
 /**
  * Footprints in (u, v, w), as shaders/include/footprint.glsl finds them.
@@ -82,7 +77,6 @@ public record Footprints(float[] centers, float[] axes) {
         private SplittableRandom random = new SplittableRandom(SEED);
         private long seen;
 
-        /** @param taps u, v, w of each tap */
         private record Footprint(int level, double[][] taps) {}
 
         void add(Footprints footprints) {
@@ -110,65 +104,33 @@ public record Footprints(float[] centers, float[] axes) {
             seen = 0;
         }
 
-        boolean isEmpty() {
-            return chosen.isEmpty();
+        /** Looks up bright footprints in a table, whose tiles must be resident, and starts a new sample. */
+        List<Tabulated> drain(Residency residency) {
+            List<Tabulated> bright = chosen.stream()
+                    .map(footprint -> new Tabulated(
+                            footprint.level, footprint.taps, residency.mean(footprint.level, footprint.taps)))
+                    .filter(footprint -> Comparison.isBright(footprint.xyz))
+                    .limit(ENOUGH_BRIGHT)
+                    .toList();
+            clear();
+            return bright;
         }
+    }
 
-        /** Looks up bright footprints in a table, whose tiles must be resident. */
-        Tabulated tabulated(ColorTable colorTable, Residency residency) {
-            List<BrightFootprint> bright = new ArrayList<>();
-            for (int i = 0; i < chosen.size() && bright.size() < ENOUGH_BRIGHT; i++) {
-                int level = chosen.get(i).level();
-                double[][] taps = chosen.get(i).taps();
-                double scale = colorTable.levels().get(level).scale();
-                double[] mean = new double[COORDINATES];
-                for (double[] tap : taps) {
-                    double[] xyz = residency.xyz(level, scale, tap);
-                    Arrays.setAll(mean, c -> mean[c] + xyz[c] / taps.length);
-                }
-                if (Comparison.isBright(mean)) {
-                    bright.add(new BrightFootprint(level, taps, mean));
-                }
+    /**
+     * Bright footprint in a table.
+     *
+     * @param taps u, v, w of each tap
+     * @param xyz mean X, Y, Z of the taps in the table
+     */
+    record Tabulated(int level, double[][] taps, double[] xyz) {
+        /** Compares with X, Y, Z of each tap without table, which begin at an index and are not yet multiplied by the level's scale. */
+        Comparison compare(float[] exact, int first, double scale) {
+            double[] mean = new double[COORDINATES];
+            for (int i = 0; i < COORDINATES * taps.length; i++) {
+                mean[i % COORDINATES] += scale * exact[first + i] / taps.length;
             }
-            return new Tabulated(colorTable, bright);
-        }
-
-        /** @param tabulated mean X, Y, Z of the taps in the table */
-        record BrightFootprint(int level, double[][] taps, double[] tabulated) {}
-
-        record Tabulated(ColorTable colorTable, List<BrightFootprint> footprints) {
-            /** @param exact X, Y, Z of a level at some (u, v, w) without table, not yet multiplied by the level's scale */
-            ErrorStatistics errors(BiFunction<Integer, float[], float[]> exact) {
-                List<Comparison> compared = new ArrayList<>();
-                footprints.stream()
-                        .collect(Collectors.groupingBy(BrightFootprint::level))
-                        .forEach((level, ofLevel) -> {
-                            double scale = colorTable.levels().get(level).scale();
-                            float[] xyz = exact.apply(level, places(ofLevel));
-                            int first = 0;
-                            for (BrightFootprint footprint : ofLevel) {
-                                double[] mean = new double[COORDINATES];
-                                int numbers = COORDINATES * footprint.taps.length;
-                                for (int i = 0; i < numbers; i++) {
-                                    mean[i % COORDINATES] += scale * xyz[first + i] / footprint.taps.length;
-                                }
-                                compared.add(new Comparison(footprint.tabulated, mean, 1));
-                                first += numbers;
-                            }
-                        });
-                return Comparison.relative(compared);
-            }
-
-            private static float[] places(List<BrightFootprint> footprints) {
-                double[][] taps = footprints.stream()
-                        .flatMap(footprint -> Arrays.stream(footprint.taps))
-                        .toArray(double[][]::new);
-                float[] places = new float[COORDINATES * taps.length];
-                for (int i = 0; i < places.length; i++) {
-                    places[i] = (float) taps[i / COORDINATES][i % COORDINATES];
-                }
-                return places;
-            }
+            return new Comparison(xyz, mean, 1);
         }
     }
 }

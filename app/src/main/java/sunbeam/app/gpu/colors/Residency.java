@@ -2,6 +2,7 @@ package sunbeam.app.gpu.colors;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,7 @@ import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
 import jrtr.gl.Texture;
 import sunbeam.precompute.colortable.AtlasPages;
+import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.colortable.TableLookUp;
@@ -24,6 +26,7 @@ final class Residency implements AutoCloseable {
     private static final double MEGABYTE = 1e6;
 
     private final RenderContext context;
+    private final ColorTable table;
     private final List<TileGrid> grids;
     private final NumberFormat format;
     private final AtlasPages pages;
@@ -34,19 +37,16 @@ final class Residency implements AutoCloseable {
     private FloatTexture pageTable;
     private long expectedTiles;
 
-    Residency(RenderContext context, NumberFormat format, List<TileGrid> grids) {
+    Residency(RenderContext context, ColorTable table, List<TileGrid> grids) {
         this.context = context;
+        this.table = table;
         this.grids = grids;
-        this.format = format;
+        this.format = table.numbers();
         this.pages = new AtlasPages(grids, format);
         this.lookUp = new TableLookUp(grids, format, pages::coefficient);
         this.resident = TileSet.none(grids.size());
         // Even without tiles the shader samples a page: that of a mesh that faces away from the light.
         changed.set(0);
-    }
-
-    boolean isEmpty() {
-        return resident.isEmpty();
     }
 
     TileSet missing(TileSet tiles) {
@@ -93,13 +93,15 @@ final class Residency implements AutoCloseable {
         resident.of(baked.level()).or(baked.tiles());
     }
 
-    /** X, Y, Z of power of a level, times its scale. The tile must be resident. */
-    double[] xyz(int level, double scale, double[] uvw) {
-        double[] xyz = lookUp.xyz(level, uvw[0], uvw[1], uvw[2]);
-        for (int c = 0; c < xyz.length; c++) {
-            xyz[c] *= scale;
+    /** Returns the mean X, Y, Z of power of a level at some (u, v, w), whose tiles must be resident. */
+    double[] mean(int level, double[]... places) {
+        double scale = table.levels().get(level).scale();
+        double[] mean = new double[3];
+        for (double[] uvw : places) {
+            double[] xyz = lookUp.xyz(level, uvw[0], uvw[1], uvw[2]);
+            Arrays.setAll(mean, c -> mean[c] + scale * xyz[c] / places.length);
         }
-        return xyz;
+        return mean;
     }
 
     /** Returns the textures by sampler name; valid until tiles are added. */

@@ -38,7 +38,7 @@ public final class VirtualTexture implements AutoCloseable {
         this.feedback = none();
         this.requested = none();
         this.prefetchSet = CachedBaker.PrefetchSet.of(grids);
-        this.residency = new Residency(context, levels.table().numbers(), grids);
+        this.residency = new Residency(context, levels.table(), grids);
     }
 
     private TileSet none() {
@@ -87,13 +87,6 @@ public final class VirtualTexture implements AutoCloseable {
         }
     }
 
-    /** Looks up the sample's bright footprints and starts a new sample. */
-    private Footprints.Sample.Tabulated tabulated() {
-        Footprints.Sample.Tabulated tabulated = sample.tabulated(table(), residency);
-        sample.clear();
-        return tabulated;
-    }
-
     /** Returns a warning if a table's errors at samples of a picture miss a tolerance. */
     public static Optional<String> miss(ErrorStatistics errors, double tolerance) {
         return errors.keep(tolerance)
@@ -111,7 +104,7 @@ public final class VirtualTexture implements AutoCloseable {
     /** Returns the errors of the table at a sample of the feedback's footprints, whose tiles must be resident. Clears the feedback. */
     public ErrorStatistics errors() {
         feedback.clear();
-        return baker.errors(tabulated(), ColorBaker.Token.NONE);
+        return baker.errors(sample.drain(residency), ColorBaker.Token.NONE);
     }
 
     /**
@@ -200,10 +193,10 @@ public final class VirtualTexture implements AutoCloseable {
 
     /** Validates the table at footprints of the last picture, whose tiles must be resident; with a scheduler once it is idle. */
     public void validate() {
-        if (!sample.isEmpty()) {
-            Footprints.Sample.Tabulated tabulated = tabulated();
+        List<Footprints.Tabulated> footprints = sample.drain(residency);
+        if (!footprints.isEmpty()) {
             CancellationToken token = new CancellationToken();
-            Runnable validating = () -> baker.validate(tabulated, token);
+            Runnable validating = () -> baker.validate(footprints, token);
             scheduler.ifPresentOrElse(running -> running.whenIdle(token, validating), validating);
         }
     }
@@ -231,10 +224,9 @@ public final class VirtualTexture implements AutoCloseable {
                 && missing.of(level - 1).isEmpty()) {
             level--;
         }
-        double scale = table().levels().get(level).scale();
         float[] xyz = new float[places.length];
         for (int i = 0; i < places.length; i += 3) {
-            double[] color = residency.xyz(level, scale, new double[] {places[i], places[i + 1], places[i + 2]});
+            double[] color = residency.mean(level, new double[] {places[i], places[i + 1], places[i + 2]});
             for (int c = 0; c < 3; c++) {
                 xyz[i + c] = (float) color[c];
             }

@@ -118,11 +118,10 @@ class VirtualTextureTest {
     private static void validate(CachedBaker baker) {
         int coarsest = baker.grids().size() - 1;
         double[] white = {1, 1, 1};
-        Footprints.Sample.BrightFootprint footprint =
-                new Footprints.Sample.BrightFootprint(coarsest, new double[][] {{0, 0, -1.9}}, white);
+        Footprints.Tabulated footprint = new Footprints.Tabulated(coarsest, new double[][] {{0, 0, -1.9}}, white);
         CancellationToken canceled = new CancellationToken();
         canceled.cancel();
-        baker.validate(new Footprints.Sample.Tabulated(baker.table(), List.of(footprint)), canceled);
+        baker.validate(List.of(footprint), canceled);
     }
 
     private static final Direction LIGHT = Direction.ofDegrees(30, 20);

@@ -3,8 +3,7 @@ package sunbeam.app.render;
 import java.util.List;
 import java.util.stream.Stream;
 import jrtr.VertexData.BoundingSphere;
-import jrtr.scene.SceneGraph;
-import jrtr.scene.SceneGraph.Node;
+import jrtr.scene.Light;
 import jrtr.scene.View;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
@@ -15,8 +14,8 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.Viewpoint;
 
-/** Creates scene graphs from scenes. */
-final class SceneGraphs {
+/** Lights, views and placed meshes of scenes. */
+final class Framing {
     // Distance of both planes from the mesh's center, in its radii; above 1, so that rounding clips nothing.
     private static final float MARGIN = 1.02f;
     // Near plane to far plane, for an eye inside the mesh's sphere; suits a 32-bit depth buffer.
@@ -24,18 +23,12 @@ final class SceneGraphs {
     // Distance of both planes from the mesh's center relative to the eye's, so that float32 separates them.
     private static final float THINNEST = 1e-4f;
 
-    private SceneGraphs() {}
-
-    static SceneGraph of(Scene scene, Node.Shape shape) {
-        Node lights = new Node.Group(lights(scene).toArray(Node[]::new));
-        Node root = new Node.Group(lights, turned(scene.orientation(), shape));
-        return new SceneGraph(root, view(scene.view(), shape.vertices().bounds()));
-    }
+    private Framing() {}
 
     /** Returns lights in world space, the key light first. */
-    static List<Node.Light> lights(Scene scene) {
+    static List<Light> lights(Scene scene) {
         return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
-                .map(light -> new Node.Light(light.towards(), new Vector3f((float) light.intensity())))
+                .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
                 .toList();
     }
 
@@ -47,10 +40,6 @@ final class SceneGraphs {
             variances[i] = (float) Math.pow(scene.deviation(light), 2);
         }
         return variances;
-    }
-
-    static Node turned(Quaternionfc orientation, Node.Shape shape) {
-        return new Node.Group(toWorld(orientation, shape.vertices().bounds()), shape);
     }
 
     static Matrix4f toWorld(Quaternionfc orientation, BoundingSphere bounds) {

@@ -1,0 +1,47 @@
+package jrtr.scene;
+
+import java.util.List;
+import jrtr.gl.ShaderProgram;
+import org.joml.Vector3f;
+import org.joml.Vector3fc;
+
+/**
+ * Parallel rays, as from the sun.
+ *
+ * @param towards direction from the scene to the light in world space; normalized
+ * @param radiance linear color in the unit of the application's shaders
+ */
+public record Light(Vector3fc towards, Vector3fc radiance) {
+    /** Maximum number of lights in a scene, MAX_LIGHTS of jrtr/lights.glsl. */
+    public static final int MOST = 8;
+
+    public Light {
+        float length = towards.length();
+        if (!(length > 0) || Float.isInfinite(length)) {
+            throw new IllegalArgumentException("light's direction (" + towards.x() + ", " + towards.y() + ", "
+                    + towards.z() + ") must have a finite length above 0");
+        }
+        towards = towards.div(length, new Vector3f());
+    }
+
+    /** Sets the uniforms of jrtr/lights.glsl, at most {@link #MOST} lights, as far as the program uses them. */
+    public static void apply(List<Light> lights, ShaderProgram program) {
+        float[] directions = new float[3 * MOST];
+        float[] radiances = new float[3 * MOST];
+        for (int i = 0; i < lights.size(); i++) {
+            for (int c = 0; c < 3; c++) {
+                directions[3 * i + c] = lights.get(i).towards.get(c);
+                radiances[3 * i + c] = lights.get(i).radiance.get(c);
+            }
+        }
+        if (program.isActive("lightCount")) {
+            program.set("lightCount", lights.size());
+        }
+        if (program.isActive("lightDirections")) {
+            program.set("lightDirections", directions);
+        }
+        if (program.isActive("lightRadiances")) {
+            program.set("lightRadiances", radiances);
+        }
+    }
+}

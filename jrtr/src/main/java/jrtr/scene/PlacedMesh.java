@@ -1,0 +1,63 @@
+package jrtr.scene;
+
+import java.util.Map;
+import jrtr.Tile;
+import jrtr.VertexData.BoundingSphere;
+import jrtr.gl.FloatTarget;
+import jrtr.gl.RenderContext;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
+import jrtr.gl.VertexBuffer;
+import org.joml.FrustumIntersection;
+import org.joml.Matrix3f;
+import org.joml.Matrix4fc;
+
+/**
+ * Mesh in world space with its material. Owns neither mesh nor program nor textures.
+ *
+ * @param modelToWorld affine and invertible matrix M from the mesh's coordinates v to world space, {@code M * v}
+ */
+public record PlacedMesh(
+        VertexBuffer mesh,
+        Matrix4fc modelToWorld,
+        ShaderProgram program,
+        Map<String, Texture> textures,
+        RenderContext.Faces faces) {
+    /** Factor on bounding radii, because the frustum's planes from float matrices err by a few 1e-6. */
+    private static final float CULLING_RADIUS_FACTOR = 1.001f;
+
+    /** Sets the uniforms of jrtr/tangent_frame.glsl: rotation in radians about the normal, counter-clockwise seen from outside. */
+    public static void turnTangents(ShaderProgram program, double radians) {
+        program.set("tangentCosine", (float) Math.cos(radians));
+        program.set("tangentSine", (float) Math.sin(radians));
+    }
+
+    /**
+     * Clears the tile to zeros and draws the mesh there; no pixel outside is touched. Tiles that cover the target give the same picture as
+     * one draw, bit for bit. Sets the uniforms of mesh.vert.glsl; the caller sets all others.
+     *
+     * @param area part of the picture that the target, which has depth, shows; it has the target's size in pixels
+     */
+    public void draw(RenderContext context, View view, View.Area area, FloatTarget target, Tile tile) {
+        if (area.part().width() != target.spec().width()
+                || area.part().height() != target.spec().height()) {
+            throw new IllegalArgumentException("target '" + target.label() + "' of "
+                    + target.spec().width() + " x " + target.spec().height() + " cannot show " + area.part());
+        }
+        target.clear(tile, 0, 0, 0, 0);
+        BoundingSphere bounds = mesh.bounds().transformed(modelToWorld);
+        FrustumIntersection frustum = new FrustumIntersection(view.worldToClip(area.within(tile)));
+        if (!frustum.testSphere(bounds.center(), CULLING_RADIUS_FACTOR * bounds.radius())) {
+            return;
+        }
+        program.set("modelToWorld", modelToWorld);
+        // The inverse transpose keeps normals orthogonal to the surface under any scaling.
+        program.set("normalToWorld", modelToWorld.normal(new Matrix3f()));
+        program.set("mirror", modelToWorld.determinant3x3() < 0 ? -1f : 1f);
+        program.set("worldToClip", view.worldToClip(area));
+        if (program.isActive("eyePosition")) {
+            program.set("eyePosition", view.camera().centerOfProjection());
+        }
+        context.draw(program, textures, mesh, faces, target, tile);
+    }
+}
