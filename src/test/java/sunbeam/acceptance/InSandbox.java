@@ -17,8 +17,9 @@ import org.junit.jupiter.api.io.TempDir;
 abstract class InSandbox {
     static final int SET_UP_FAILED = 7;
 
-    private static final String ESSENTIAL_PROGRAMS = "bash cat cksum cp dirname env find flock grep head mkdir mktemp"
-            + " mv readlink rm sed setpriv setsid sleep sort touch true uname";
+    private static final String ESSENTIAL_PROGRAMS =
+            "bash cat cksum cp dirname env find flock grep head ls mkdir mktemp"
+                    + " mv readlink rm sed setpriv setsid sleep sort touch true uname xargs";
 
     @TempDir
     Path folder;

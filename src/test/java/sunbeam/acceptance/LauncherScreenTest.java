@@ -2,7 +2,6 @@ package sunbeam.acceptance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.BufferedReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -87,32 +86,6 @@ class LauncherScreenTest extends InSandbox {
 
         SunbeamResult result = command(arguments).run().ended(0);
         assertThat(result.stdout()).as("%s", result).startsWith("screen none");
-    }
-
-    /** Xlib and Java print messages of their own then, and Java ends by a signal or with code 1. */
-    @ParameterizedTest
-    @ValueSource(ints = {1, 134})
-    void aScreenThatEndsUnderTheViewerIsOneLine(int codeOfJava) throws Exception {
-        Process server = new ProcessBuilder("Xvfb", "-displayfd", "1").start();
-        try (BufferedReader said = server.inputReader()) {
-            String display = ":" + said.readLine();
-            installJava(
-                    "jdk",
-                    "17.0.1",
-                    "kill -KILL " + server.pid(),
-                    "while kill -0 " + server.pid() + " 2>/dev/null; do sleep 0.1; done",
-                    "echo 'Nativewindow X11 IOError: Display 0x1 (:1): Resource temporarily unavailable' >&2",
-                    "exit " + codeOfJava);
-
-            SunbeamResult result =
-                    command("view").with("DISPLAY", display).run().ended(NO_SCREEN);
-            assertThat(result.stderr())
-                    .doesNotContain("Nativewindow")
-                    .endsWith("sunbeam: the X server of DISPLAY=" + display
-                            + " has ended, and with it the viewer; start it again\n");
-        } finally {
-            server.destroyForcibly();
-        }
     }
 
     @ParameterizedTest
