@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.SwingUtilities;
 import jrtr.GraphicsException;
-import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.render.LightCone;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -193,9 +192,9 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     @Override
-    public void opened(ContextInfo info) {
+    public void opened(String value) {
         viewer.journal.reached("OpenGL");
-        renderer = info.renderer();
+        renderer = value;
     }
 
     @Override

@@ -6,7 +6,6 @@ import static sunbeam.app.render.PartSum.TABLE_SAMPLES;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.OptionalDouble;
-import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.SceneData;
@@ -30,9 +29,8 @@ final class CachedExposure {
 
     private SceneData last;
     private double exposure;
-    // The metered exposure, and the exposure of the metered picture {@link #onScreen}; 0 if unknown.
-    private double metered;
-    private double shownWhenMetered;
+    // Metered exposure over the estimate from the same picture on screen; NaN if unknown.
+    private double perEstimate;
 
     /** Returns the exposure that the scene sets, or else the cached one; empty if none is cached for this mesh, method and body. */
     OptionalDouble known(SceneData data) {
@@ -40,31 +38,31 @@ final class CachedExposure {
         return chosen.isPresent() || !looksTheSame(data, last) ? chosen : OptionalDouble.of(exposure);
     }
 
-    double of(SceneData data, DoubleSupplier meter) {
-        return known(data).orElseGet(() -> store(data, meter.getAsDouble()));
-    }
-
     double store(SceneData data, double value) {
-        if (data.scene().get(SceneSettings.EXPOSURE).isEmpty()) {
+        if (isAutomatic(data)) {
             last = data;
             exposure = value;
-            metered = value;
-            shownWhenMetered = 0;
+            perEstimate = Double.NaN;
         }
         return value;
     }
 
-    void storeOnScreen(BufferedImage image, double used, Scene scene) {
-        if (scene.get(SceneSettings.EXPOSURE).isEmpty()) {
-            shownWhenMetered = onScreen(image, used, scene);
+    /** Relates the stored exposure to its picture on screen, drawn with the exposure {@code used}. */
+    void storeOnScreen(SceneData data, BufferedImage image, double used) {
+        if (isAutomatic(data)) {
+            perEstimate = exposure / onScreen(image, used, data.scene());
         }
     }
 
     /** Scales the metered exposure by the change of the exposure on screen since metering. */
     void follow(SceneData data, BufferedImage image, double used) {
-        if (shownWhenMetered > 0 && data.scene().get(SceneSettings.EXPOSURE).isEmpty() && looksTheSame(data, last)) {
-            exposure = metered * onScreen(image, used, data.scene()) / shownWhenMetered;
+        if (perEstimate > 0 && isAutomatic(data) && looksTheSame(data, last)) {
+            exposure = perEstimate * onScreen(image, used, data.scene());
         }
+    }
+
+    private static boolean isAutomatic(SceneData data) {
+        return data.scene().get(SceneSettings.EXPOSURE).isEmpty();
     }
 
     private static double onScreen(BufferedImage image, double used, Scene scene) {

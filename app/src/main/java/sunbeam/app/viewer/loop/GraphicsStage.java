@@ -13,7 +13,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
-import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.render.PatchStrokes;
@@ -53,8 +52,8 @@ public final class GraphicsStage implements Stage {
     private boolean isMoving;
 
     @Override
-    public ContextInfo info() {
-        return context.info();
+    public String renderer() {
+        return context.info().renderer();
     }
 
     @Override
@@ -162,7 +161,7 @@ public final class GraphicsStage implements Stage {
         meter(() -> false);
         Preview preview = byTable(1);
         if (isFirst) {
-            exposures.storeOnScreen(preview.image(), preview.exposure(), scene());
+            exposures.storeOnScreen(state.firstPart(), preview.image(), preview.exposure());
         }
         return Optional.of(preview);
     }
@@ -212,9 +211,11 @@ public final class GraphicsStage implements Stage {
         return current.sum()
                 .coarse(scene(), state.width(), state.height(), stride, white, current.tiles(), interrupted)
                 .map(picture -> {
-                    double exposure = exposures.of(
-                            state.firstPart(),
-                            () -> LinearPicture.exposure(picture.reduced(1).linear()));
+                    double exposure = exposures
+                            .known(state.firstPart())
+                            .orElseGet(() -> exposures.store(
+                                    state.firstPart(),
+                                    LinearPicture.exposure(picture.reduced(1).linear())));
                     double pixels = (double) state.width()
                             * state.height()
                             * samples().side()

@@ -1,13 +1,11 @@
 package sunbeam.app.viewer.loop;
 
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
-import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -37,14 +35,9 @@ final class MapStage {
     private final RenderContext context;
     private final TimedTiles tiles = new TimedTiles(System::nanoTime);
     private CancellationToken newest = new CancellationToken();
-    // Inputs of the displayed coarse map; null if another map is displayed.
-    private Coarse coarse;
     private long coarseDrawn = System.nanoTime() - COARSE_NANOSECONDS;
 
-    private record Coarse(List<Optional<VirtualTexture>> colors, Direction light) {}
-
-    /** @param colors powers by (u, v, w) */
-    private record Part(SceneData data, UnaryOperator<float[]> colors) {}
+    private record Part(SceneData data, VirtualTexture colors) {}
 
     MapStage(RenderContext context) {
         this.context = context;
@@ -60,7 +53,6 @@ final class MapStage {
             boolean isFinal,
             BooleanSupplier interrupted,
             BiConsumer<BufferedImage, Boolean> drawn) {
-        coarse = null;
         int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
         for (int size : sizes) {
             try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
@@ -74,39 +66,38 @@ final class MapStage {
     }
 
     /** Draws a small map from the finest wholly resident level of color tables, in some milliseconds, at most ten times a second. */
-    void drawCoarse(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+    void drawCoarse(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         long now = System.nanoTime();
-        Coarse wanted =
-                new Coarse(parts.stream().map(SceneSession::virtualTexture).toList(), light);
-        if (wanted.equals(coarse) || now - coarseDrawn < COARSE_NANOSECONDS) {
-            return;
+        if (now - coarseDrawn >= COARSE_NANOSECONDS) {
+            coarseDrawn = now;
+            drawn.accept(map(parts(sessions), light, PREVIEW_SIZE, VirtualTexture::coarseColors), false);
         }
-        coarse = wanted;
-        coarseDrawn = now;
-        List<Part> coarsely = parts.stream()
-                .map(part -> new Part(part.data(), part.virtualTexture().orElseThrow()::coarseColors))
-                .toList();
-        drawn.accept(map(coarsely, light, PREVIEW_SIZE), false);
     }
 
     /** Queues a map that is drawn when the picture's tiles are baked; it evaluates colors exactly, without the tables' interpolation. */
-    void drawLater(List<SceneSession> parts, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
+    void drawLater(List<SceneSession> sessions, Direction light, BiConsumer<BufferedImage, Boolean> drawn) {
         CancellationToken token = new CancellationToken();
         newest = token;
-        coarse = null;
-        List<Part> exactly = new ArrayList<>();
-        for (SceneSession part : parts) {
-            VirtualTexture colors = part.virtualTexture().orElseThrow();
-            exactly.add(new Part(part.data(), points -> colors.evaluatePoints(points, token)));
-        }
-        parts.get(0).virtualTexture().orElseThrow().whenIdle(token, () -> {
+        List<Part> parts = parts(sessions);
+        parts.get(0).colors.whenIdle(token, () -> {
             for (int size : new int[] {PREVIEW_SIZE, SIZE}) {
-                drawn.accept(map(exactly, light, size), size == SIZE);
+                drawn.accept(
+                        map(parts, light, size, (colors, points) -> colors.evaluatePoints(points, token)),
+                        size == SIZE);
             }
         });
     }
 
-    private static BufferedImage map(List<Part> parts, Direction light, int size) {
+    private static List<Part> parts(List<SceneSession> sessions) {
+        return sessions.stream()
+                .map(session ->
+                        new Part(session.data(), session.virtualTexture().orElseThrow()))
+                .toList();
+    }
+
+    /** @param colors powers by (u, v, w) */
+    private static BufferedImage map(
+            List<Part> parts, Direction light, int size, BiFunction<VirtualTexture, float[], float[]> colors) {
         DiscDirections directions = new DiscDirections(size, light);
         float[] xyz = new float[3 * size * size];
         Arrays.fill(xyz, Float.NaN);
@@ -114,12 +105,15 @@ final class MapStage {
                 IntStream.range(0, size * size).filter(directions::covers).toArray();
         for (int first = 0; first < covered.length; first += BATCH) {
             int[] pixels = Arrays.copyOfRange(covered, first, Math.min(covered.length, first + BATCH));
-            parts.forEach(part -> add(directions, pixels, part, xyz));
+            float[] points = points(directions, pixels);
+            for (Part part : parts) {
+                add(directions, pixels, part.data, colors.apply(part.colors, points), xyz);
+            }
         }
         return shown(new LinearPicture(size, size, xyz));
     }
 
-    private static void add(DiscDirections directions, int[] pixels, Part part, float[] xyz) {
+    private static float[] points(DiscDirections directions, int[] pixels) {
         float[] points = new float[3 * pixels.length];
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
@@ -127,11 +121,13 @@ final class MapStage {
             points[3 * i + 1] = (float) pair.v();
             points[3 * i + 2] = (float) pair.w();
         }
-        float[] power = part.colors.apply(points);
+        return points;
+    }
+
+    private static void add(DiscDirections directions, int[] pixels, SceneData data, float[] power, float[] xyz) {
         for (int i = 0; i < pixels.length; i++) {
             DirectionPair pair = directions.at(pixels[i]);
-            double gain = part.data
-                    .reflectanceComponent()
+            double gain = data.reflectanceComponent()
                     .map(component -> component.reflection().gain(pair))
                     .orElseGet(() -> Gain.relativeRadiance(pair));
             for (int c = 0; c < 3; c++) {

@@ -4,11 +4,16 @@ import java.awt.image.BufferedImage;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
-import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.failure.Failure;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -23,7 +28,7 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Listener of the render thread. Images passed to it do not change afterwards. */
     public interface Listener {
-        void opened(ContextInfo info);
+        void opened(String renderer);
 
         /** Drawing has ended for good, for the reason given in one line. */
         void failed(String message);
@@ -56,7 +61,12 @@ public final class RenderLoop implements AutoCloseable {
         COMPLETE
     }
 
-    private final Inbox inbox = new Inbox();
+    // Newest state that is not begun, or null: a newer one replaces an older one.
+    private final AtomicReference<ViewState> newest = new AtomicReference<>();
+    private final Queue<Consumer<Stage>> tasks = new ConcurrentLinkedQueue<>();
+    private volatile boolean isClosed;
+    // Has a permit if a state, task, tile or the end may have come since the last turn.
+    private final Semaphore events = new Semaphore(0);
     private final Supplier<? extends Stage> opening;
     private final Consumer<Consumer<Listener>> news;
     private final LongSupplier clock;
@@ -91,14 +101,15 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     public void show(ViewState next) {
-        inbox.show(next);
+        newest.set(next);
+        events.release();
     }
 
     /** Shows the body of the first scene, once its shape is loaded, unless a state comes before it. */
     public void showBody(Scene scene, Supplier<SceneShape> shape, int width, int height) {
         submit(stage -> {
             SceneShape loaded = shape.get();
-            if (!inbox.isInterrupted()) {
+            if (!isInterrupted()) {
                 BufferedImage image = stage.body(scene, loaded, width, height);
                 news.accept(to -> to.body(image));
             }
@@ -107,13 +118,15 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Queues a small task, which runs after the current part of a picture. */
     public void submit(Consumer<Stage> task) {
-        inbox.submit(task);
+        tasks.add(task);
+        events.release();
     }
 
     /** Requests the end; does not wait for it. */
     @Override
     public void close() {
-        inbox.close();
+        isClosed = true;
+        events.release();
     }
 
     public boolean awaitEnd(long milliseconds) throws InterruptedException {
@@ -123,10 +136,12 @@ public final class RenderLoop implements AutoCloseable {
 
     private void run() {
         try (Stage stage = opening.get()) {
-            ContextInfo info = stage.info();
-            news.accept(to -> to.opened(info));
-            while (!inbox.isClosed()) {
-                inbox.await(pause());
+            String renderer = stage.renderer();
+            news.accept(to -> to.opened(renderer));
+            while (!isClosed) {
+                if (events.tryAcquire(pause(), TimeUnit.NANOSECONDS)) {
+                    events.drainPermits();
+                }
                 turn(stage);
             }
         } catch (RuntimeException | LinkageError | OutOfMemoryError failure) {
@@ -159,7 +174,7 @@ public final class RenderLoop implements AutoCloseable {
         // If this state cannot be drawn (out of memory, invalid scene), report it and wait for the next one.
         try {
             boolean hasMoreTiles = stage.takeTiles();
-            inbox.state(any -> true).ifPresent(newest -> begin(stage, newest));
+            take(any -> true).ifPresent(next -> begin(stage, next));
             if (phase == Phase.MOVING && isStill()) {
                 settle(stage);
             } else if (phase == Phase.WAITING_FOR_TILES && hasMoreTiles) {
@@ -174,9 +189,9 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void doTasks(Stage stage) {
-        for (var task = inbox.task(); task.isPresent(); task = inbox.task()) {
+        for (Consumer<Stage> task = tasks.poll(); task != null && !isClosed; task = tasks.poll()) {
             try {
-                task.get().accept(stage);
+                task.accept(stage);
             } catch (RuntimeException | OutOfMemoryError failure) {
                 news.accept(to -> to.refused(Failure.of(failure).message()));
             }
@@ -189,7 +204,7 @@ public final class RenderLoop implements AutoCloseable {
         Finished last = finished.get(next.isOther());
         boolean isFinished = last != null && next.showsThePictureOf(last.state());
         // update() throws before anything changes, so a failure leaves the old picture on screen.
-        stage.update(next, () -> inbox.submit(ignored -> {}));
+        stage.update(next, events::release);
         state = next;
         if (isFinished) {
             stage.interactive(false);
@@ -198,7 +213,7 @@ public final class RenderLoop implements AutoCloseable {
             phase = Phase.MOVING;
             stage.interactive(true);
             // A newer state interrupts the comparison's preview, but not the preview of the scene's own method.
-            show(stage.moving(next.isOther() ? inbox::isInterrupted : inbox::isClosed));
+            show(stage.moving(next.isOther() ? this::isInterrupted : () -> isClosed));
             map(stage, false);
             previewEnd = clock.getAsLong();
         }
@@ -219,7 +234,7 @@ public final class RenderLoop implements AutoCloseable {
         }
         // Finding the tiles of all pixels takes seconds: show the coarsest ones first.
         show(stage.byTiles());
-        if (stage.request(inbox::isInterrupted)) {
+        if (stage.request(this::isInterrupted)) {
             phase = Phase.WAITING_FOR_TILES;
             await(stage);
         }
@@ -242,7 +257,7 @@ public final class RenderLoop implements AutoCloseable {
         for (var finer = stage.finer(interrupted); finer.isPresent(); finer = stage.finer(interrupted)) {
             show(finer);
         }
-        if (inbox.isInterrupted()) {
+        if (isInterrupted()) {
             return;
         }
         long start = clock.getAsLong();
@@ -255,11 +270,22 @@ public final class RenderLoop implements AutoCloseable {
     /** Does waiting tasks and takes over a newer state of the same picture. Returns true if a newer state needs another picture. */
     private boolean isOvertaken(Stage stage, ViewState begun) {
         doTasks(stage);
-        inbox.state(begun::showsThePictureOf).ifPresent(same -> {
+        take(begun::showsThePictureOf).ifPresent(same -> {
             state = same;
             map(stage, false);
         });
-        return inbox.isInterrupted();
+        return isInterrupted();
+    }
+
+    private boolean isInterrupted() {
+        return isClosed || newest.get() != null;
+    }
+
+    /** Removes and returns the newest state if it is wanted. */
+    private Optional<ViewState> take(Predicate<ViewState> isWanted) {
+        ViewState next = newest.get();
+        boolean isTaken = next != null && isWanted.test(next) && newest.compareAndSet(next, null);
+        return isTaken ? Optional.of(next) : Optional.empty();
     }
 
     private void complete(Stage stage, Stage.Final picture, long nanoseconds) {
@@ -279,7 +305,10 @@ public final class RenderLoop implements AutoCloseable {
                     shown,
                     isFinal,
                     // The comparison method's state does not interrupt the map.
-                    () -> inbox.isInterrupted(newer -> !newer.isOther()),
+                    () -> isClosed
+                            || Optional.ofNullable(newest.get())
+                                    .filter(next -> !next.isOther())
+                                    .isPresent(),
                     (image, isWhole) -> news.accept(to -> to.map(shown, image, isWhole)));
         } catch (RuntimeException | OutOfMemoryError failure) {
             news.accept(to -> to.refused(Failure.of(failure).message()));

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import jrtr.Tile;
-import jrtr.gl.RenderContext.ContextInfo;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
@@ -30,7 +29,8 @@ public interface Stage extends AutoCloseable {
         void drawn(Tile tile, BufferedImage part, double shareDone);
     }
 
-    ContextInfo info();
+    /** Returns the name of OpenGL's renderer. */
+    String renderer();
 
     /** Draws the first scene's body, before its patches and method are loaded; then nothing else has been drawn. */
     BufferedImage body(Scene scene, SceneShape shape, int width, int height);

@@ -13,7 +13,6 @@ import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import jrtr.Tile;
-import jrtr.gl.RenderContext.ContextInfo;
 import org.joml.Vector3f;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -293,7 +292,7 @@ final class RenderLoopTest {
         }
 
         @Override
-        public ContextInfo info() {
+        public String renderer() {
             throw new UnsupportedOperationException();
         }
 
@@ -313,7 +312,7 @@ final class RenderLoopTest {
         }
 
         @Override
-        public void opened(ContextInfo info) {
+        public void opened(String renderer) {
             fail("is opened by a thread");
         }
 
