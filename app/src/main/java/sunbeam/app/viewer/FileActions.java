@@ -33,6 +33,7 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.viewer.components.ControlOrigin;
+import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.Drags;
@@ -192,13 +193,14 @@ public final class FileActions {
     }
 
     void writeWaiting() {
-        if (pictureWaiting == null || !window.picture.isFinal()) {
+        RenderLoop.Finished finished = viewer.presenter.finished().orElse(null);
+        if (pictureWaiting == null || finished == null) {
             return;
         }
         Path file = pictureWaiting;
         pictureWaiting = null;
-        ViewState state = viewer.presenter.completed().state();
-        Stage.Final picture = viewer.presenter.completed().picture();
+        ViewState state = finished.state();
+        Stage.Final picture = finished.picture();
         String renderer = viewer.presenter.renderer();
         save(file, () -> {
             Scene scene = state.firstPart().scene();

@@ -13,7 +13,6 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
-import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
@@ -33,7 +32,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     final CompletableFuture<Void> firstPicture = new CompletableFuture<>();
     final CompletableFuture<Void> finalPicture = new CompletableFuture<>();
     private final Set<Overlay> overlays = EnumSet.of(Overlay.MAP);
-    private Optional<ViewMeasurement> measurement = Optional.empty();
+    Optional<ViewMeasurement> measurement = Optional.empty();
     // Number of the newest request for strokes; results of older requests are discarded.
     private long newestStrokes;
     private boolean failed;
@@ -56,30 +55,23 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         finalPicture.completeExceptionally(new GraphicsException(why));
     }
 
-    void observe(Optional<ViewMeasurement> value) {
-        measurement = value;
-    }
-
-    /** True if the newest requested state's final picture is on screen. */
+    /** Returns the final picture of the newest scene; empty until it is on screen. */
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
-    public boolean isSettled() {
-        return completed != null && completed.state() == requested;
-    }
-
-    /** Returns the last final picture, or null. */
-    RenderLoop.Finished completed() {
-        return completed;
+    Optional<RenderLoop.Finished> finished() {
+        return Optional.ofNullable(completed)
+                .filter(last ->
+                        last.state() == requested && last.state().firstPart().suits(model.scene()));
     }
 
     String renderer() {
         return renderer;
     }
 
-    public boolean shows(Overlay overlay) {
+    boolean shows(Overlay overlay) {
         return overlays.contains(overlay);
     }
 
-    public void toggle(Overlay overlay) {
+    void toggle(Overlay overlay) {
         if (!overlays.remove(overlay)) {
             overlays.add(overlay);
         }
@@ -87,7 +79,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             case CONE -> followLight();
             case STROKES -> {
                 removeStrokes();
-                if (isSettled()) {
+                if (finished().isPresent()) {
                     requestStrokes();
                 }
             }
@@ -133,11 +125,14 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         if (failed || width < 1 || height < 1 || model.loaded().isEmpty()) {
             return;
         }
-        LoadedScene loaded = model.loaded().get();
         requested = new ViewState(
-                loaded, width, height, shows(Overlay.MAP) ? map.follow() : Optional.empty(), map.region(), false);
+                model.loaded().get(),
+                width,
+                height,
+                shows(Overlay.MAP) ? map.follow() : Optional.empty(),
+                map.region(),
+                false);
         splitView.outdated();
-        window.picture.outdated();
         removeStrokes();
         window.status.outdated();
         measurement.ifPresent(measured -> measured.requested(requested));
@@ -223,7 +218,7 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     @Override
     public void body(BufferedImage image) {
         if (!firstPicture.isDone()) {
-            window.picture.showPicture(image, image.getWidth(), image.getHeight(), false);
+            window.picture.showPicture(image, image.getWidth(), image.getHeight());
             viewer.journal.reached("body");
         }
     }
@@ -236,17 +231,14 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             return;
         }
         boolean isNew = state != shown;
-        double divisor = preview.divisor();
-        boolean hasColors = preview.hasColors();
-        show(state, preview.image(), false, hasColors, preview.exposure());
-        viewer.journal.reached(hasColors ? "first picture" : "body");
-        if (isNew) {
-            window.status.moving(divisor);
-        } else {
-            window.status.still(divisor);
+        show(state, preview.image());
+        if (preview.hasColors()) {
+            window.controls.exposureInUse(preview.exposure());
         }
+        viewer.journal.reached(preview.hasColors() ? "first picture" : "body");
+        window.status.preview(preview.divisor(), isNew);
         // Runs after Swing has painted the picture.
-        SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, divisor)));
+        SwingUtilities.invokeLater(() -> measurement.ifPresent(measured -> measured.shown(state, preview.divisor())));
     }
 
     @Override
@@ -260,10 +252,11 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         ViewState state = finished.state();
         Stage.Final picture = finished.picture();
         if (state.isOther()) {
-            splitView.complete(state, picture);
+            splitView.complete(finished);
             return;
         }
-        show(state, picture.image(), state == requested, true, picture.exposure());
+        show(state, picture.image());
+        window.controls.exposureInUse(picture.exposure());
         viewer.journal.reached("final picture");
         completed = finished;
         finalPicture.complete(null);
@@ -272,22 +265,19 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         if (state == requested) {
             window.status.complete(finished.nanoseconds());
             requestStrokes();
-            splitView.begin(state, picture.exposure());
+            splitView.begin(finished);
         }
     }
 
     @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
-    private void show(ViewState state, BufferedImage image, boolean isFinal, boolean hasColors, double exposure) {
+    private void show(ViewState state, BufferedImage image) {
         firstPicture.complete(null);
         if (shown == null || shown.firstPart().method() != state.firstPart().method()) {
             window.status.method(state.firstPart(), renderer);
         }
         shown = state;
         followLoad();
-        window.picture.showPicture(image, state.width(), state.height(), isFinal);
-        if (hasColors) {
-            window.controls.exposureInUse(exposure);
-        }
+        window.picture.showPicture(image, state.width(), state.height());
     }
 
     @Override

@@ -1,13 +1,13 @@
 package sunbeam.app.viewer;
 
 import java.awt.image.BufferedImage;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.components.ControlOrigin;
 import sunbeam.app.viewer.components.Divider;
 import sunbeam.app.viewer.components.MethodChoice;
+import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
 import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
@@ -24,9 +24,8 @@ final class SplitViewPresenter {
     private final ViewerWindow window;
     private final Divider divider;
     private final ViewerModel.Loading loading;
-    // Final picture by the scene's own method, and its exposure; null if outdated.
-    private ViewState own;
-    private double exposure;
+    // Final picture by the scene's own method; null if outdated.
+    private RenderLoop.Finished own;
     private ViewState requested;
     private long previewed;
     private LoadedScene loaded;
@@ -45,9 +44,8 @@ final class SplitViewPresenter {
         divider.hide();
     }
 
-    void begin(ViewState state, double exposureInUse) {
-        own = state;
-        exposure = exposureInUse;
+    void begin(RenderLoop.Finished finished) {
+        own = finished;
         requestPicture();
     }
 
@@ -55,31 +53,32 @@ final class SplitViewPresenter {
         if (own == null) {
             return;
         }
-        Choices sameExposure =
-                Choices.at(ControlOrigin.INSTANCE).with(SceneSettings.EXPOSURE, OptionalDouble.of(exposure));
-        Optional<Scene> compared = window.controls.compared(own.firstPart().scene());
-        compared.ifPresent(scene -> draw(scene.keepingSurroundings().with(sameExposure)));
+        OptionalDouble exposure = OptionalDouble.of(own.picture().exposure());
+        Choices sameExposure = Choices.at(ControlOrigin.INSTANCE).with(SceneSettings.EXPOSURE, exposure);
+        window.controls
+                .compared(own.state().firstPart().scene())
+                .ifPresent(
+                        scene -> draw(own.state(), scene.keepingSurroundings().with(sameExposure)));
     }
 
     @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
-    private void draw(Scene scene) {
+    private void draw(ViewState shown, Scene scene) {
         if (loaded != null
-                && loaded.firstPart().mesh() == own.firstPart().mesh()
+                && loaded.firstPart().mesh() == shown.firstPart().mesh()
                 && loaded.firstPart().suits(scene)) {
             loaded = loaded.with(scene);
-            requested = own.by(loaded);
-            divider.show(null, words(own), words(requested) + ", being drawn", false);
+            requested = shown.by(loaded);
+            divider.show(null, words(shown), words(requested) + ", being drawn", false);
             viewer.loop.show(requested);
             return;
         }
-        divider.show(null, words(own), MethodChoice.of(scene) + " is being prepared", false);
+        divider.show(null, words(shown), MethodChoice.of(scene) + " is being prepared", false);
         if (preparing != null && preparing.sharesParts(scene)) {
             return;
         }
         preparing = scene;
-        LoadedScene previous = own.scene();
         viewer.loading.run(
-                () -> loading.load(scene, previous, share -> {}),
+                () -> loading.load(scene, shown.scene(), share -> {}),
                 result -> {
                     preparing = null;
                     loaded = result;
@@ -112,7 +111,7 @@ final class SplitViewPresenter {
             String words = Text.format(
                     "%s, preview%s, final in about %.0f s",
                     words(requested), StatusLine.scale(preview.divisor()), Math.ceil(preview.secondsToFinal()));
-            divider.show(preview.image(), words(own), words, false);
+            divider.show(preview.image(), words(own.state()), words, false);
         }
     }
 
@@ -126,9 +125,9 @@ final class SplitViewPresenter {
     }
 
     @SuppressWarnings("ReferenceEquality") // compares requests by identity
-    void complete(ViewState state, Stage.Final picture) {
-        if (state == requested) {
-            divider.show(picture.image(), words(own), words(requested), true);
+    void complete(RenderLoop.Finished finished) {
+        if (finished.state() == requested) {
+            divider.show(finished.picture().image(), words(own.state()), words(requested), true);
         }
     }
 }

@@ -66,7 +66,12 @@ public final class StatusLine extends JPanel {
         return message;
     }
 
-    void moving(double divisor) {
+    /** @param moves true if the picture's state is newer than that of the last one */
+    void preview(double divisor, boolean moves) {
+        if (!moves) {
+            report("Preview" + scale(divisor));
+            return;
+        }
         long now = System.nanoTime();
         frames++;
         if (rateStart == 0 || now - rateStart > TEXT_INTERVAL) {
@@ -75,10 +80,6 @@ public final class StatusLine extends JPanel {
             frames = 0;
             rateStart = now;
         }
-    }
-
-    void still(double divisor) {
-        report("Preview" + scale(divisor));
     }
 
     static String scale(double divisor) {

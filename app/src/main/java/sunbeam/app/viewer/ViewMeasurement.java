@@ -81,7 +81,7 @@ public final class ViewMeasurement {
     }
 
     private void begin() {
-        viewer.presenter.observe(Optional.of(this));
+        viewer.presenter.measurement = Optional.of(this);
         start = System.nanoTime() + Math.min(nanoseconds, LONGEST_WARM_UP_NANOSECONDS);
         send(MouseEvent.MOUSE_PRESSED, 0);
         timer.start();
@@ -96,7 +96,7 @@ public final class ViewMeasurement {
                 processor = processorTime().minus(processorBegun.orElseGet(ViewMeasurement::processorTime));
                 keepFrame();
                 send(MouseEvent.MOUSE_RELEASED, 0);
-            } else if (viewer.presenter.isSettled() && viewer.window.picture.isFinal()) {
+            } else if (viewer.presenter.finished().isPresent()) {
                 finalDifference = Optional.of(PictureDifference.of(
                         lastFrame, viewer.window.picture.picture().orElseThrow()));
                 finish();
@@ -114,7 +114,7 @@ public final class ViewMeasurement {
 
     private void finish() {
         timer.stop();
-        viewer.presenter.observe(Optional.empty());
+        viewer.presenter.measurement = Optional.empty();
         done.countDown();
     }
 

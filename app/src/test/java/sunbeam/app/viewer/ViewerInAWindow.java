@@ -264,8 +264,7 @@ public abstract class ViewerInAWindow {
         robot.delay(100);
         awaitOnEvents(() -> {
             PictureView view = viewer.window.picture;
-            return view.isFinal()
-                    && viewer.presenter.isSettled()
+            return viewer.presenter.finished().isPresent()
                     && view.picture().orElseThrow().getWidth() == view.pictureWidth();
         });
     }

@@ -85,7 +85,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
         assertThat(Arrays.stream(body).distinct().count()).isGreaterThan(8);
         assertThat(early.model.loaded()).isEmpty();
         patchMayLoad.complete(null);
-        awaitOnEvents(view::isFinal);
+        awaitOnEvents(() -> early.presenter.finished().isPresent());
         onEvents(early::quit);
         early.awaitEnd(PATIENCE_MILLISECONDS);
     }
@@ -126,7 +126,8 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
             viewer.model.change(ViewerLifeWindowTest::costly);
             viewer.window.setSize(1100, 800);
         });
-        await(() -> loaded().suits(modelScene()) && !viewer.window.picture.isFinal());
+        await(() -> loaded().suits(modelScene())
+                && onEvents(() -> viewer.presenter.finished().isEmpty()));
         closeWindow();
         assertEnd();
     }
@@ -215,8 +216,7 @@ final class ViewerLifeWindowTest extends ViewerInAWindow {
                     for (Window window : Window.getWindows()) {
                         if (window instanceof ViewerWindow viewer
                                 && viewer.isShowing()
-                                && viewer.picture.picture().isPresent() == hasPicture
-                                && !viewer.picture.isFinal()) {
+                                && viewer.picture.picture().isPresent() == hasPicture) {
                             System.out.println(CLOSING);
                             viewer.dispatchEvent(new WindowEvent(viewer, WindowEvent.WINDOW_CLOSING));
                             return true;

@@ -132,7 +132,7 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
             viewer.files.loadPatch(file);
             // Nothing is loaded yet, since results come back on this thread.
             assertThat(label("status").getText()).startsWith("Loading next.json");
-            assertThat(viewer.window.picture.isFinal()).isFalse();
+            assertThat(viewer.presenter.finished()).isEmpty();
             assertThat(brightness(painted(viewer.window.picture))).isLessThan(before);
         });
         awaitPatch(file.toString());
@@ -222,6 +222,6 @@ final class ViewerPatchWindowTest extends ViewerInAWindow {
         onEvents(() -> viewer.files.savePicture(folder.resolve("missing/picture.png")));
         await(() -> message().startsWith("cannot write"));
         assertThat(message()).contains("does not exist").doesNotContain("\n");
-        assertThat(onEvents(() -> viewer.window.picture.isFinal())).isTrue();
+        assertThat(onEvents(() -> viewer.presenter.finished())).isPresent();
     }
 }

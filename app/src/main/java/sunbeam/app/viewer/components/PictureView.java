@@ -34,7 +34,6 @@ public final class PictureView extends JComponent {
     private BufferedImage picture;
     // Enlarged while painting; {@link #whole} makes a full-size copy on demand.
     private transient Optional<Reduced> reduced = Optional.empty();
-    private boolean isFinal;
     private boolean isDimmed;
     private transient Optional<LightCone> cone = Optional.empty();
     private transient Optional<BufferedImage> strokes = Optional.empty();
@@ -128,17 +127,15 @@ public final class PictureView extends JComponent {
         message.setVisible(true);
         picture = null;
         reduced = Optional.empty();
-        isFinal = false;
         repaint();
     }
 
     /** Shows a picture; an image of fewer than width times height pixels is enlarged. */
-    public void showPicture(BufferedImage image, int width, int height, boolean complete) {
+    public void showPicture(BufferedImage image, int width, int height) {
         message.setVisible(false);
         boolean isWhole = image.getWidth() == width && image.getHeight() == height;
         picture = isWhole ? image : null;
         reduced = isWhole ? Optional.empty() : Optional.of(Reduced.of(image, width, height));
-        isFinal = complete;
         repaint();
     }
 
@@ -154,11 +151,8 @@ public final class PictureView extends JComponent {
     }
 
     public void showTile(BufferedImage tile, int x, int y) {
-        if (whole() == null || isFinal) {
-            return;
-        }
+        Graphics2D graphics = whole().createGraphics();
         reduced = Optional.empty();
-        Graphics2D graphics = picture.createGraphics();
         graphics.drawImage(tile, x, y, null);
         graphics.dispose();
         repaint();
@@ -176,15 +170,6 @@ public final class PictureView extends JComponent {
             return OptionalInt.empty();
         }
         return OptionalInt.of(0xffffff & whole.getRGB(x, y));
-    }
-
-    public boolean isFinal() {
-        return isFinal && !isDimmed;
-    }
-
-    /** An outdated picture is not saved. */
-    public void outdated() {
-        isFinal = false;
     }
 
     public void dim(boolean old) {

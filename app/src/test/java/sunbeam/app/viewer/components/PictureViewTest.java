@@ -41,7 +41,7 @@ class PictureViewTest {
         PictureView view = new PictureView();
         view.setSize(800, 600);
         BufferedImage black = new BufferedImage(800, 600, BufferedImage.TYPE_INT_RGB);
-        view.showPicture(black, 800, 600, true);
+        view.showPicture(black, 800, 600);
         assertThat(painted(view)).as("white letters").contains(0xffffffff);
         view.hideHint();
         assertThat(painted(view)).containsOnly(0xff000000);
@@ -52,7 +52,7 @@ class PictureViewTest {
     void inANarrowViewTheLineIsBrokenAndNotCut() {
         PictureView view = new PictureView();
         view.setSize(260, 300);
-        view.showPicture(new BufferedImage(260, 300, BufferedImage.TYPE_INT_RGB), 260, 300, true);
+        view.showPicture(new BufferedImage(260, 300, BufferedImage.TYPE_INT_RGB), 260, 300);
         int[] painted = painted(view);
         assertThat(painted).contains(0xffffffff);
         for (int y = 0; y < 300; y++) {
@@ -69,7 +69,7 @@ class PictureViewTest {
 
     private static BufferedImage enlarged(BufferedImage few, int width, int height) {
         PictureView view = new PictureView();
-        view.showPicture(few, width, height, false);
+        view.showPicture(few, width, height);
         return view.picture().orElseThrow();
     }
 
