@@ -1,5 +1,6 @@
 package sunbeam.app.viewer;
 
+import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
@@ -8,7 +9,6 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,18 +40,18 @@ public final class ViewMeasurement {
 
     private record Drag(String title, int button) {}
 
+    /** @param time posting time of the event that changed the scene, since waiting in the queue is latency too; in milliseconds */
+    private record Request(ViewState state, long time) {}
+
     private final Viewer viewer;
     private final Drag drag;
     private final long nanoseconds;
     private final CountDownLatch done = new CountDownLatch(1);
     private final Timer timer = new Timer(EVENT_MILLISECONDS, event -> move());
-    // Requested states with the number of drag events that they include.
-    private final IdentityHashMap<ViewState, Long> included = new IdentityHashMap<>();
-    private final Deque<Long> unansweredTimes = new ArrayDeque<>();
+    // States that are not shown yet, in the order of their requests.
+    private final Deque<Request> requests = new ArrayDeque<>();
     private final List<Long> latencies = new ArrayList<>();
     private final List<Double> divisors = new ArrayList<>();
-    private long events;
-    private long answered;
     private long start;
     // Processor time of the process at the end of the warm-up, and its increase until the end of the drag.
     private Optional<Duration> processorBegun = Optional.empty();
@@ -133,38 +133,32 @@ public final class ViewMeasurement {
         int held = MouseEvent.getMaskForButton(drag.button);
         int x = view.getWidth() / 2 + offset;
         int y = view.getHeight() / 2;
-        if (kind == MouseEvent.MOUSE_DRAGGED) {
-            // Time of posting, since waiting in the queue is latency too.
-            unansweredTimes.add(System.nanoTime());
-        }
         MouseEvent event = new MouseEvent(view, kind, System.currentTimeMillis(), held, x, y, 1, false, drag.button);
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
 
     void requested(ViewState state) {
-        events++;
-        included.put(state, events);
+        requests.add(new Request(state, EventQueue.getMostRecentEventTime()));
     }
 
+    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void shown(ViewState state, double divisor) {
         Toolkit.getDefaultToolkit().sync();
-        Long upTo = included.remove(state);
-        if (upTo == null) {
+        if (requests.stream().noneMatch(request -> request.state == state)) {
             return;
         }
         if (!isHeld) {
             keepFrame();
         }
         lastDivisor = divisor;
-        included.values().removeIf(number -> number < upTo);
-        long now = System.nanoTime();
-        for (; answered < upTo && !unansweredTimes.isEmpty(); answered++) {
-            long latency = now - unansweredTimes.removeFirst();
-            if (now > start) {
-                latencies.add(latency);
-            }
-        }
-        if (now > start) {
+        List<Long> times = new ArrayList<>();
+        Request request;
+        do {
+            request = requests.remove();
+            times.add(System.currentTimeMillis() - request.time);
+        } while (request.state != state);
+        if (System.nanoTime() > start) {
+            latencies.addAll(times);
             divisors.add(divisor);
         }
     }
@@ -176,15 +170,15 @@ public final class ViewMeasurement {
         PictureView view = viewer.window.picture;
         return Text.format(
                 "%d x %d pixels, 1:%s of columns and rows (median), %.1f frames per second, %.0f ms of processor time each, from input to"
-                        + " screen %.0f ms (median), %.0f ms (95 %%), %.0f ms (longest); from the last frame (1:%s) to the final picture %s",
+                        + " screen %d ms (median), %d ms (95 %%), %d ms (longest); from the last frame (1:%s) to the final picture %s",
                 view.pictureWidth(),
                 view.pictureHeight(),
                 Decimals.format(quantile(divisors, 0.5)),
                 divisors.size() / (nanoseconds * 1e-9),
                 processor.toNanos() * 1e-6 / divisors.size(),
-                quantile(latencies, 0.5) * 1e-6,
-                quantile(latencies, 0.95) * 1e-6,
-                quantile(latencies, 1) * 1e-6,
+                quantile(latencies, 0.5),
+                quantile(latencies, 0.95),
+                quantile(latencies, 1),
                 Decimals.format(lastDivisor),
                 finalDifference.map(PictureDifference::text).orElse("more than three minutes"));
     }
