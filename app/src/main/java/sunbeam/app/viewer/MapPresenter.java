@@ -16,6 +16,7 @@ import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.patch.Patch;
 
 /** Presenter of the BRDF map for the picked point, or, if none is picked, for a skin that faces the viewer. On the event thread only. */
+@SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
 final class MapPresenter {
     // Lowest z of the unit vector to the light, about 0.6 degrees above the horizon; below, the radiance vanishes.
     private static final double LOWEST_LIGHT = 0.01;
@@ -76,7 +77,6 @@ final class MapPresenter {
     }
 
     /** Searches the period of the map's patch in the background, which takes seconds for a scan. */
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void findPeriod() {
         Patch wanted = wantedPatch().orElse(null);
         if (wanted == null || wanted == patch) {
@@ -95,7 +95,6 @@ final class MapPresenter {
                 viewer.window.status::message);
     }
 
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void markOrders() {
         Optional<GratingPeriod> known =
                 wantedPatch().filter(wanted -> wanted == patch).flatMap(wanted -> period);

@@ -27,48 +27,50 @@ public final class MouseControls extends MouseAdapter {
     enum Gesture {
         DIVIDE(
                 new Help(Group.SKIN, "drag of the line between two methods", "moves it"),
-                (view, event) -> isDrag(event) && view.divider().isGrabbed(),
-                MouseControls::divide),
+                (controls, event) -> isDrag(event) && controls.isDividerGrabbed,
+                (controls, event) -> controls.view.divider().move((double) event.getX() / controls.view.getWidth())),
         TURN(
                 new Help(
                         Group.LIGHT,
                         "left drag",
                         "turns the model about the point under the pointer; what stands upright stays so"),
-                (view, event) -> isLeftDrag(event, 0),
-                MouseControls::turn),
+                (controls, event) -> isLeftDrag(event, 0),
+                (controls, event) -> controls.orient(
+                        scene -> Drags.turned(scene, controls.right(event), controls.up(event)))),
         ROLL(
                 new Help(Group.LIGHT, "Ctrl + Shift + left drag", "rolls the model"),
-                (view, event) -> isLeftDrag(event, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK),
+                (controls, event) -> isLeftDrag(event, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK),
                 MouseControls::roll),
         LIGHT(
                 new Help(Group.LIGHT, "right drag, Shift + left drag", "moves the light"),
-                (view, event) -> (isDrag(event) && SwingUtilities.isRightMouseButton(event))
+                (controls, event) -> (isDrag(event) && SwingUtilities.isRightMouseButton(event))
                         || isLeftDrag(event, InputEvent.SHIFT_DOWN_MASK)
-                        || (event.getID() == MouseEvent.MOUSE_MOVED && view.isLightHeld()),
-                MouseControls::moveLight),
+                        || (event.getID() == MouseEvent.MOUSE_MOVED && controls.view.isLightHeld()),
+                (controls, event) -> controls.model.change(
+                        scene -> Drags.lit(scene, controls.right(event), controls.up(event)))),
         PAN(
                 new Help(Group.CAMERA, "middle drag, Ctrl + left drag", "pans"),
-                (view, event) -> (isDrag(event) && SwingUtilities.isMiddleMouseButton(event))
+                (controls, event) -> (isDrag(event) && SwingUtilities.isMiddleMouseButton(event))
                         || isLeftDrag(event, InputEvent.CTRL_DOWN_MASK),
                 MouseControls::pan),
         ZOOM(
                 new Help(Group.CAMERA, "wheel", "zooms to the pointer"),
-                (view, event) -> event instanceof MouseWheelEvent,
+                (controls, event) -> event instanceof MouseWheelEvent,
                 MouseControls::zoom),
         PICK_BESIDE(
                 new Help(Group.SKIN, "Shift + double click on the skin", "picks a second point beside it"),
-                (view, event) -> isDoubleClick(event) && event.isShiftDown(),
+                (controls, event) -> isDoubleClick(event) && event.isShiftDown(),
                 MouseControls::pick),
         PICK(
                 new Help(Group.SKIN, "double click on the skin", "picks the point"),
-                (view, event) -> isDoubleClick(event),
+                (controls, event) -> isDoubleClick(event),
                 MouseControls::pick);
 
         final Help help;
-        private final transient BiPredicate<PictureView, MouseEvent> fits;
+        private final transient BiPredicate<MouseControls, MouseEvent> fits;
         private final transient BiConsumer<MouseControls, MouseEvent> effect;
 
-        Gesture(Help help, BiPredicate<PictureView, MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> effect) {
+        Gesture(Help help, BiPredicate<MouseControls, MouseEvent> fits, BiConsumer<MouseControls, MouseEvent> effect) {
             this.help = help;
             this.fits = fits;
             this.effect = effect;
@@ -98,6 +100,7 @@ public final class MouseControls extends MouseAdapter {
     private final ViewerModel model;
     private Point last;
     private Optional<SkinPoint> held = Optional.empty();
+    private boolean isDividerGrabbed;
     private int presses;
 
     private MouseControls(Viewer viewer) {
@@ -117,7 +120,7 @@ public final class MouseControls extends MouseAdapter {
     public void mousePressed(MouseEvent event) {
         view.requestFocusInWindow();
         last = event.getPoint();
-        view.divider().grab(isAtDivider(event));
+        isDividerGrabbed = isAtDivider(event);
         held = Optional.empty();
         int press = ++presses;
         Point pixel = pixel(event);
@@ -135,10 +138,6 @@ public final class MouseControls extends MouseAdapter {
 
     private boolean isAtDivider(MouseEvent event) {
         return view.divider().isAt(event.getX(), view.getWidth());
-    }
-
-    private void divide(MouseEvent event) {
-        view.divider().move((double) event.getX() / view.getWidth());
     }
 
     @Override
@@ -163,7 +162,7 @@ public final class MouseControls extends MouseAdapter {
     private void act(MouseEvent event) {
         if (view.getWidth() > 0 && view.getHeight() > 0) {
             Stream.of(Gesture.values())
-                    .filter(gesture -> gesture.fits.test(view, event))
+                    .filter(gesture -> gesture.fits.test(this, event))
                     .findFirst()
                     .ifPresent(gesture -> gesture.effect.accept(this, event));
         }
@@ -195,10 +194,6 @@ public final class MouseControls extends MouseAdapter {
         model.change(scene -> Drags.panned(scene, right, up, view.getWidth(), view.getHeight()));
     }
 
-    private void turn(MouseEvent event) {
-        orient(scene -> Drags.turned(scene, right(event), up(event)));
-    }
-
     private void roll(MouseEvent event) {
         double angle = angle(event.getPoint()) - angle(last);
         orient(scene -> Drags.rolled(scene, angle));
@@ -219,10 +214,6 @@ public final class MouseControls extends MouseAdapter {
                     moved.sub(point.pick().position()),
                     1);
         });
-    }
-
-    private void moveLight(MouseEvent event) {
-        model.change(scene -> Drags.lit(scene, right(event), up(event)));
     }
 
     /** Returns the angle of the last move to the right; the view's shorter side is half a turn. */

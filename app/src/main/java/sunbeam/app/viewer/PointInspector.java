@@ -18,11 +18,10 @@ import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.app.viewer.components.SpectrumPlot;
 import sunbeam.app.viewer.model.LoadedScene;
+import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
-import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.GaussianArea;
-import sunbeam.precompute.reference.ReferenceEvaluator;
+import sunbeam.precompute.reference.ExactLight;
 
 /** Inspector of one or two picked points: finds them, keeps them while the scene has the same mesh, and fills their panel. */
 public final class PointInspector {
@@ -171,18 +170,17 @@ public final class PointInspector {
      * series expansion; an empty array once {@code outdated} is true.
      */
     private static double[] spectrum(SceneData data, DirectionPair pair, BooleanSupplier outdated) {
-        GaussianArea area = data.scene().method().seeing(data.patch()).area();
-        ReferenceEvaluator reference = new ReferenceEvaluator(data.patch().heights(), area.window(), area.origin());
-        boolean coherent = area.average() == Average.COHERENT;
+        ExactLight light = data.scene()
+                .method()
+                .seeing(data.patch())
+                .area()
+                .over(data.patch().heights(), CieTable.load());
         double[] powers = new double[SpectrumPlot.COUNT];
         for (int i = 0; i < powers.length; i++) {
             if (outdated.getAsBoolean()) {
                 return new double[0];
             }
-            double wavelength = SpectrumPlot.wavelength(i);
-            powers[i] = coherent
-                    ? reference.coherent(pair, wavelength)
-                    : reference.powers(pair, wavelength).ensemble();
+            powers[i] = light.power(pair, SpectrumPlot.wavelength(i));
         }
         return powers;
     }

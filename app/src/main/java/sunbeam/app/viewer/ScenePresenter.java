@@ -16,6 +16,7 @@ import sunbeam.app.viewer.loop.ViewState;
 import sunbeam.app.viewer.model.ViewerModel;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
+@SuppressWarnings("ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
     public enum Overlay {
         CONE,
@@ -56,7 +57,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     /** Returns the final picture of the newest scene; empty until it is on screen. */
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     Optional<RenderLoop.Finished> finished() {
         return Optional.ofNullable(completed)
                 .filter(last ->
@@ -224,7 +224,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public void preview(ViewState state, Stage.Preview preview) {
         if (state.isOther()) {
             splitView.preview(state, preview);
@@ -243,11 +242,10 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
 
     @Override
     public void waiting(double share) {
-        window.status.waiting(share);
+        window.status.progress(share, "Preview, %.0f %% of its colors made");
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public void complete(RenderLoop.Finished finished) {
         ViewState state = finished.state();
         Stage.Final picture = finished.picture();
@@ -269,7 +267,6 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void show(ViewState state, BufferedImage image) {
         firstPicture.complete(null);
         if (shown == null || shown.firstPart().method() != state.firstPart().method()) {
@@ -287,11 +284,10 @@ public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Li
             return;
         }
         window.picture.showTile(image, x, y);
-        window.status.refining(shareDone);
+        window.status.progress(shareDone, "Preview, %.0f %% final");
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     public void map(ViewState state, BufferedImage image, boolean isFinal) {
         map.show(image, state.mapLight(), isFinal && state == requested);
     }

@@ -19,6 +19,7 @@ import sunbeam.precompute.text.Text;
  * Presenter of the split view. When the scene's own picture is final, it requests the comparison method's picture with the same exposure; a
  * newer state ends that request. Used on the event thread only.
  */
+@SuppressWarnings("ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
 final class SplitViewPresenter {
     private final Viewer viewer;
     private final ViewerWindow window;
@@ -61,7 +62,6 @@ final class SplitViewPresenter {
                         scene -> draw(own.state(), scene.keepingSurroundings().with(sameExposure)));
     }
 
-    @SuppressWarnings("ReferenceEquality") // unchanged parts keep their objects
     private void draw(ViewState shown, Scene scene) {
         if (loaded != null
                 && loaded.firstPart().mesh() == shown.firstPart().mesh()
@@ -104,7 +104,6 @@ final class SplitViewPresenter {
         window.status.message(problem);
     }
 
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void preview(ViewState state, Stage.Preview preview) {
         if (state == requested) {
             previewed = System.nanoTime();
@@ -115,7 +114,6 @@ final class SplitViewPresenter {
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void tile(ViewState state, BufferedImage image, int x, int y, double shareDone) {
         if (state == requested) {
             String done = Text.format(", %.0f %% final", Math.floor(100 * shareDone))
@@ -124,7 +122,6 @@ final class SplitViewPresenter {
         }
     }
 
-    @SuppressWarnings("ReferenceEquality") // compares requests by identity
     void complete(RenderLoop.Finished finished) {
         if (finished.state() == requested) {
             divider.show(finished.picture().image(), words(own.state()), words(requested), true);

@@ -86,15 +86,8 @@ public final class StatusLine extends JPanel {
         return divisor > 1 ? " 1:" + Decimals.format(divisor) : "";
     }
 
-    void refining(double share) {
-        showProgress(share, "Preview, %.0f %% final");
-    }
-
-    void waiting(double share) {
-        showProgress(share, "Preview, %.0f %% of its colors made");
-    }
-
-    private void showProgress(double share, String pattern) {
+    /** @param pattern format of the share in percent */
+    void progress(double share, String pattern) {
         if (!progressPattern.equals(pattern)) {
             progressPattern = pattern;
             progressStart = System.nanoTime();

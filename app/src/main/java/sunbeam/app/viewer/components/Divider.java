@@ -20,7 +20,6 @@ public final class Divider {
     private String otherLabel = "";
     private double share = 0.5;
     private boolean isWhole;
-    private boolean isGrabbed;
 
     Divider(Runnable repaint) {
         this.repaint = repaint;
@@ -38,9 +37,7 @@ public final class Divider {
 
     public void showTile(BufferedImage tile, int x, int y, String otherText) {
         if (picture != null) {
-            Graphics2D graphics = picture.createGraphics();
-            graphics.drawImage(tile, x, y, null);
-            graphics.dispose();
+            picture.getRaster().setDataElements(x, y, tile.getRaster());
             show(picture, ownLabel, otherText, false);
         }
     }
@@ -82,14 +79,6 @@ public final class Divider {
 
     public boolean isAt(int x, int width) {
         return isShown && Math.abs(x - share * width) <= REACH;
-    }
-
-    public void grab(boolean value) {
-        isGrabbed = value;
-    }
-
-    public boolean isGrabbed() {
-        return isGrabbed;
     }
 
     void paint(Graphics2D graphics, int width, int height) {

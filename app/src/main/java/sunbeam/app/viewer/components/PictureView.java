@@ -151,10 +151,8 @@ public final class PictureView extends JComponent {
     }
 
     public void showTile(BufferedImage tile, int x, int y) {
-        Graphics2D graphics = whole().createGraphics();
+        whole().getRaster().setDataElements(x, y, tile.getRaster());
         reduced = Optional.empty();
-        graphics.drawImage(tile, x, y, null);
-        graphics.dispose();
         repaint();
     }
 

@@ -91,7 +91,7 @@ public final class GraphicsStage implements Stage {
 
     @Override
     public boolean request(BooleanSupplier interrupted) {
-        for (SceneSession part : current.parts()) {
+        for (SceneSession part : current.parts) {
             if (!part.request(state.width(), state.height(), samples(), interrupted)) {
                 return false;
             }
@@ -121,7 +121,7 @@ public final class GraphicsStage implements Stage {
 
     /** The sum of several tables (patches, Fresnel components) is previewed like a method without tables. */
     private boolean isByTable() {
-        return current.parts().size() == 1 && current.colors().findAny().isPresent();
+        return current.parts.size() == 1 && current.colors().findAny().isPresent();
     }
 
     private boolean hasCoarsest() {
@@ -132,15 +132,15 @@ public final class GraphicsStage implements Stage {
     public Optional<Preview> moving(BooleanSupplier interrupted) {
         if (isByTable()) {
             long start = current.pixelClock();
-            Preview preview = byTable(current.scale().divisor());
-            current.scale().frame(current.pixelClock() - start);
+            Preview preview = byTable(current.scale.divisor());
+            current.scale.frame(current.pixelClock() - start);
             return Optional.of(preview);
         }
         if (state.isOther()) {
             stride = COMPARISON_STRIDE;
             return coarse(interrupted);
         }
-        stride = current.tiles().stride(state.width(), state.height(), MOVING_NANOSECONDS);
+        stride = current.tiles.stride(state.width(), state.height(), MOVING_NANOSECONDS);
         long start = System.nanoTime();
         // If a picture takes twice its budget, draw it again with the fewest samples.
         Optional<Preview> preview = coarse(() -> interrupted.getAsBoolean()
@@ -171,7 +171,7 @@ public final class GraphicsStage implements Stage {
             meter(() -> false);
         }
         double exposure = exposureSoFar();
-        BufferedImage image = current.parts().get(0).moving(state.width(), state.height(), divisor, exposure);
+        BufferedImage image = current.parts.get(0).moving(state.width(), state.height(), divisor, exposure);
         if (isMoving) {
             exposures.follow(state.firstPart(), image, exposure);
         }
@@ -180,7 +180,7 @@ public final class GraphicsStage implements Stage {
 
     private boolean meter(BooleanSupplier interrupted) {
         if (metered.isEmpty()) {
-            metered = current.sum().exposure(scene(), state.width(), state.height(), current.tiles(), interrupted);
+            metered = current.sum().exposure(scene(), state.width(), state.height(), current.tiles, interrupted);
             metered.ifPresent(exposure -> exposures.store(state.firstPart(), exposure));
         }
         return metered.isPresent();
@@ -209,18 +209,15 @@ public final class GraphicsStage implements Stage {
     private Optional<Preview> coarse(BooleanSupplier interrupted) {
         double white = 1 / exposureSoFar();
         return current.sum()
-                .coarse(scene(), state.width(), state.height(), stride, white, current.tiles(), interrupted)
+                .coarse(scene(), state.width(), state.height(), stride, white, current.tiles, interrupted)
                 .map(picture -> {
                     double exposure = exposures
                             .known(state.firstPart())
                             .orElseGet(() -> exposures.store(
                                     state.firstPart(),
                                     LinearPicture.exposure(picture.reduced(1).linear())));
-                    double pixels = (double) state.width()
-                            * state.height()
-                            * samples().side()
-                            * samples().side();
-                    double seconds = pixels * current.tiles().secondsPerPixel();
+                    double side = samples().side();
+                    double seconds = side * side * state.width() * state.height() * current.tiles.secondsPerPixel();
                     BufferedImage image = PixelPicture.image(
                             picture, scene().display(exposure), scene().get(SceneSettings.BACKGROUND));
                     return new Preview(image, stride, true, exposure, seconds);
@@ -238,7 +235,7 @@ public final class GraphicsStage implements Stage {
         double exposure = metered.getAsDouble();
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         AtomicLong done = new AtomicLong();
-        boolean isWhole = current.tiles().draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
+        boolean isWhole = current.tiles.draw(SceneSession.tiles(width, height, samples.side()), interrupted, tile -> {
             BufferedImage part = current.sum()
                     .draw(scene(), width, height, tile, samples, exposure)
                     .image();
@@ -264,7 +261,7 @@ public final class GraphicsStage implements Stage {
     @Override
     public BufferedImage strokes(int width, int height) {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
-        current.parts().stream()
+        current.parts.stream()
                 .findFirst()
                 .ifPresent(session -> PatchStrokes.paint(image.createGraphics(), session, width, height));
         return image;
@@ -281,7 +278,7 @@ public final class GraphicsStage implements Stage {
             return;
         }
         Direction light = shown.mapLight().get();
-        List<SceneSession> parts = current.parts().stream()
+        List<SceneSession> parts = current.parts.stream()
                 .filter(part -> part.data().region() == shown.mapRegion())
                 .toList();
         if (current.colors().findAny().isEmpty()) {

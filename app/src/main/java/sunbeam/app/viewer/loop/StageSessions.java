@@ -15,10 +15,12 @@ import sunbeam.app.scene.Scene;
 /** Sessions that hold a scene, as drawn by one method, on the graphics card, and its measured cost. Used by the render thread only. */
 final class StageSessions implements AutoCloseable {
     private final RenderContext context;
-    private TimedTiles tiles;
-    private FrameScale scale;
+    TimedTiles tiles;
+    FrameScale scale;
+    /** One for each patch and Fresnel component; empty before the first update. */
+    List<SceneSession> parts = List.of();
+
     private SceneData scaled;
-    private List<SceneSession> parts = List.of();
     // Session without diffraction until the first update; null afterwards.
     private SceneSession body;
 
@@ -85,25 +87,12 @@ final class StageSessions implements AutoCloseable {
                 - parts.stream().mapToLong(SceneSession::meshNanoseconds).sum();
     }
 
-    /** One for each patch and Fresnel component; empty before the first update. */
-    List<SceneSession> parts() {
-        return parts;
-    }
-
     PartSum sum() {
         return new PartSum(parts);
     }
 
     Stream<VirtualTexture> colors() {
         return parts.stream().flatMap(part -> part.virtualTexture().stream());
-    }
-
-    TimedTiles tiles() {
-        return tiles;
-    }
-
-    FrameScale scale() {
-        return scale;
     }
 
     @Override
