@@ -6,7 +6,9 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -23,6 +25,8 @@ import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import jrtr.VertexData.BoundingSphere;
+import sunbeam.app.files.output.AtomicFile;
+import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.render.FrameText;
@@ -32,10 +36,11 @@ import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.scene.mesh.MeshSource;
+import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.components.ControlOrigin;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
-import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.Drags;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
@@ -265,6 +270,47 @@ public final class FileActions {
                 window.status.message("the dropped file cannot be read: " + failure.getMessage());
             }
             return false;
+        }
+    }
+
+    /**
+     * Files that the user loaded last, one a line in {@code $XDG_STATE_HOME/sunbeam/recent-files}, else {@code
+     * ~/.local/state/sunbeam/recent-files} (XDG Base Directory Specification 0.8).
+     */
+    public record RecentFiles(Path list) {
+        private static final int MOST = 8;
+        private static final long LONGEST_LIST_BYTES = 1 << 16;
+
+        public static RecentFiles of(Environment environment) {
+            String state = environment.variable("XDG_STATE_HOME");
+            Path base =
+                    state.startsWith("/") ? Path.of(state) : environment.home().resolve(".local/state");
+            return new RecentFiles(base.resolve("sunbeam/recent-files"));
+        }
+
+        /** Returns the files that are still there, the last one first; none if the list cannot be read. */
+        public List<Path> files() {
+            try {
+                return !Files.isRegularFile(list) || Files.size(list) > LONGEST_LIST_BYTES
+                        ? List.of()
+                        : Files.readAllLines(list).stream()
+                                .map(Path::of)
+                                .filter(file -> file.isAbsolute() && Files.isRegularFile(file))
+                                .limit(MOST)
+                                .toList();
+            } catch (IOException | InvalidPathException damaged) {
+                return List.of();
+            }
+        }
+
+        void add(Path file) {
+            List<Path> files = new ArrayList<>(files());
+            files.remove(file.toAbsolutePath());
+            files.add(0, file.toAbsolutePath());
+            OutputFolder.createWithParents(list.getParent());
+            String lines = String.join(
+                    "\n", files.stream().limit(MOST).map(Path::toString).toList());
+            AtomicFile.write(list, Overwrite.REPLACE, AtomicFile.StreamContent.of(lines));
         }
     }
 }

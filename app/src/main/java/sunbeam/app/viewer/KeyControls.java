@@ -20,7 +20,7 @@ import javax.swing.text.JTextComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.Scenes;
-import sunbeam.app.viewer.Help.Group;
+import sunbeam.app.viewer.Action.Group;
 
 /** Menus and key bindings of a viewer, made from the {@link Action}s. */
 public final class KeyControls {

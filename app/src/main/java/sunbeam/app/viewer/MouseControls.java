@@ -14,7 +14,8 @@ import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3f;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.viewer.Help.Group;
+import sunbeam.app.viewer.Action.Group;
+import sunbeam.app.viewer.Action.Help;
 import sunbeam.app.viewer.components.PictureView;
 import sunbeam.app.viewer.components.SkinPoint;
 import sunbeam.app.viewer.model.Drags;
@@ -35,8 +36,8 @@ public final class MouseControls extends MouseAdapter {
                         "left drag",
                         "turns the model about the point under the pointer; what stands upright stays so"),
                 (controls, event) -> isLeftDrag(event, 0),
-                (controls, event) -> controls.orient(
-                        scene -> Drags.turned(scene, controls.right(event), controls.up(event)))),
+                (controls, event) ->
+                        controls.orient(scene -> Drags.turned(scene, controls.right(event), controls.up(event)))),
         ROLL(
                 new Help(Group.LIGHT, "Ctrl + Shift + left drag", "rolls the model"),
                 (controls, event) -> isLeftDrag(event, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK),
@@ -46,8 +47,8 @@ public final class MouseControls extends MouseAdapter {
                 (controls, event) -> (isDrag(event) && SwingUtilities.isRightMouseButton(event))
                         || isLeftDrag(event, InputEvent.SHIFT_DOWN_MASK)
                         || (event.getID() == MouseEvent.MOUSE_MOVED && controls.view.isLightHeld()),
-                (controls, event) -> controls.model.change(
-                        scene -> Drags.lit(scene, controls.right(event), controls.up(event)))),
+                (controls, event) ->
+                        controls.model.change(scene -> Drags.lit(scene, controls.right(event), controls.up(event)))),
         PAN(
                 new Help(Group.CAMERA, "middle drag, Ctrl + left drag", "pans"),
                 (controls, event) -> (isDrag(event) && SwingUtilities.isMiddleMouseButton(event))

@@ -12,11 +12,12 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
-import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.ViewerModel;
 
 /** Presenter of the scene: requests pictures from the render thread and shows them. Used on the event thread only. */
-@SuppressWarnings("ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
+@SuppressWarnings(
+        "ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
 public final class ScenePresenter implements ViewerModel.Listener, RenderLoop.Listener {
     public enum Overlay {
         CONE,

@@ -9,7 +9,7 @@ import sunbeam.app.viewer.components.Divider;
 import sunbeam.app.viewer.components.MethodChoice;
 import sunbeam.app.viewer.loop.RenderLoop;
 import sunbeam.app.viewer.loop.Stage;
-import sunbeam.app.viewer.loop.ViewState;
+import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.app.viewer.model.ViewerModel;
 import sunbeam.precompute.setting.Choices;
@@ -19,7 +19,8 @@ import sunbeam.precompute.text.Text;
  * Presenter of the split view. When the scene's own picture is final, it requests the comparison method's picture with the same exposure; a
  * newer state ends that request. Used on the event thread only.
  */
-@SuppressWarnings("ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
+@SuppressWarnings(
+        "ReferenceEquality") // compares requests by identity, and parts, which keep their objects if unchanged
 final class SplitViewPresenter {
     private final Viewer viewer;
     private final ViewerWindow window;

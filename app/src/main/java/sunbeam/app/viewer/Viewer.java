@@ -26,6 +26,7 @@ import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.viewer.FileActions.RecentFiles;
 import sunbeam.app.viewer.ViewMeasurement.StartJournal;
 import sunbeam.app.viewer.loop.GraphicsStage;
 import sunbeam.app.viewer.loop.RenderLoop;

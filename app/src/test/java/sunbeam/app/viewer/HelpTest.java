@@ -10,7 +10,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
-import sunbeam.app.viewer.Help.Group;
+import sunbeam.app.viewer.Action.Group;
+import sunbeam.app.viewer.Action.Help;
 
 final class HelpTest {
     @Test

@@ -8,6 +8,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.terminal.Environment;
+import sunbeam.app.viewer.FileActions.RecentFiles;
 
 final class RecentFilesTest {
     @TempDir

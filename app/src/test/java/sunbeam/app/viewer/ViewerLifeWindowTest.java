@@ -31,6 +31,7 @@ import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.SceneWriter;
+import sunbeam.app.viewer.FileActions.RecentFiles;
 import sunbeam.app.viewer.ViewMeasurement.StartJournal;
 import sunbeam.app.viewer.components.MethodChoice;
 import sunbeam.app.viewer.components.PictureView;

@@ -17,6 +17,7 @@ import java.util.function.Supplier;
 import sunbeam.app.failure.Failure;
 import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
+import sunbeam.app.viewer.loop.Stage.ViewState;
 
 /**
  * Render thread: shows the newest state at once, then, when nothing moves, refines the picture to that of {@code render}

@@ -23,6 +23,7 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.viewer.ViewerInAWindow;
+import sunbeam.app.viewer.loop.Stage.ViewState;
 import sunbeam.app.viewer.loop.StageSessions.FrameScale;
 import sunbeam.app.viewer.model.LoadedScene;
 import sunbeam.precompute.color.DisplayTransform;
