@@ -1,7 +1,6 @@
 package sunbeam.app.render;
 
 import java.util.List;
-import java.util.stream.Stream;
 import jrtr.VertexData.BoundingSphere;
 import jrtr.scene.Light;
 import jrtr.scene.View;
@@ -11,7 +10,6 @@ import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.scene.Scene;
-import sunbeam.app.scene.SceneLight;
 import sunbeam.app.scene.Viewpoint;
 
 /** Lights, views and placed meshes of scenes. */
@@ -27,17 +25,16 @@ final class Framing {
 
     /** Returns lights in world space, the key light first. */
     static List<Light> lights(Scene scene) {
-        return Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
+        return scene.lights().stream()
                 .map(light -> new Light(light.towards(), new Vector3f((float) light.intensity())))
                 .toList();
     }
 
     /** Variance of each light's directions, in the order of {@link #lights}, in square radians. */
     static float[] variances(Scene scene) {
-        float[] variances = new float[1 + scene.fillLights().size()];
+        float[] variances = new float[scene.lights().size()];
         for (int i = 0; i < variances.length; i++) {
-            SceneLight light = i == 0 ? scene.light() : scene.fillLights().get(i - 1);
-            variances[i] = (float) Math.pow(scene.deviation(light), 2);
+            variances[i] = (float) Math.pow(scene.deviation(scene.lights().get(i)), 2);
         }
         return variances;
     }
@@ -48,30 +45,21 @@ final class Framing {
     }
 
     /** True if the near plane, and so the eye, is in front of the mesh in any orientation. */
-    static boolean seesFromOutside(Viewpoint view, BoundingSphere bounds) {
-        float distance = distance(view, bounds);
-        float reach = reach(distance, bounds);
-        return distance - reach > NEAREST * (distance + reach);
-    }
-
-    /** Returns the distance from the eye to the mesh's center, along the line of sight. */
-    private static float distance(Viewpoint view, BoundingSphere bounds) {
-        Camera camera = view.camera();
-        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
-        return bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
-    }
-
-    private static float reach(float distance, BoundingSphere bounds) {
-        return Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
+    static boolean seesFromOutside(View view) {
+        return view.near() > NEAREST * view.far();
     }
 
     static View view(Viewpoint view, BoundingSphere bounds) {
-        float distance = distance(view, bounds);
-        float reach = reach(distance, bounds);
+        Camera camera = view.camera();
+        Vector3f sight = camera.lookAtPoint().sub(camera.centerOfProjection(), new Vector3f());
+        // From the eye to the mesh's center, along the line of sight.
+        float distance =
+                bounds.center().sub(camera.centerOfProjection(), new Vector3f()).dot(sight.normalize());
+        float reach = Math.max(MARGIN * bounds.radius(), THINNEST * Math.abs(distance));
         // A mesh behind the eye is invisible with any planes.
         float far = Math.max(distance, 0) + reach;
         return new View(
-                view.camera(),
+                camera,
                 (float) view.verticalFieldOfView(),
                 (float) Viewpoint.LEAST_ASPECT,
                 Math.max(distance - reach, NEAREST * far),

@@ -20,22 +20,15 @@ import org.joml.Matrix4f;
 import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
+import sunbeam.app.render.UploadedScene.SkinTextures;
 import sunbeam.app.scene.Viewpoint;
 
 /** Geometry buffer of a block: surface attributes of its pixels. */
 record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoCloseable {
-    static GeometryBuffer create(RenderContext context, Layout layout, Tile block) {
-        int images = layout.samplers().size();
-        return new GeometryBuffer(
-                layout,
-                context.createFloatTarget(
-                        "geometry", new FloatTarget.Spec(block.width(), block.height(), images, true)));
-    }
-
     /** Keys are the names of the shading pass's samplers. */
     Map<String, Texture> textures() {
         Map<String, Texture> textures = new HashMap<>();
-        for (String sampler : layout.samplers()) {
+        for (String sampler : layout.samplers) {
             textures.put(sampler, attributes.texture(textures.size()));
         }
         return textures;
@@ -77,14 +70,6 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
             this.shader = shader;
             this.samplers = List.of(samplers);
         }
-
-        String shader() {
-            return shader;
-        }
-
-        List<String> samplers() {
-            return samplers;
-        }
     }
 
     /** LRU cache of a picture's blocks (deferred shading; Saito and Takahashi 1990), valid for one {@link SkinGeometry}. */
@@ -102,7 +87,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         Cache(RenderContext context, Layout layout) {
             this.context = context;
             this.layout = layout;
-            this.program = context.createMeshProgram(Shaders.library().load(layout.shader()));
+            this.program = context.createMeshProgram(Shaders.library().load(layout.shader));
         }
 
         /** Returns a block's buffer, drawn if necessary; valid until the next call. */
@@ -154,7 +139,8 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
                 }
                 free.close();
             }
-            return create(context, layout, block);
+            var spec = new FloatTarget.Spec(block.width(), block.height(), layout.samplers.size(), true);
+            return new GeometryBuffer(layout, context.createFloatTarget("geometry", spec));
         }
 
         private void closeBuffers() {
@@ -202,7 +188,7 @@ record GeometryBuffer(Layout layout, FloatTarget attributes) implements AutoClos
         }
 
         PlacedMesh placed(ShaderProgram program) {
-            Faces faces = closed && Framing.seesFromOutside(view, mesh.bounds()) ? Faces.FRONT : Faces.BOTH;
+            Faces faces = closed && Framing.seesFromOutside(sight()) ? Faces.FRONT : Faces.BOTH;
             boolean isShaded = program.isActive("shadowMap");
             if (isShaded) {
                 shadows.applyTo(program, shadowLight.isPresent());

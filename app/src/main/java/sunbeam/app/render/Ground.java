@@ -8,6 +8,7 @@ import jrtr.VertexData.BoundingSphere;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.scene.Light;
@@ -32,36 +33,24 @@ final class Ground implements AutoCloseable {
     private final RenderContext context;
     private final double height;
     private final FloatTexture sky;
-    private final CachedTarget target;
-    private final CachedTarget movingTarget;
+    private final CachedTarget target = new CachedTarget();
+    private final CachedTarget movingTarget = new CachedTarget();
     private final ShaderProgram program;
     private Optional<ShaderProgram> moving = Optional.empty();
-
-    private Ground(RenderContext context, double height, FloatTexture sky, ShaderProgram program) {
-        this.context = context;
-        this.height = height;
-        this.sky = sky;
-        this.program = program;
-        this.target = new CachedTarget(context, "ground", FloatTarget.Format.RGBA32F, false);
-        this.movingTarget = new CachedTarget(context, "moving ground", FloatTarget.Format.RGBA8, false);
-    }
 
     /**
      * @param height height of the mesh's lowest point in meters
      * @param seen the ground's visible share of the sky
      */
-    static Ground create(RenderContext context, double height, SkyVisibility seen) {
+    Ground(RenderContext context, double height, SkyVisibility seen) {
         int side = SkyVisibility.GROUND_SIDE;
-        FloatTexture sky = context.createFloatTexture(
+        this.context = context;
+        this.height = height;
+        this.sky = context.createFloatTexture(
                 "sky above the ground",
                 FloatTexture.Spec.flat(side, side, FloatTexture.Format.R32F).with(FloatTexture.Filter.LINEAR));
-        try {
-            sky.upload(seen.ofGround());
-            return new Ground(context, height, sky, program(context, 0));
-        } catch (RuntimeException failure) {
-            sky.close();
-            throw failure;
-        }
+        sky.upload(seen.ofGround());
+        this.program = Resource.orClose(() -> program(context, 0), sky::close);
     }
 
     private static ShaderProgram program(RenderContext context, int screen) {
@@ -78,8 +67,7 @@ final class Ground implements AutoCloseable {
         Tile block = piece.block();
         Tile part = piece.inBlock();
         int samples = request.samples();
-        FloatTarget drawn =
-                target.of(SceneBlocks.ceilDiv(block.width(), samples), SceneBlocks.ceilDiv(block.height(), samples));
+        FloatTarget drawn = target.of(context, "ground", spec(block, samples, FloatTarget.Format.RGBA32F));
         set(program, request.scene(), geometry, block);
         program.set("viewPixels", (float) samples);
         int left = part.x() / samples;
@@ -119,11 +107,17 @@ final class Ground implements AutoCloseable {
         double[] behind = scene.get(SceneSettings.BACKGROUND).light();
         screen.set("behind", new Vector3f((float) behind[0], (float) behind[1], (float) behind[2]));
         screen.set("viewPixels", (float) MOVING_PIXELS);
-        FloatTarget drawn = movingTarget.of(
-                SceneBlocks.ceilDiv(block.width(), MOVING_PIXELS), SceneBlocks.ceilDiv(block.height(), MOVING_PIXELS));
+        FloatTarget drawn =
+                movingTarget.of(context, "moving ground", spec(block, MOVING_PIXELS, FloatTarget.Format.RGBA8));
         Tile whole = Tile.whole(drawn.spec().width(), drawn.spec().height());
         context.drawFullScreen(screen, textures(geometry), drawn, whole);
         picture.fill(drawn);
+    }
+
+    /** @param pixels side of a square of the block that has one color */
+    private static FloatTarget.Spec spec(Tile block, int pixels, FloatTarget.Format format) {
+        int width = SceneBlocks.ceilDiv(block.width(), pixels);
+        return new FloatTarget.Spec(width, SceneBlocks.ceilDiv(block.height(), pixels), 1, false, format);
     }
 
     private Map<String, Texture> textures(SkinGeometry geometry) {

@@ -8,6 +8,7 @@ import jrtr.gl.RenderContext;
 import jrtr.gl.Resource;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
+import sunbeam.app.gpu.colors.VirtualTexture;
 
 /** Runs the shading pass (shaders/skin.frag) only for pixels that show skin, packed into a compact target (see {@link Packing}). */
 final class PackedShading implements AutoCloseable {
@@ -35,21 +36,58 @@ final class PackedShading implements AutoCloseable {
                 sources::close);
     }
 
+    /** Part of a block to shade. The buffer has also the geometry beside it, since footprints are differences to neighbors. */
+    record Part(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
+        int columns() {
+            return request.columns(piece.inBlock());
+        }
+
+        int rows() {
+            return request.rows(piece.inBlock());
+        }
+
+        VirtualTexture tiles() {
+            return skin.virtualTexture().orElseThrow();
+        }
+
+        /** Returns the indices of drawn samples that show skin, ordered square by square. */
+        int[] covered() {
+            float[] views = buffer.views(piece.inBlock());
+            int columns = columns();
+            int rows = rows();
+            int[] pixels = new int[columns * rows];
+            int count = 0;
+            for (int top = 0; top < rows; top += SQUARE) {
+                for (int left = 0; left < columns; left += SQUARE) {
+                    for (int row = top; row < Math.min(top + SQUARE, rows); row++) {
+                        for (int column = left; column < Math.min(left + SQUARE, columns); column++) {
+                            int x = request.x(column, row);
+                            int y = request.down() * row;
+                            if (views[CHANNELS * (y * piece.inBlock().width() + x) + 3] > 0
+                                    && request.draws(piece.x() + x, piece.y() + y)) {
+                                pixels[count++] = row * columns + column;
+                            }
+                        }
+                    }
+                }
+            }
+            return Arrays.copyOf(pixels, count);
+        }
+    }
+
     /**
      * Shades a part of a block. Missing tiles are baked first, unless a scheduler bakes them.
      *
-     * @param buffer geometry of the block, also beside the part, since footprints are differences to neighbors
      * @return linear XYZ and coverage per shaded pixel, the part's top row first; zeros without skin; where tiles are missing, the body's
      *     color without diffraction and {@link #MISSING_COVERAGE}
      */
-    float[] shade(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
-        Tile part = piece.inBlock();
-        float[] lit = new float[CHANNELS * request.columns(part) * request.rows(part)];
-        int[] missing = shade(skin, request, buffer, part, covered(buffer.views(part), piece, request), lit);
-        if (missing.length > 0 && !skin.virtualTexture().orElseThrow().isScheduled()) {
-            addFeedback(skin, request, buffer, part, missing);
-            skin.virtualTexture().get().bakeFeedback();
-            if (shade(skin, request, buffer, part, missing, lit).length > 0) {
+    float[] shade(Part part) {
+        float[] lit = new float[CHANNELS * part.columns() * part.rows()];
+        int[] missing = shade(part, part.covered(), lit);
+        if (missing.length > 0 && !part.tiles().isScheduled()) {
+            addFeedback(part, missing);
+            part.tiles().bakeFeedback();
+            if (shade(part, missing, lit).length > 0) {
                 throw new IllegalStateException("a footprint reads tiles that are missing in its feedback");
             }
         }
@@ -57,11 +95,10 @@ final class PackedShading implements AutoCloseable {
     }
 
     /** Returns the pixels whose color is missing. */
-    private int[] shade(
-            SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered, float[] lit) {
+    private int[] shade(Part part, int[] covered, float[] lit) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
-            Packing packing = upload(covered, first, buffer, part, request);
-            float[] drawn = UploadedTables.requireWholeSums(meanOfDraws(skin, request, buffer, packing));
+            Packing packing = upload(part, covered, first);
+            float[] drawn = UploadedTables.requireWholeSums(meanOfDraws(part, packing));
             for (int i = 0; i < packing.count(); i++) {
                 copy(drawn, CHANNELS * i, lit, CHANNELS * covered[first + i]);
             }
@@ -69,16 +106,6 @@ final class PackedShading implements AutoCloseable {
         return Arrays.stream(covered)
                 .filter(i -> lit[CHANNELS * i + CHANNELS - 1] == MISSING_COVERAGE)
                 .toArray();
-    }
-
-    private float[] draw(SkinSurface skin, GeometryBuffer buffer, Packing packing, SkinSurface.Pass pass) {
-        skin.shade(context, buffer, sources, target, packing.used(), pass);
-        return unpacked(packing, target.read(0, packing.used()));
-    }
-
-    private Footprints footprints(Packing packing) {
-        return new Footprints(
-                unpacked(packing, target.read(1, packing.used())), unpacked(packing, target.read(2, packing.used())));
     }
 
     static boolean isMissing(float[] lit) {
@@ -90,11 +117,12 @@ final class PackedShading implements AutoCloseable {
         return false;
     }
 
-    private float[] meanOfDraws(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Packing packing) {
-        int draws = skin.draws(request.scene(), request.samples());
+    private float[] meanOfDraws(Part part, Packing packing) {
+        int draws = part.skin.draws(part.request.scene(), part.request.samples());
         float[] sums = new float[CHANNELS * packing.count()];
         for (int draw = 0; draw < draws; draw++) {
-            float[] drawn = draw(skin, buffer, packing, new SkinSurface.Pass(request, draw, true));
+            shade(part, packing, draw, true);
+            float[] drawn = read(packing, 0);
             if (draws == 1) {
                 return drawn;
             }
@@ -111,67 +139,49 @@ final class PackedShading implements AutoCloseable {
         return sums;
     }
 
-    void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, SceneBlocks.Piece piece) {
-        Tile part = piece.inBlock();
-        addFeedback(skin, request, buffer, part, covered(buffer.views(part), piece, request));
+    void addFeedback(Part part) {
+        addFeedback(part, part.covered());
     }
 
     /** Adds footprints to the feedback, in all levels that they read. */
-    private void addFeedback(SkinSurface skin, DrawRequest request, GeometryBuffer buffer, Tile part, int[] covered) {
+    private void addFeedback(Part part, int[] covered) {
         for (int first = 0; first < covered.length; first += Packing.MOST) {
-            Packing packing = upload(covered, first, buffer, part, request);
-            for (int level = 0; level < skin.levelsRead(request.scene()); level++) {
-                var pass = new SkinSurface.Pass(request, level, false);
-                skin.shade(context, buffer, sources, target, packing.used(), pass);
-                skin.virtualTexture().orElseThrow().addFeedback(footprints(packing), !request.isCoarsest());
+            Packing packing = upload(part, covered, first);
+            for (int level = 0; level < part.skin.levelsRead(part.request.scene()); level++) {
+                shade(part, packing, level, false);
+                Footprints footprints = new Footprints(read(packing, 1), read(packing, 2));
+                part.tiles().addFeedback(footprints, !part.request.isCoarsest());
             }
         }
     }
 
-    /** Returns the indices of the piece's drawn samples that show skin, ordered square by square. */
-    private static int[] covered(float[] views, SceneBlocks.Piece piece, DrawRequest request) {
-        Tile part = piece.inBlock();
-        int columns = request.columns(part);
-        int rows = request.rows(part);
-        int[] pixels = new int[columns * rows];
-        int count = 0;
-        for (int top = 0; top < rows; top += SQUARE) {
-            for (int left = 0; left < columns; left += SQUARE) {
-                for (int row = top; row < Math.min(top + SQUARE, rows); row++) {
-                    for (int column = left; column < Math.min(left + SQUARE, columns); column++) {
-                        int x = request.x(column, row);
-                        int y = request.down() * row;
-                        if (views[CHANNELS * (y * part.width() + x) + 3] > 0
-                                && request.draws(piece.x() + x, piece.y() + y)) {
-                            pixels[count++] = row * columns + column;
-                        }
-                    }
-                }
-            }
-        }
-        return Arrays.copyOf(pixels, count);
+    private void shade(Part part, Packing packing, int draw, boolean hasColors) {
+        var pass = new SkinSurface.Pass(part.request, draw, hasColors);
+        part.skin.shade(part.buffer, sources, target, packing.used(), pass);
     }
 
     /** Uploads the index of the geometry buffer's texel that each slot shades, -1 for none, for the pixels from the first. */
-    private Packing upload(int[] covered, int first, GeometryBuffer buffer, Tile part, DrawRequest request) {
+    private Packing upload(Part part, int[] covered, int first) {
         Packing packing = Packing.of(Math.min(Packing.MOST, covered.length - first));
-        int columns = request.columns(part);
+        Tile inBlock = part.piece.inBlock();
+        int columns = part.columns();
         Arrays.fill(slots, 0, Packing.COLUMNS * packing.rows(), -1);
         for (int i = 0; i < packing.count(); i++) {
             int row = covered[first + i] / columns;
-            int x = request.x(covered[first + i] % columns, row);
-            slots[packing.slot(i)] = buffer.texel(part.x() + x, part.y() + request.down() * row);
+            int x = part.request.x(covered[first + i] % columns, row);
+            slots[packing.slot(i)] = part.buffer.texel(inBlock.x() + x, inBlock.y() + part.request.down() * row);
         }
         sources.upload(slots);
         return packing;
     }
 
-    private static float[] unpacked(Packing packing, float[] packed) {
-        float[] lit = new float[CHANNELS * packing.count()];
+    private float[] read(Packing packing, int image) {
+        float[] packed = target.read(image, packing.used());
+        float[] values = new float[CHANNELS * packing.count()];
         for (int i = 0; i < packing.count(); i++) {
-            copy(packed, CHANNELS * packing.indexInReadback(i), lit, CHANNELS * i);
+            copy(packed, CHANNELS * packing.indexInReadback(i), values, CHANNELS * i);
         }
-        return lit;
+        return values;
     }
 
     /** Copies a pixel; System.arraycopy is slower for four values. */
@@ -207,9 +217,6 @@ final class PackedShading implements AutoCloseable {
         private static final int LARGE = 64;
 
         static Packing of(int count) {
-            if (count < 1 || count > MOST) {
-                throw new IllegalArgumentException(count + " pixels are none or more than " + MOST);
-            }
             int columns = LARGE * Math.min(COLUMNS / LARGE, SceneBlocks.ceilDiv(count, LARGE * SMALL));
             return new Packing(count, columns, SMALL * SceneBlocks.ceilDiv(count, SMALL * columns));
         }

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Stream;
 import jrtr.Tile;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
@@ -36,11 +35,7 @@ public final class PartSum {
 
     /** Compares some baked colors with exact ones and warns of tables that err too much. */
     public void validate() {
-        tables().forEach(VirtualTexture::validate);
-    }
-
-    private Stream<VirtualTexture> tables() {
-        return sessions.stream().flatMap(session -> session.virtualTexture().stream());
+        sessions.forEach(session -> session.virtualTexture().ifPresent(VirtualTexture::validate));
     }
 
     /** Returns the point under a pixel (see {@link SceneSession#pick}). */
@@ -50,7 +45,10 @@ public final class PartSum {
 
     /** Draws all samples of a tile of a picture (see {@link SceneSession#draw}). */
     public ScenePicture draw(DrawRequest request) {
-        return draw(request, SceneSession::draw);
+        return sessions.size() == 1
+                ? sessions.get(0).draw(request)
+                : ScenePicture.sum(
+                        request.perLight().stream().map(this::underOneLight).toList());
     }
 
     /** Draws a tile of pixels. With adaptive samples, pixels whose first samples differ are drawn again with all samples. */
@@ -104,18 +102,8 @@ public final class PartSum {
         return Tile.whole((int) Math.max(1, Math.round(scale * width)), (int) Math.max(1, Math.round(scale * height)));
     }
 
-    private ScenePicture draw(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
-        if (sessions.size() == 1) {
-            return drawing.apply(sessions.get(0), request);
-        }
-        return ScenePicture.sum(request.perLight().stream()
-                .map(light -> underOneLight(light, drawing))
-                .toList());
-    }
-
-    private ScenePicture underOneLight(
-            DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {
-        ScenePicture light = light(request, drawing);
+    private ScenePicture underOneLight(DrawRequest request) {
+        ScenePicture light = light(request, SceneSession::draw);
         return request.scene().hasBody() ? over(body(request), light, request.scene()) : light;
     }
 
@@ -135,46 +123,27 @@ public final class PartSum {
             double white,
             TimedTiles tiles,
             BooleanSupplier interrupted) {
-        List<ScenePicture> lit = new ArrayList<>();
-        for (Scene alone : scene.perLight()) {
-            Optional<ScenePicture> picture =
-                    coarseUnderOneLight(alone, width, height, stride, white, tiles, interrupted);
-            if (picture.isEmpty()) {
-                return picture;
-            }
-            lit.add(picture.get());
-        }
-        return Optional.of(ScenePicture.sum(lit));
-    }
-
-    private Optional<ScenePicture> coarseUnderOneLight(
-            Scene scene,
-            int width,
-            int height,
-            int stride,
-            double white,
-            TimedTiles tiles,
-            BooleanSupplier interrupted) {
         int columns = SceneBlocks.ceilDiv(width, stride);
         int rows = SceneBlocks.ceilDiv(height, stride);
-        ScenePicture light = ScenePicture.empty(columns, rows);
-        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, coarseTile -> {
-            int x = stride * coarseTile.x();
-            int y = stride * coarseTile.y();
-            Tile tile = new Tile(
-                    x,
-                    y,
-                    Math.min(stride * coarseTile.width(), width - x),
-                    Math.min(stride * coarseTile.height(), height - y));
-            DrawRequest request =
-                    new DrawRequest(scene, width, height, tile, 1, stride, stride, false, Optional.empty());
-            light.put(light(request, SceneSession::drawResident), coarseTile.x(), coarseTile.y());
-        });
-        if (!isWhole) {
-            return Optional.empty();
+        List<ScenePicture> lit = new ArrayList<>();
+        for (Scene alone : scene.perLight()) {
+            ScenePicture light = ScenePicture.empty(columns, rows);
+            boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, few -> {
+                int x = stride * few.x();
+                int y = stride * few.y();
+                int right = Math.min(x + stride * few.width(), width);
+                int bottom = Math.min(y + stride * few.height(), height);
+                Tile tile = new Tile(x, y, right - x, bottom - y);
+                var request = new DrawRequest(alone, width, height, tile, 1, stride, stride, false, Optional.empty());
+                light.put(light(request, SceneSession::drawResident), few.x(), few.y());
+            });
+            if (!isWhole) {
+                return Optional.empty();
+            }
+            ScenePicture body = body(DrawRequest.ofPixels(alone, width, height, Tile.whole(width, height), 1));
+            lit.add(over(body, light.enlarged(stride, body, white), alone));
         }
-        ScenePicture body = body(DrawRequest.ofPixels(scene, width, height, Tile.whole(width, height), 1));
-        return Optional.of(over(body, light.enlarged(stride, body, white), scene));
+        return Optional.of(ScenePicture.sum(lit));
     }
 
     private ScenePicture light(DrawRequest request, BiFunction<SceneSession, DrawRequest, ScenePicture> drawing) {

@@ -15,6 +15,7 @@ import jrtr.scene.View;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
 import sunbeam.app.gpu.Shaders;
+import sunbeam.app.render.UploadedScene.SkinTextures;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.precompute.optics.Direction;
@@ -38,14 +39,6 @@ public record Pick(
         Vector3fc normal,
         Direction wi,
         Direction wr) {
-
-    public Pick {
-        position = new Vector3f(position);
-        center = new Vector3f(center);
-        tangent = new Vector3f(tangent);
-        bitangent = new Vector3f(bitangent);
-        normal = new Vector3f(normal);
-    }
 
     /** Draws the pixel (shaders/pick.frag). */
     static final class Picking implements AutoCloseable {

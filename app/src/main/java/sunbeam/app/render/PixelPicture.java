@@ -112,8 +112,9 @@ public final class PixelPicture {
         }
 
         private void add(int from) {
+            float[] rgba = samples.rgba();
             // A pixel's samples of the ground are equal and need one transform.
-            if (last < 0 || !areEqual(samples.rgba(), last, from)) {
+            if (last < 0 || !Arrays.equals(rgba, last, last + CHANNELS, rgba, from, from + CHANNELS)) {
                 transform(from);
                 last = from;
             }
@@ -131,13 +132,6 @@ public final class PixelPicture {
             for (int c = 0; c < sample.length; c++) {
                 sample[c] = Math.min(1, sample[c] + uncovered * behind[c]);
             }
-        }
-
-        private static boolean areEqual(float[] rgba, int one, int other) {
-            return rgba[one] == rgba[other]
-                    && rgba[one + 1] == rgba[other + 1]
-                    && rgba[one + 2] == rgba[other + 2]
-                    && rgba[one + 3] == rgba[other + 3];
         }
     }
 

@@ -2,16 +2,16 @@ package sunbeam.app.render;
 
 import static sunbeam.precompute.plan.MethodSettings.COHERENCE_LENGTH;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import sunbeam.app.render.SceneLoader.SceneShape;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.mesh.Mesh;
-import sunbeam.app.scene.mesh.SkyVisibility;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.ReflectionPart;
@@ -27,24 +27,30 @@ import sunbeam.precompute.shader.ShaderTables;
 /**
  * Input of a {@link SceneSession} for one patch and one reflectance component. A scene's parts share the objects of mesh, sky and textures.
  *
- * @param sky visible share of the sky; computed on first use
+ * @param shape mesh and bodies, which a scene's parts share
  * @param region index of the patch in the scene, to which method and tables belong
  * @param method plan for every pair of directions
  * @param bakers bakers of the color table's tiles; empty for methods without one
- * @param body texture, scales and orientations of the mesh, and the area that the patch covers
  * @param reflectanceComponent component of method and tables; empty for an index that is the same at all wavelengths
  */
 public record SceneData(
         Scene scene,
-        Mesh mesh,
-        Supplier<SkyVisibility> sky,
+        SceneShape shape,
         int region,
         Patch patch,
         MethodPlan method,
         ShaderTables tables,
         Optional<LevelBakers> bakers,
-        Body body,
         Optional<ReflectanceComponent> reflectanceComponent) {
+
+    public Mesh mesh() {
+        return shape.mesh();
+    }
+
+    /** Returns texture, scales and orientations of the mesh, and the area that the patch covers. */
+    public Body body() {
+        return shape.bodies().get(region);
+    }
 
     /** Returns the notes and warnings about the patch, and about its size under the scene's method, one line each. */
     public List<String> patchRemarks() {
@@ -71,22 +77,18 @@ public record SceneData(
             throw new IllegalArgumentException(
                     "a scene with another mesh, patch, texture or method must be loaded by a SceneLoader");
         }
-        return other.equals(scene) ? this : with(other, mesh, sky, body);
+        return other.equals(scene) ? this : with(other, shape);
     }
 
-    SceneData with(Scene scene, Mesh mesh, Supplier<SkyVisibility> sky, Body body) {
-        return new SceneData(scene, mesh, sky, region, patch, method, tables, bakers, body, reflectanceComponent);
+    SceneData with(Scene other, SceneShape otherShape) {
+        return new SceneData(other, otherShape, region, patch, method, tables, bakers, reflectanceComponent);
     }
 
     /** Returns one value for each patch of a scene, in order. */
     public static <T> List<T> ofRegions(List<SceneData> parts, Function<SceneData, T> value) {
-        List<T> all = new ArrayList<>();
-        for (SceneData part : parts) {
-            if (part.region() == all.size()) {
-                all.add(value.apply(part));
-            }
-        }
-        return all;
+        Map<Integer, T> all = new TreeMap<>();
+        parts.forEach(part -> all.putIfAbsent(part.region(), value.apply(part)));
+        return List.copyOf(all.values());
     }
 
     /** Compares objects: comparing values would take as long as loading them. */

@@ -3,24 +3,22 @@ package sunbeam.app.render;
 import static sunbeam.precompute.plan.MethodSettings.AVERAGE;
 import static sunbeam.precompute.plan.MethodSettings.FRESNEL;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
+import jrtr.GraphicsException;
+import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.BlobCache;
 import sunbeam.app.files.cache.DiffractionSetup;
-import sunbeam.app.files.input.IndexFile;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
-import sunbeam.app.scene.SkinIndex;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.MeshSource;
 import sunbeam.app.scene.mesh.SkyVisibility;
@@ -34,7 +32,6 @@ import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
 import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.method.TableMethod;
-import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.patch.PatchLoader;
 import sunbeam.precompute.plan.Average;
@@ -92,7 +89,7 @@ public final class SceneLoader {
 
     /** Loads a scene without diffraction; computes the visible sky in the background if the scene needs it. */
     public SceneShape shape(Scene scene) {
-        Mesh mesh = mesh(scene).mesh();
+        Mesh mesh = mesh(scene);
         return new SceneShape(mesh, sky(scene, mesh), bodies(scene));
     }
 
@@ -104,25 +101,23 @@ public final class SceneLoader {
         }
         Scene before = first.scene();
         boolean sameMesh = before.mesh().equals(scene.mesh());
-        Mesh mesh = sameMesh ? first.mesh() : mesh(scene).mesh();
-        Supplier<SkyVisibility> sky = sameMesh ? first.sky() : sky(scene, mesh);
         boolean samePlaces = before.patches().equals(scene.patches());
-        boolean sameBody = before.sharesBody(scene);
-        List<Body> bodies = samePlaces && sameBody ? SceneData.ofRegions(previous, SceneData::body) : bodies(scene);
+        Mesh mesh = sameMesh ? first.mesh() : mesh(scene);
+        SceneShape shape = new SceneShape(
+                mesh,
+                sameMesh ? first.shape().sky() : sky(scene, mesh),
+                samePlaces && before.sharesBody(scene) ? first.shape().bodies() : bodies(scene));
         boolean samePatches =
                 samePlaces && before.method().isThesis() == scene.method().isThesis();
         boolean sameMethod = before.method().method().equals(scene.method().method())
                 && before.method().light().equals(scene.method().light())
                 && before.tabulatedSlopes() == scene.tabulatedSlopes();
         if (samePatches && sameMethod && before.sharesReflectance(scene)) {
-            return previous.stream()
-                    .map(part -> part.with(scene, mesh, sky, bodies.get(part.region())))
-                    .toList();
+            return previous.stream().map(part -> part.with(scene, shape)).toList();
         }
         List<Patch> patches = samePatches ? SceneData.ofRegions(previous, SceneData::patch) : patches(scene);
         progress.accept(HEIGHTS_READ);
-        return withTables(
-                scene, () -> new SceneShape(mesh, sky, bodies), patches, reflectanceComponents(scene), progress);
+        return withTables(scene, () -> shape, patches, reflectanceComponents(scene), progress);
     }
 
     private List<SceneData> withTables(
@@ -149,10 +144,9 @@ public final class SceneLoader {
 
     private void warnOfSteps(SceneData data) {
         double slopes = data.scene().slopeDeviation();
-        if (slopes > 0
-                && data.bakers()
-                        .map(bakers -> bakers.table().slopeDeviation() == 0)
-                        .orElse(false)) {
+        boolean isTableSmooth =
+                data.bakers().stream().anyMatch(bakers -> bakers.table().slopeDeviation() == 0);
+        if (slopes > 0 && isTableSmooth) {
             warning.accept(Text.format(
                     "%s: roughness %.2g deg: method table averages over slopes from 1 deg on, of an ensemble average;"
                             + " here highlights may have edges where their brightness jumps. Use 0 deg, 1 deg or more, or method full",
@@ -171,16 +165,14 @@ public final class SceneLoader {
                     "squared is for an index that is the same at all wavelengths; give once, or a number for ",
                     SceneSettings.INDEX);
         }
-        return ReflectanceComponent.of(index(scene), light(scene)).stream()
+        return ReflectanceComponent.of(scene.get(SceneSettings.INDEX).values(), light(scene)).stream()
                 .map(Optional::of)
                 .toList();
     }
 
     /** Only ensemble averages have levels for a wide light. */
     private static void requireEnsemble(Scene scene) {
-        boolean isWide = Stream.concat(Stream.of(scene.light()), scene.fillLights().stream())
-                .anyMatch(light -> scene.deviation(light) > 0);
-        if (isWide
+        if (scene.lights().stream().anyMatch(light -> scene.deviation(light) > 0)
                 && scene.method().method() instanceof TableMethod table
                 && table.area().average() == Average.COHERENT) {
             throw scene.method()
@@ -195,15 +187,10 @@ public final class SceneLoader {
         return LightTable.of(scene.method().choices());
     }
 
-    private static RefractiveIndex index(Scene scene) {
-        SkinIndex index = scene.get(SceneSettings.INDEX);
-        return index.constant().orElseGet(() -> IndexFile.read(Path.of(index.file())));
-    }
-
-    private MeshSource.Loaded mesh(Scene scene) {
+    private Mesh mesh(Scene scene) {
         MeshSource.Loaded read = scene.mesh().load();
         read.warnings().forEach(warning);
-        return read;
+        return read.mesh();
     }
 
     private Supplier<SkyVisibility> sky(Scene scene, Mesh mesh) {
@@ -257,23 +244,13 @@ public final class SceneLoader {
         ShaderTables tables = scene.effectiveEnergy()
                 .divisor(
                         patch.heights(),
-                        index(scene),
+                        scene.get(SceneSettings.INDEX).values(),
                         scene.method().seeing(patch).choices())
                 .map(divisor -> divisor.applyTo(made, setup.cie()))
                 .orElse(made);
-        SceneShape shown = shape.get();
-        return new SceneData(
-                scene,
-                shown.mesh(),
-                shown.sky(),
-                region,
-                patch,
-                method,
-                tables,
-                levels.map(plan -> new LevelBakers(
-                        plan, setup.sources(GpuBaker::of, line -> warning.accept(patch.name() + ": " + line)))),
-                shown.bodies().get(region),
-                part);
+        Optional<LevelBakers> bakers = levels.map(plan ->
+                new LevelBakers(plan, setup.sources(GpuBaker::of, line -> warning.accept(patch.name() + ": " + line))));
+        return new SceneData(scene, shape.get(), region, patch, method, tables, bakers, part);
     }
 
     /**
@@ -283,4 +260,47 @@ public final class SceneLoader {
      * @param bodies texture, scales and orientations of the mesh, each with the area of one patch
      */
     public record SceneShape(Mesh mesh, Supplier<SkyVisibility> sky, List<Body> bodies) {}
+
+    /** Loads a scene in the background while OpenGL starts, and uploads its shape and parts as they are loaded. */
+    public static final class LoadingScene implements AutoCloseable {
+        private final Scene scene;
+        private final BackgroundTask<SceneShape> shape;
+        private final BackgroundTask<List<SceneData>> parts;
+
+        /** Starts loading. */
+        public LoadingScene(SceneLoader loader, Scene scene) {
+            this.scene = scene;
+            this.shape = BackgroundTask.start(() -> loader.shape(scene));
+            this.parts = BackgroundTask.start(() -> loader.parts(scene, shape));
+        }
+
+        /** Creates a context for the upload. A failure of loading is reported first, since the user can fix it. */
+        public RenderContext offscreen() {
+            try {
+                return RenderContext.offscreen();
+            } catch (GraphicsException failure) {
+                parts.get();
+                throw failure;
+            }
+        }
+
+        /** Uploads each part as a session, which the caller closes. Throws {@link GraphicsException} if the device has no room. */
+        public List<SceneSession> upload(RenderContext context) {
+            List<SceneSession> sessions = new ArrayList<>();
+            try {
+                sessions.add(new SceneSession(context, scene, shape.get()));
+                sessions.get(0).update(parts.get().get(0));
+                parts.get().stream().skip(1).forEach(part -> sessions.add(new SceneSession(context, part)));
+                return List.copyOf(sessions);
+            } catch (RuntimeException | OutOfMemoryError failure) {
+                sessions.forEach(SceneSession::close);
+                throw failure;
+            }
+        }
+
+        @Override
+        public void close() {
+            parts.settle();
+        }
+    }
 }

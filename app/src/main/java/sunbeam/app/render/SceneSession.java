@@ -1,6 +1,7 @@
 package sunbeam.app.render;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import jrtr.gl.Resource;
 import jrtr.scene.View;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.VirtualTexture;
+import sunbeam.app.render.GeometryBuffer.Layout;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.Pick.Picking;
 import sunbeam.app.render.SceneLoader.SceneShape;
@@ -28,13 +30,14 @@ public final class SceneSession implements AutoCloseable {
     public static final int TILE_SIDE = 128;
 
     private final RenderContext context;
-    // With shadows (true) for the first light, without for the others.
-    private final Map<Boolean, GeometryBuffer.Cache> buffers = new HashMap<>();
-    private final MovingPictures moving;
+    private final Map<CacheKey, GeometryBuffer.Cache> buffers = new HashMap<>();
     private final PackedShading shading;
     private final Picking picking;
     private final UploadedScene uploaded;
     private long meshNanoseconds;
+
+    /** The first light may have shadows, others have none. */
+    private record CacheKey(Layout layout, boolean hasShadows) {}
 
     /** Uploads a scene; throws {@link jrtr.GraphicsException} if the device has no room for it. */
     public SceneSession(RenderContext context, SceneData data) {
@@ -48,7 +51,6 @@ public final class SceneSession implements AutoCloseable {
 
     private SceneSession(RenderContext context, Supplier<UploadedScene> upload) {
         this.context = context;
-        this.moving = new MovingPictures(context);
         this.shading = new PackedShading(context);
         this.picking = new Picking(context);
         this.uploaded = Resource.orClose(upload, this::close);
@@ -108,24 +110,29 @@ public final class SceneSession implements AutoCloseable {
     private ScenePicture underOneLight(DrawRequest request) {
         SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
         Optional<Ground> ground = uploaded.ground(request.scene());
-        ScenePicture part = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
+        ScenePicture picture = ScenePicture.empty(request.columns(request.tile()), request.rows(request.tile()));
         for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
-            float[] pixels = shading.shade(uploaded.skin(), request, drawn(geometry, piece), piece);
+            float[] pixels = shading.shade(part(request, geometry, piece));
             ground.ifPresent(below -> below.fillUncovered(pixels, request, geometry, piece));
-            part.put(
+            picture.put(
                     new ScenePicture(request.columns(piece.inBlock()), request.rows(piece.inBlock()), pixels),
                     piece.x() / request.across(),
                     piece.y() / request.down());
         }
-        return part;
+        return picture;
     }
 
-    private GeometryBuffer drawn(SkinGeometry geometry, SceneBlocks.Piece piece) {
+    private PackedShading.Part part(DrawRequest request, SkinGeometry geometry, SceneBlocks.Piece piece) {
+        GeometryBuffer buffer = drawn(Layout.FULL, geometry, piece.block());
+        return new PackedShading.Part(uploaded.skin(), request, buffer, piece);
+    }
+
+    private GeometryBuffer drawn(Layout layout, SkinGeometry geometry, Tile block) {
         long start = System.nanoTime();
         GeometryBuffer buffer = buffers.computeIfAbsent(
-                        geometry.shadowLight().isPresent(),
-                        shaded -> new GeometryBuffer.Cache(context, GeometryBuffer.Layout.FULL))
-                .of(geometry, piece.block());
+                        new CacheKey(layout, geometry.shadowLight().isPresent()),
+                        key -> new GeometryBuffer.Cache(context, layout))
+                .of(geometry, block);
         meshNanoseconds += System.nanoTime() - start;
         return buffer;
     }
@@ -146,10 +153,10 @@ public final class SceneSession implements AutoCloseable {
         return true;
     }
 
-    private void addFeedback(DrawRequest part) {
-        SkinGeometry geometry = uploaded.geometry(part.scene(), part.width(), part.height(), false);
-        for (SceneBlocks.Piece piece : part.blocks().split(part.tile())) {
-            shading.addFeedback(uploaded.skin(), part, drawn(geometry, piece), piece);
+    private void addFeedback(DrawRequest request) {
+        SkinGeometry geometry = uploaded.geometry(request.scene(), request.width(), request.height(), false);
+        for (SceneBlocks.Piece piece : request.blocks().split(request.tile())) {
+            shading.addFeedback(part(request, geometry, piece));
         }
     }
 
@@ -197,16 +204,30 @@ public final class SceneSession implements AutoCloseable {
 
     /** Time of all geometry passes of this session. */
     public long meshNanoseconds() {
-        return meshNanoseconds + moving.meshNanoseconds();
+        return meshNanoseconds;
     }
 
-    /** Draws a scene without its diffraction; before the first {@link #update(SceneData)}. */
-    public BufferedImage body(Scene scene, int width, int height, double exposure) {
-        return moving.draw(uploaded, scene, width, height, 1, exposure);
-    }
-
+    /** Draws a picture in sRGB without baking tiles. The divisor reduces columns and rows and enlarges footprints. */
     public BufferedImage moving(int fullWidth, int fullHeight, double divisor, double exposure) {
-        return moving.draw(uploaded, scene(), fullWidth, fullHeight, divisor, exposure);
+        return body(scene(), (int) Math.ceil(fullWidth / divisor), (int) Math.ceil(fullHeight / divisor), exposure);
+    }
+
+    /** Draws a moving picture of a scene; without its diffraction before the first {@link #update(SceneData)}. */
+    public BufferedImage body(Scene scene, int width, int height, double exposure) {
+        SkinGeometry geometry = uploaded.geometry(scene, width, height, true);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        // Direct writes end Swing's acceleration, from which an image that is painted once gains nothing.
+        int[] picture = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
+            GeometryBuffer buffer = drawn(Layout.MOVING, geometry, piece.block());
+            int[] part = uploaded.skin()
+                    .drawMoving(scene, uploaded.ground(scene), geometry, buffer, piece.block(), exposure);
+            int columns = piece.inBlock().width();
+            for (int row = 0; row < piece.inBlock().height(); row++) {
+                System.arraycopy(part, row * columns, picture, (piece.y() + row) * width + piece.x(), columns);
+            }
+        }
+        return image;
     }
 
     /** The patch's x axis, 3 values per pixel in world space, top row first; zeros without skin. */
@@ -215,7 +236,7 @@ public final class SceneSession implements AutoCloseable {
         float[] directions = new float[3 * width * height];
         for (SceneBlocks.Piece piece : SceneBlocks.split(width, height)) {
             Tile part = piece.inBlock();
-            float[] tangents = drawn(geometry, piece).tangents(part);
+            float[] tangents = drawn(Layout.FULL, geometry, piece.block()).tangents(part);
             for (int i = 0; i < part.pixels(); i++) {
                 int pixel = (piece.y() + i / part.width()) * width + piece.x() + i % part.width();
                 System.arraycopy(tangents, 4 * i, directions, 3 * pixel, 3);
@@ -236,7 +257,6 @@ public final class SceneSession implements AutoCloseable {
             uploaded.close();
         }
         picking.close();
-        moving.close();
         shading.close();
         buffers.values().forEach(GeometryBuffer.Cache::close);
     }

@@ -11,11 +11,11 @@ import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import jrtr.scene.Light;
+import org.joml.Vector2f;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.Footprints;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
-import sunbeam.app.render.MovingPictures.MovingSkin;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
@@ -36,7 +36,11 @@ final class SkinSurface implements AutoCloseable {
     private static final int SLOPES_PER_SAMPLE_ACROSS = 6;
 
     private static final int MOST_TAPS = 8;
+    // Software renderers have time for one tap along the major axis; a coarser level then blurs it, too.
+    private static final int MOVING_SOFTWARE_TAPS = 1;
+    private static final int MOVING_HARDWARE_TAPS = 4;
 
+    private final RenderContext context;
     private final UploadedTables method;
     // Radiance of a mirror under the coherence window, relative to sunlight; 1 for methods not normalized to a mirror.
     private final double diffractionScale;
@@ -44,32 +48,33 @@ final class SkinSurface implements AutoCloseable {
     private final Optional<ReflectanceComponent> component;
     // The first picture is a moving one and does not need it.
     private ShaderProgram program;
-    private MovingSkin moving;
+    // Keys are numbers of lights.
+    private final Map<Integer, ShaderProgram> movingPrograms = new HashMap<>();
+    private final CachedTarget movingTarget = new CachedTarget();
 
-    private SkinSurface(
-            UploadedTables method,
-            double diffractionScale,
-            Optional<VirtualTexture> texture,
-            Optional<ReflectanceComponent> component) {
-        this.method = method;
-        this.diffractionScale = diffractionScale;
-        this.texture = texture;
-        this.component = component;
-    }
-
-    static SkinSurface create(RenderContext context, SceneData data) {
-        UploadedTables method = UploadedTables.upload(context, data.tables());
-        Optional<VirtualTexture> texture = Resource.orClose(
-                () -> data.bakers().map(sources -> new VirtualTexture(context, sources)), method::close);
-        boolean isNormalizedToMirror = data.scene().method().method().isNormalizedToMirror();
-        double diffractionScale = isNormalizedToMirror ? new CoherenceWindow(method.windowSigma()).mirrorRadiance() : 1;
-        return new SkinSurface(method, diffractionScale, texture, data.reflectanceComponent());
+    SkinSurface(RenderContext context, SceneData data) {
+        this(context, data.tables(), Optional.of(data));
     }
 
     /** Creates a surface without diffraction, for moving pictures. */
     static SkinSurface ofBody(RenderContext context) {
-        ShaderTables none = new ShaderTables.Builder("none").build(0, 0);
-        return new SkinSurface(UploadedTables.upload(context, none), 0, Optional.empty(), Optional.empty());
+        return new SkinSurface(context, new ShaderTables.Builder("none").build(0, 0), Optional.empty());
+    }
+
+    private SkinSurface(RenderContext context, ShaderTables tables, Optional<SceneData> data) {
+        this.context = context;
+        this.method = UploadedTables.upload(context, tables);
+        this.texture = Resource.orClose(
+                () -> data.flatMap(SceneData::bakers).map(bakers -> new VirtualTexture(context, bakers)),
+                method::close);
+        this.component = data.flatMap(SceneData::reflectanceComponent);
+        this.diffractionScale = data.map(found -> found.scene().method().method())
+                .map(found -> found.isNormalizedToMirror() ? mirrorRadiance() : 1)
+                .orElse(0.0);
+    }
+
+    private double mirrorRadiance() {
+        return new CoherenceWindow(method.windowSigma()).mirrorRadiance();
     }
 
     /** Callers may use the tables in this context until the surface is closed. */
@@ -100,13 +105,7 @@ final class SkinSurface implements AutoCloseable {
      * @param sources texel to shade of each target pixel, as by {@link GeometryBuffer#texel}; -1 for none
      * @param target as large as the sources; undefined at pixels without source
      */
-    void shade(
-            RenderContext context,
-            GeometryBuffer buffer,
-            FloatTexture sources,
-            FloatTarget target,
-            Tile tile,
-            Pass pass) {
+    void shade(GeometryBuffer buffer, FloatTexture sources, FloatTarget target, Tile tile, Pass pass) {
         DrawRequest request = pass.request();
         Scene scene = request.scene();
         if (program == null) {
@@ -137,7 +136,7 @@ final class SkinSurface implements AutoCloseable {
     }
 
     /** Sets the uniforms of shaders/include/footprint.glsl. Fine relief widens footprints unless the table's levels include it. */
-    static void setFootprints(
+    private static void setFootprints(
             ShaderProgram program,
             ColorTable table,
             Scene scene,
@@ -156,9 +155,13 @@ final class SkinSurface implements AutoCloseable {
         program.set("samplesAcross", (float) samplesAcross);
     }
 
-    /** Draws a block of a moving picture (see {@link MovingSkin}). */
+    /**
+     * Draws a block of a moving picture in sRGB (shaders/moving.frag): few taps per pixel in resident tiles.
+     *
+     * @param buffer geometry in {@link GeometryBuffer.Layout#MOVING}
+     * @return pixels as 0xffRRGGBB, top row first
+     */
     int[] drawMoving(
-            RenderContext context,
             Scene scene,
             Optional<Ground> ground,
             SkinGeometry geometry,
@@ -166,13 +169,37 @@ final class SkinSurface implements AutoCloseable {
             Tile block,
             double exposure) {
         int lights = Framing.lights(scene).size();
-        if (moving == null || moving.lights() != lights) {
-            closeMoving();
-            moving = new MovingSkin(context, method, texture, lights);
+        int taps = context.info().software() ? MOVING_SOFTWARE_TAPS : MOVING_HARDWARE_TAPS;
+        ShaderProgram moving = movingPrograms.computeIfAbsent(
+                lights, count -> method.program("moving.frag", Map.of("MOST_TAPS", taps + "", "LIGHTS", count + "")));
+        setLight(moving, scene);
+        moving.set("lightVariances", Framing.variances(scene));
+        Map<String, Texture> textures = new HashMap<>(method.textures());
+        texture.ifPresent(tiles -> {
+            setFootprints(moving, tiles.table(), scene, taps, 1, false);
+            textures.putAll(tiles.textures());
+        });
+        geometry.applyRaysTo(moving, block);
+        moving.set("targetToWorld", geometry.blockToWorld(block));
+        geometry.shadows().applyTo(moving, scene.hasShadows());
+        moving.set("exposure", (float) exposure);
+        moving.set("toneStart", (float) scene.display(exposure).tone().start());
+        textures.putAll(buffer.textures());
+        textures.put("depths", buffer.attributes().depth());
+        textures.putAll(geometry.shadows().textures());
+        Tile whole = Tile.whole(block.width(), block.height());
+        moving.set("perPicture", new Vector2f(1f / block.width(), 1f / block.height()));
+        var spec = new FloatTarget.Spec(block.width(), block.height(), 1, true, FloatTarget.Format.RGBA8);
+        FloatTarget target = movingTarget.of(context, "moving", spec);
+        if (ground.isPresent()) {
+            ground.get().fillMovingBlock(target, scene, geometry, block, exposure);
+        } else {
+            int rgb = scene.get(SceneSettings.BACKGROUND).rgb();
+            target.clear(whole, (rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f, 1);
         }
-        setLight(moving.program(), scene);
-        moving.program().set("lightVariances", Framing.variances(scene));
-        return moving.draw(scene, ground, geometry, buffer, block, method.textures(), exposure);
+        target.copyDepthFrom(buffer.attributes());
+        context.drawCovered(moving, textures, target, whole);
+        return target.readColors(0, whole);
     }
 
     /** For jrtr/lights.glsl, include/blend.glsl and include/sky.glsl. */
@@ -202,16 +229,10 @@ final class SkinSurface implements AutoCloseable {
         program.set("grazingWeight", (float) ((1 - normal) / normal));
     }
 
-    private void closeMoving() {
-        if (moving != null) {
-            moving.close();
-            moving = null;
-        }
-    }
-
     @Override
     public void close() {
-        closeMoving();
+        movingTarget.close();
+        movingPrograms.values().forEach(ShaderProgram::close);
         texture.ifPresent(VirtualTexture::close);
         if (program != null) {
             program.close();

@@ -1,11 +1,20 @@
 package sunbeam.app.render;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import jrtr.gl.ImageTexture;
+import jrtr.gl.ImageTexture.Encoding;
 import jrtr.gl.RenderContext;
+import jrtr.gl.RenderContext.Faces;
 import jrtr.gl.Resource;
+import jrtr.gl.ShaderProgram;
+import jrtr.gl.Texture;
 import jrtr.gl.VertexBuffer;
+import jrtr.scene.PlacedMesh;
+import org.joml.Quaternionfc;
 import org.joml.Vector3fc;
 import sunbeam.app.render.GeometryBuffer.SkinGeometry;
 import sunbeam.app.render.SceneLoader.SceneShape;
@@ -13,6 +22,11 @@ import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneSettings;
 import sunbeam.app.scene.mesh.Mesh;
 import sunbeam.app.scene.mesh.SkyVisibility;
+import sunbeam.app.scene.mesh.SnakeBody;
+import sunbeam.app.scene.texture.Body;
+import sunbeam.app.scene.texture.BodyTexture;
+import sunbeam.app.scene.texture.ScaleRelief;
+import sunbeam.app.scene.texture.Scales;
 
 /** A scene in graphics memory: mesh, textures, and the method with its tables. */
 final class UploadedScene implements AutoCloseable {
@@ -24,29 +38,22 @@ final class UploadedScene implements AutoCloseable {
     private SkinSurface skin;
 
     UploadedScene(RenderContext context, SceneData data) {
-        this(context);
-        orClose(() -> update(data));
+        this(context, data.scene(), data.shape(), data.body(), () -> new SkinSurface(context, data));
+        this.data = data;
     }
 
     /** Uploads a scene without its diffraction, for moving pictures of the body. */
     UploadedScene(RenderContext context, Scene scene, SceneShape shape) {
-        this(context);
-        orClose(() -> {
-            mesh = UploadedMesh.upload(context, scene, shape.mesh(), shape.sky());
-            body = SkinTextures.upload(context, shape.bodies().get(0));
-            skin = SkinSurface.ofBody(context);
-        });
+        this(context, scene, shape, shape.bodies().get(0), () -> SkinSurface.ofBody(context));
     }
 
-    private UploadedScene(RenderContext context) {
+    private UploadedScene(
+            RenderContext context, Scene scene, SceneShape shape, Body body, Supplier<SkinSurface> surface) {
         this.context = context;
         this.shadows = new Shadows(context);
-    }
-
-    private void orClose(Runnable upload) {
         try {
-            upload.run();
-        } catch (RuntimeException | OutOfMemoryError failure) {
+            replace(scene, shape, body, surface);
+        } catch (RuntimeException | Error failure) {
             close();
             throw failure;
         }
@@ -94,27 +101,26 @@ final class UploadedScene implements AutoCloseable {
     }
 
     void update(SceneData next) {
-        UploadedMesh nextMesh = mesh != null && mesh.serves(next.scene(), next.mesh()) ? mesh : null;
-        SkinTextures nextBody = body != null && body.isOf(next.body()) ? body : null;
-        SkinSurface nextSkin = data != null && next.sharesMethod(data) ? skin : null;
-        try {
-            nextMesh =
-                    nextMesh != null ? nextMesh : UploadedMesh.upload(context, next.scene(), next.mesh(), next.sky());
-            nextBody = nextBody != null ? nextBody : SkinTextures.upload(context, next.body());
-            nextSkin = nextSkin != null ? nextSkin : SkinSurface.create(context, next);
-        } catch (RuntimeException | OutOfMemoryError failure) {
-            closeUnlessSame(nextMesh, mesh, UploadedMesh::close);
-            closeUnlessSame(nextBody, body, SkinTextures::close);
-            closeUnlessSame(nextSkin, skin, SkinSurface::close);
-            throw failure;
-        }
+        boolean sharesMethod = data != null && next.sharesMethod(data);
+        replace(next.scene(), next.shape(), next.body(), () -> sharesMethod ? skin : new SkinSurface(context, next));
+        data = next;
+    }
+
+    /** Uploads what differs; a failure leaves the old scene. */
+    private void replace(Scene scene, SceneShape shape, Body wanted, Supplier<SkinSurface> surface) {
+        UploadedMesh nextMesh =
+                mesh != null && mesh.serves(scene, shape.mesh()) ? mesh : UploadedMesh.upload(context, scene, shape);
+        Runnable closeMesh = () -> closeUnlessSame(nextMesh, mesh, UploadedMesh::close);
+        SkinTextures nextBody = Resource.orClose(
+                () -> body != null && body.isOf(wanted) ? body : new SkinTextures(context, wanted), closeMesh);
+        SkinSurface nextSkin =
+                Resource.orClose(surface, closeMesh, () -> closeUnlessSame(nextBody, body, SkinTextures::close));
         closeUnlessSame(mesh, nextMesh, UploadedMesh::close);
         closeUnlessSame(body, nextBody, SkinTextures::close);
         closeUnlessSame(skin, nextSkin, SkinSurface::close);
         mesh = nextMesh;
         body = nextBody;
         skin = nextSkin;
-        data = next;
     }
 
     private static <T> void closeUnlessSame(T part, T other, Consumer<T> closing) {
@@ -135,15 +141,16 @@ final class UploadedScene implements AutoCloseable {
     private record UploadedMesh(Mesh mesh, VertexBuffer buffer, Optional<Ground> ground) implements AutoCloseable {
 
         /** May wait for the visible share of the sky. */
-        static UploadedMesh upload(RenderContext context, Scene scene, Mesh mesh, Supplier<SkyVisibility> sky) {
+        static UploadedMesh upload(RenderContext context, Scene scene, SceneShape shape) {
+            Mesh mesh = shape.mesh();
             if (!scene.occludesSky()) {
                 return new UploadedMesh(
                         mesh, context.createVertexBuffer("mesh", mesh.toVertexData()), Optional.empty());
             }
-            SkyVisibility seen = sky.get();
+            SkyVisibility seen = shape.sky().get();
             VertexBuffer buffer = context.createVertexBuffer("mesh", mesh.toVertexData(seen.ofVertices()));
             Ground ground =
-                    Resource.orClose(() -> Ground.create(context, SkyVisibility.ground(mesh), seen), buffer::close);
+                    Resource.orClose(() -> new Ground(context, SkyVisibility.ground(mesh), seen), buffer::close);
             return new UploadedMesh(mesh, buffer, Optional.of(ground));
         }
 
@@ -156,6 +163,70 @@ final class UploadedScene implements AutoCloseable {
         public void close() {
             ground.ifPresent(Ground::close);
             buffer.close();
+        }
+    }
+
+    /** Textures of a mesh's surface in graphics memory (shaders/include/relief.glsl). */
+    static final class SkinTextures implements AutoCloseable {
+        private final Body body;
+        // Keys are the shaders' samplers.
+        private final Map<String, ImageTexture> uploaded = new HashMap<>();
+
+        SkinTextures(RenderContext context, Body body) {
+            this.body = body;
+            Resource.orClose(
+                    () -> {
+                        upload(context, "bodyTexture", "body", body.colors(), Encoding.SRGB);
+                        upload(context, "skinRelief", "relief", body.relief(), Encoding.LINEAR);
+                        upload(context, "patchDirections", "directions", body.directions(), Encoding.LINEAR);
+                        upload(context, "patchMap", "patches", body.patches(), Encoding.LINEAR);
+                        return this;
+                    },
+                    this::close);
+        }
+
+        private void upload(
+                RenderContext context, String sampler, String label, BodyTexture texture, Encoding encoding) {
+            uploaded.put(
+                    sampler,
+                    context.createImageTexture(label, texture.width(), texture.height(), texture.rgba(), encoding));
+        }
+
+        @SuppressWarnings("ReferenceEquality") // comparing texels would take as long as uploading them
+        boolean isOf(Body other) {
+            return body == other;
+        }
+
+        /** Returns a mesh with these textures in world space, and sets the program's uniforms about them. */
+        PlacedMesh placed(
+                VertexBuffer mesh,
+                Quaternionfc orientation,
+                ShaderProgram program,
+                double rotatePatch,
+                Faces faces,
+                Map<String, Texture> furtherTextures) {
+            PlacedMesh.turnTangents(program, rotatePatch);
+            boolean hasScales = body.scales() != Scales.NONE;
+            double scalesPerUnit =
+                    hasScales ? SnakeBody.scalesPerUnit(body.scales().rows()) : 0;
+            program.set("reliefPerUnit", (float) (scalesPerUnit / ScaleRelief.SCALES_ALONG));
+            program.set("reliefBegin", (float) (hasScales ? ScaleRelief.BEGIN : 0));
+            program.set("reliefSteepest", (float) (hasScales ? ScaleRelief.STEEPEST : 0));
+            if (program.isActive("reliefLightest")) {
+                program.set("reliefLightest", (float) ScaleRelief.LIGHTEST);
+            }
+            if (program.isActive("patchColor")) {
+                program.set("patchColor", (float) body.patchColor());
+            }
+            Map<String, Texture> textures = new HashMap<>(uploaded);
+            textures.keySet().removeIf(name -> !program.isActive(name));
+            textures.putAll(furtherTextures);
+            return new PlacedMesh(mesh, Framing.toWorld(orientation, mesh.bounds()), program, textures, faces);
+        }
+
+        @Override
+        public void close() {
+            uploaded.values().forEach(ImageTexture::close);
         }
     }
 }

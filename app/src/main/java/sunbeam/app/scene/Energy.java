@@ -1,7 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.ENERGY;
-
 import java.util.Optional;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.method.Methods;
@@ -48,7 +46,7 @@ public enum Energy {
 
     private static void require(boolean condition, String problem) {
         if (!condition) {
-            throw SettingException.of(ENERGY, CONSERVE, problem + "; leave it out");
+            throw SettingException.of(SceneSettings.ENERGY, CONSERVE, problem + "; leave it out");
         }
     }
 }

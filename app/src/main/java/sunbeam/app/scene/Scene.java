@@ -1,26 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.AMBIENT;
-import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
-import static sunbeam.app.scene.SceneSettings.BODY_ALPHA;
-import static sunbeam.app.scene.SceneSettings.DIFFUSE;
-import static sunbeam.app.scene.SceneSettings.ENERGY;
-import static sunbeam.app.scene.SceneSettings.GROUND;
-import static sunbeam.app.scene.SceneSettings.INDEX;
-import static sunbeam.app.scene.SceneSettings.INTENSITY;
-import static sunbeam.app.scene.SceneSettings.KEEPS_SURROUNDINGS;
-import static sunbeam.app.scene.SceneSettings.MESH;
-import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
-import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
-import static sunbeam.app.scene.SceneSettings.PRIMARIES;
-import static sunbeam.app.scene.SceneSettings.ROUGHNESS;
-import static sunbeam.app.scene.SceneSettings.SCALES;
-import static sunbeam.app.scene.SceneSettings.SHADOWS;
-import static sunbeam.app.scene.SceneSettings.SKY;
-import static sunbeam.app.scene.SceneSettings.TEXTURE;
-import static sunbeam.app.scene.SceneSettings.TEXTURE_WEIGHT;
-import static sunbeam.app.scene.SceneSettings.TONE;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -77,9 +56,9 @@ public record Scene(
 
     /** Returns this scene with values of {@link SceneSettings} and {@link Methods#SETTINGS} in place of its own. */
     public Scene with(Choices chosen) {
-        Choices inherited = chosen.has(MESH) ? settings.without(MESH_UNIT) : settings;
-        double intensity = chosen.get(INTENSITY, light.intensity());
-        double diameter = chosen.get(ANGULAR_DIAMETER, light.angularDiameter());
+        Choices inherited = chosen.has(SceneSettings.MESH) ? settings.without(SceneSettings.MESH_UNIT) : settings;
+        double intensity = chosen.get(SceneSettings.INTENSITY, light.intensity());
+        double diameter = chosen.get(SceneSettings.ANGULAR_DIAMETER, light.angularDiameter());
         SceneLight newLight = new SceneLight(light.towards(), intensity, diameter);
         SceneMethod newMethod = method.with(chosen.only(Methods.SETTINGS));
         return new Scene(chosen.over(inherited), patches, view, orientation, newLight, fillLights, newMethod);
@@ -90,10 +69,10 @@ public record Scene(
     }
 
     public Choices choices() {
-        return settings.with(TONE, display(1).tone())
-                .with(PRIMARIES, display(1).primaries())
-                .with(INTENSITY, light.intensity())
-                .with(ANGULAR_DIAMETER, light.angularDiameter())
+        return settings.with(SceneSettings.TONE, display(1).tone())
+                .with(SceneSettings.PRIMARIES, display(1).primaries())
+                .with(SceneSettings.INTENSITY, light.intensity())
+                .with(SceneSettings.ANGULAR_DIAMETER, light.angularDiameter())
                 .over(method.choices());
     }
 
@@ -102,11 +81,11 @@ public record Scene(
     }
 
     public MeshSource mesh() {
-        return new MeshSource(get(MESH), get(MESH_UNIT));
+        return new MeshSource(get(SceneSettings.MESH), get(SceneSettings.MESH_UNIT));
     }
 
     public Scene withMesh(MeshSource value) {
-        return with(MESH, value.name()).with(MESH_UNIT, value.unit());
+        return with(SceneSettings.MESH, value.name()).with(SceneSettings.MESH_UNIT, value.unit());
     }
 
     public PatchRequest patch() {
@@ -121,7 +100,9 @@ public record Scene(
     public List<String> files() {
         Stream<String> heights =
                 patches.regions().stream().map(region -> region.patch().patch());
-        return Stream.concat(Stream.of(get(TEXTURE), get(ORIENTATION_MAP), patches.map()), heights)
+        return Stream.concat(
+                        Stream.of(get(SceneSettings.TEXTURE), get(SceneSettings.ORIENTATION_MAP), patches.map()),
+                        heights)
                 .toList();
     }
 
@@ -132,7 +113,9 @@ public record Scene(
     /** Returns this scene with a user's patch, and a dark body for an animal's. */
     public Scene withOwnPatch(PatchRequest value) {
         Scene other = withPatch(value);
-        return BodyTexture.isAnimal(get(TEXTURE)) ? other.with(TEXTURE, BodyTexture.DARK) : other;
+        return BodyTexture.isAnimal(get(SceneSettings.TEXTURE))
+                ? other.with(SceneSettings.TEXTURE, BodyTexture.DARK)
+                : other;
     }
 
     public Scene withView(Viewpoint value) {
@@ -151,6 +134,11 @@ public record Scene(
         return new Scene(settings, patches, view, orientation, light, value, method);
     }
 
+    /** Returns all lights, the key light first. */
+    public List<SceneLight> lights() {
+        return Stream.concat(Stream.of(light), fillLights.stream()).toList();
+    }
+
     /** Returns parts of a wide light if pixels are footprints, which show one direction of light. */
     private List<SceneLight> drawn(SceneLight one) {
         return method.type().equals(TableMethod.TYPE) && !method.isThesis() ? one.narrow() : List.of(one);
@@ -159,7 +147,7 @@ public record Scene(
     /** Returns scenes of one light each, whose sum is this one's picture, those of the key light first; fill lights cast no shadows. */
     public List<Scene> perLight() {
         Scene underKey = withFillLights(List.of());
-        Scene underFill = underKey.with(SHADOWS, false);
+        Scene underFill = underKey.with(SceneSettings.SHADOWS, false);
         List<Scene> scenes = new ArrayList<>();
         drawn(light).forEach(one -> scenes.add(underKey.withLight(one)));
         fillLights.forEach(fill -> drawn(fill).forEach(one -> scenes.add(underFill.withLight(one))));
@@ -180,11 +168,14 @@ public record Scene(
     }
 
     public boolean hasBody() {
-        return get(TEXTURE_WEIGHT) > 0 && (get(DIFFUSE) > 0 || get(AMBIENT) > 0);
+        return get(SceneSettings.TEXTURE_WEIGHT) > 0
+                && (get(SceneSettings.DIFFUSE) > 0 || get(SceneSettings.AMBIENT) > 0);
     }
 
     public Scene withoutBody() {
-        return with(TEXTURE_WEIGHT, 0.0).with(DIFFUSE, 0.0).with(AMBIENT, 0.0);
+        return with(SceneSettings.TEXTURE_WEIGHT, 0.0)
+                .with(SceneSettings.DIFFUSE, 0.0)
+                .with(SceneSettings.AMBIENT, 0.0);
     }
 
     /** True if another scene needs no other meshes, textures or tables. */
@@ -200,45 +191,46 @@ public record Scene(
     /** True if tables of both have the same factors: constant indices differ only in the divisor of conserved energy. */
     public boolean sharesReflectance(Scene other) {
         return effectiveEnergy() == other.effectiveEnergy()
-                && (get(INDEX).equals(other.get(INDEX))
-                        || (effectiveEnergy() == Energy.SCALAR && get(INDEX).sharesSpectrum(other.get(INDEX))));
+                && (get(SceneSettings.INDEX).equals(other.get(SceneSettings.INDEX))
+                        || (effectiveEnergy() == Energy.SCALAR
+                                && get(SceneSettings.INDEX).sharesSpectrum(other.get(SceneSettings.INDEX))));
     }
 
     public boolean sharesBody(Scene other) {
-        return get(TEXTURE).equals(other.get(TEXTURE))
+        return get(SceneSettings.TEXTURE).equals(other.get(SceneSettings.TEXTURE))
                 && effectiveScales() == other.effectiveScales()
-                && get(ORIENTATION_MAP).equals(other.get(ORIENTATION_MAP));
+                && get(SceneSettings.ORIENTATION_MAP).equals(other.get(SceneSettings.ORIENTATION_MAP));
     }
 
     /** Returns this scene with the shared parts of another. */
     public Scene withPartsOf(Scene other) {
         Choices parts = other.settings.only(SceneSettings.PARTS);
-        Choices shared = sharesReflectance(other) ? parts.without(INDEX) : parts;
+        Choices shared = sharesReflectance(other) ? parts.without(SceneSettings.INDEX) : parts;
         return new Scene(shared.over(settings), other.patches, view, orientation, light, fillLights, other.method);
     }
 
     /** Only the built-in snake has any. */
     public Scales effectiveScales() {
-        return get(MESH).equals("snake") ? get(SCALES) : Scales.NONE;
+        return get(SceneSettings.MESH).equals("snake") ? get(SceneSettings.SCALES) : Scales.NONE;
     }
 
     /** Not with the thesis's preset, save for {@link #keepingSurroundings}. */
     private boolean drawsSurroundings() {
-        return !method.isThesis() || get(KEEPS_SURROUNDINGS);
+        return !method.isThesis() || get(SceneSettings.KEEPS_SURROUNDINGS);
     }
 
     /** Color of the plane under the mesh. */
     public Optional<SceneColor> ground() {
-        return drawsSurroundings() ? get(GROUND) : Optional.empty();
+        return drawsSurroundings() ? get(SceneSettings.GROUND) : Optional.empty();
     }
 
     /** Radiance of the zenith, which gloss reflects, relative to white under the light. */
     public double sky() {
-        return drawsSurroundings() ? get(SKY) : 0;
+        return drawsSurroundings() ? get(SceneSettings.SKY) : 0;
     }
 
     public boolean hasShadows() {
-        return drawsSurroundings() && get(SHADOWS);
+        return drawsSurroundings() && get(SceneSettings.SHADOWS);
     }
 
     /** True if ambient light depends on the visible share of the sky. */
@@ -248,17 +240,17 @@ public record Scene(
 
     /** Returns this scene with surroundings also under the thesis's preset, to compare methods. */
     public Scene keepingSurroundings() {
-        return with(KEEPS_SURROUNDINGS, true);
+        return with(SceneSettings.KEEPS_SURROUNDINGS, true);
     }
 
     /** Scalar with the thesis's preset and for methods not normalized to a mirror. */
     public Energy effectiveEnergy() {
-        return method.isThesis() || !method.method().isNormalizedToMirror() ? Energy.SCALAR : get(ENERGY);
+        return method.isThesis() || !method.method().isNormalizedToMirror() ? Energy.SCALAR : get(SceneSettings.ENERGY);
     }
 
     /** Standard deviation, along either axis, of the slopes of relief finer than a pixel; 0 with the thesis's preset. */
     public double slopeDeviation() {
-        return method.isThesis() ? 0 : Math.tan(get(ROUGHNESS));
+        return method.isThesis() ? 0 : Math.tan(get(SceneSettings.ROUGHNESS));
     }
 
     /** {@link #slopeDeviation} for color tables, which are averages over the slopes; else 0. */
@@ -268,11 +260,12 @@ public record Scene(
 
     /** Returns the display transform for an exposure factor, with the scene's or the preset's curve and primaries. */
     public DisplayTransform display(double factor) {
-        Tone tone = settings.get(TONE, Tone.of(method.isThesis()));
-        return new DisplayTransform(factor, tone, settings.get(PRIMARIES, Primaries.of(method.isThesis())));
+        Tone tone = settings.get(SceneSettings.TONE, Tone.of(method.isThesis()));
+        return new DisplayTransform(
+                factor, tone, settings.get(SceneSettings.PRIMARIES, Primaries.of(method.isThesis())));
     }
 
     public BodyAlpha bodyAlpha() {
-        return settings.get(BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
+        return settings.get(SceneSettings.BODY_ALPHA, method.isThesis() ? BodyAlpha.FRESNEL : BodyAlpha.LIGHT);
     }
 }

@@ -1,15 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
-import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
-import static sunbeam.app.scene.SceneSettings.INDEX;
-import static sunbeam.app.scene.SceneSettings.INTENSITY;
-import static sunbeam.app.scene.SceneSettings.MESH;
-import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
-import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
-import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
-import static sunbeam.app.scene.SceneSettings.TEXTURE;
-import static sunbeam.app.scene.SceneSettings.TITLE;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
 import com.fasterxml.jackson.core.JsonFactory;
@@ -27,6 +17,7 @@ import org.joml.Vector3fc;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
+import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.precompute.json.JsonObject;
 import sunbeam.precompute.patch.PatchRequest;
 import sunbeam.precompute.patch.PatchSettings;
@@ -35,7 +26,8 @@ import sunbeam.precompute.setting.Setting;
 
 /** Writes scene files that {@link Scenes} reads. */
 public final class SceneWriter {
-    private static final List<Setting<?>> OMITTED_IF_STANDARD = List.of(TITLE, MESH_UNIT, INDEX);
+    private static final List<Setting<?>> OMITTED_IF_STANDARD =
+            List.of(SceneSettings.TITLE, SceneSettings.MESH_UNIT, SceneSettings.INDEX);
 
     private final JsonGenerator json;
     private final UnaryOperator<String> toWrittenName;
@@ -93,10 +85,14 @@ public final class SceneWriter {
 
     private void write(Scene scene, Choices plan) throws IOException {
         json.writeStartObject();
-        Choices own =
-                withWrittenName(withWrittenName(withWrittenName(scene.settings(), MESH), TEXTURE), ORIENTATION_MAP);
-        SkinIndex index = scene.get(INDEX);
-        own = index.isByWavelength() ? own.with(INDEX, SkinIndex.of(toWrittenName.apply(index.file()))) : own;
+        Choices own = scene.settings();
+        for (Setting<String> name : List.of(SceneSettings.MESH, SceneSettings.TEXTURE, SceneSettings.ORIENTATION_MAP)) {
+            own = withWrittenName(own, name);
+        }
+        SkinIndex index = scene.get(SceneSettings.INDEX);
+        own = index.isByWavelength()
+                ? own.with(SceneSettings.INDEX, SkinIndex.of(toWrittenName.apply(index.file())))
+                : own;
         for (Setting<?> setting : SceneSettings.OF_ROOT) {
             boolean isOmitted =
                     OMITTED_IF_STANDARD.contains(setting) && own.find(setting).equals(setting.standard());
@@ -107,7 +103,7 @@ public final class SceneWriter {
             patch("patch", scene.patch());
         } else {
             json.writeObjectFieldStart("patch");
-            JsonObject.write(json, Choices.none().with(PATCH_MAP, toWrittenName.apply(patches.map())));
+            JsonObject.write(json, Choices.none().with(SceneSettings.PATCH_MAP, toWrittenName.apply(patches.map())));
             for (PatchAtlas.Region region : patches.regions()) {
                 patch(region.color().toString(), region.patch());
             }
@@ -140,9 +136,12 @@ public final class SceneWriter {
     private void light(SceneLight light) throws IOException {
         json.writeStartObject();
         direction("direction", light.towards());
-        Choices choices = Choices.none().with(INTENSITY, light.intensity());
+        Choices choices = Choices.none().with(SceneSettings.INTENSITY, light.intensity());
         JsonObject.write(
-                json, light.angularDiameter() > 0 ? choices.with(ANGULAR_DIAMETER, light.angularDiameter()) : choices);
+                json,
+                light.angularDiameter() > 0
+                        ? choices.with(SceneSettings.ANGULAR_DIAMETER, light.angularDiameter())
+                        : choices);
         json.writeEndObject();
     }
 
@@ -166,7 +165,7 @@ public final class SceneWriter {
         place("position", view.camera().centerOfProjection());
         place("lookAt", view.camera().lookAtPoint());
         direction("up", view.camera().up());
-        JsonObject.write(json, Choices.none().with(FIELD_OF_VIEW, view.verticalFieldOfView()));
+        JsonObject.write(json, Choices.none().with(SceneSettings.FIELD_OF_VIEW, view.verticalFieldOfView()));
         json.writeEndObject();
     }
 

@@ -1,13 +1,5 @@
 package sunbeam.app.scene;
 
-import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
-import static sunbeam.app.scene.SceneSettings.FIELD_OF_VIEW;
-import static sunbeam.app.scene.SceneSettings.INDEX;
-import static sunbeam.app.scene.SceneSettings.INTENSITY;
-import static sunbeam.app.scene.SceneSettings.MESH;
-import static sunbeam.app.scene.SceneSettings.ORIENTATION_MAP;
-import static sunbeam.app.scene.SceneSettings.PATCH_MAP;
-import static sunbeam.app.scene.SceneSettings.TEXTURE;
 import static sunbeam.precompute.plan.LightSettings.ILLUMINANT;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -27,6 +19,7 @@ import jrtr.scene.View.Camera;
 import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
+import sunbeam.app.scene.SceneSettings.SkinIndex;
 import sunbeam.app.scene.mesh.BuiltInMeshes;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
@@ -100,9 +93,6 @@ public final class Scenes {
     private static Scene builtIn(String name) {
         String resource = "sunbeam/scenes/" + name + ".json";
         try (InputStream stream = Scenes.class.getClassLoader().getResourceAsStream(resource)) {
-            if (stream == null) {
-                throw new IllegalStateException("built without " + resource);
-            }
             return new Scenes(JsonObject.read(name + ".json", stream), Optional.empty()).scene();
         } catch (IOException failure) {
             throw new UncheckedIOException("cannot read " + resource, failure);
@@ -125,12 +115,12 @@ public final class Scenes {
     }
 
     private Scene scene() {
-        root.required(MESH.fileKey(), "\"snake\"");
-        root.required(TEXTURE.fileKey(), "\"elaphe\"");
+        root.required(SceneSettings.MESH.fileKey(), "\"snake\"");
+        root.required(SceneSettings.TEXTURE.fileKey(), "\"elaphe\"");
         Choices own = root.choices(SceneSettings.OF_ROOT);
-        own = resolve(own, MESH, BuiltInMeshes.names());
-        own = resolve(own, TEXTURE, BodyTexture.names());
-        own = resolve(own, ORIENTATION_MAP, List.of(Body.NONE));
+        own = resolve(own, SceneSettings.MESH, BuiltInMeshes.names());
+        own = resolve(own, SceneSettings.TEXTURE, BodyTexture.names());
+        own = resolve(own, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
         own = resolveIndex(own);
         Optional<JsonObject> plan = root.findObject("plan");
         Choices methodChoices = plan.map(keys -> keys.choices(Methods.SETTINGS)).orElse(Choices.none());
@@ -155,12 +145,12 @@ public final class Scenes {
 
     private PatchAtlas patches() {
         JsonNode value = root.required("patch", "\"elaphe-like\"");
-        if (!value.isObject() || !value.has(PATCH_MAP.fileKey())) {
+        if (!value.isObject() || !value.has(SceneSettings.PATCH_MAP.fileKey())) {
             return PatchAtlas.of(patch(root, "patch"));
         }
         JsonObject keys = root.object("patch", "");
-        String map =
-                resolve(keys.choices(List.of(PATCH_MAP)), PATCH_MAP, List.of()).get(PATCH_MAP);
+        String map = resolve(keys.choices(List.of(SceneSettings.PATCH_MAP)), SceneSettings.PATCH_MAP, List.of())
+                .get(SceneSettings.PATCH_MAP);
         List<PatchAtlas.Region> regions = new ArrayList<>();
         for (String key : keys.others()) {
             SceneColor color = keys.checked(key, () -> SceneColor.parse(key));
@@ -188,7 +178,7 @@ public final class Scenes {
         Vector3f position = place(camera, "position");
         Vector3f lookAt = place(camera, "lookAt");
         Vector3f up = camera.has("up") ? numbers(camera, "up") : new Vector3f(0, 0, 1);
-        double angle = camera.choices(List.of(FIELD_OF_VIEW)).get(FIELD_OF_VIEW);
+        double angle = camera.choices(List.of(SceneSettings.FIELD_OF_VIEW)).get(SceneSettings.FIELD_OF_VIEW);
         Camera placed = camera.checked("position", () -> new Camera(position, lookAt, up));
         camera.requireNoOthers();
         return new Viewpoint(placed, angle);
@@ -223,9 +213,11 @@ public final class Scenes {
 
     private static SceneLight light(JsonObject light) {
         Vector3f direction = numbers(light, "direction");
-        Choices choices = light.choices(List.of(INTENSITY, ANGULAR_DIAMETER));
+        Choices choices = light.choices(List.of(SceneSettings.INTENSITY, SceneSettings.ANGULAR_DIAMETER));
         SceneLight result = light.checked(
-                "direction", () -> new SceneLight(direction, choices.get(INTENSITY), choices.get(ANGULAR_DIAMETER)));
+                "direction",
+                () -> new SceneLight(
+                        direction, choices.get(SceneSettings.INTENSITY), choices.get(SceneSettings.ANGULAR_DIAMETER)));
         light.requireNoOthers();
         return result;
     }
@@ -254,13 +246,13 @@ public final class Scenes {
     }
 
     private Choices resolveIndex(Choices choices) {
-        SkinIndex index = choices.get(INDEX);
+        SkinIndex index = choices.get(SceneSettings.INDEX);
         try {
             return index.isByWavelength()
-                    ? choices.with(INDEX, SkinIndex.of(resolve(index.file(), List.of())))
+                    ? choices.with(SceneSettings.INDEX, SkinIndex.of(resolve(index.file(), List.of())))
                     : choices;
         } catch (IllegalArgumentException wrong) {
-            throw choices.complaint(INDEX, wrong.getMessage());
+            throw choices.complaint(SceneSettings.INDEX, wrong.getMessage());
         }
     }
 

@@ -77,7 +77,7 @@ class FramingTest {
     }
 
     private static double width(Scene scene, boolean normals) {
-        BufferedImage image = Wireframe.draw(scene, scene.mesh().load().mesh(), normals, SIDE, SIDE);
+        BufferedImage image = LineDrawings.wireframe(scene, scene.mesh().load().mesh(), normals, SIDE, SIDE);
         int[] columns = IntStream.range(0, SIDE)
                 .filter(x -> IntStream.range(0, SIDE).anyMatch(y -> image.getRGB(x, y) != image.getRGB(0, 0)))
                 .toArray();

@@ -27,10 +27,10 @@ import sunbeam.app.files.plot.HeatMap;
 import sunbeam.app.files.plot.HeatMap.ColorMap;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
-import sunbeam.app.render.LoadingScene;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneLoader;
+import sunbeam.app.render.SceneLoader.LoadingScene;
 import sunbeam.app.render.ScenePicture;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneColor;
@@ -157,7 +157,7 @@ public final class CompareCommand extends FileCommand {
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
         PixelSamples samples = PixelSamples.of(scene.method(), size.width(), size.height());
-        try (LoadingScene loading = LoadingScene.start(loader, scene);
+        try (LoadingScene loading = new LoadingScene(loader, scene);
                 RenderContext context = loading.offscreen();
                 FrameSequence frames = new FrameSequence(
                         context,

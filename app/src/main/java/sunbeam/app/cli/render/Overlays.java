@@ -2,8 +2,8 @@ package sunbeam.app.cli.render;
 
 import java.awt.image.BufferedImage;
 import picocli.CommandLine.Option;
-import sunbeam.app.render.LightCone;
-import sunbeam.app.render.PatchStrokes;
+import sunbeam.app.render.LineDrawings;
+import sunbeam.app.render.LineDrawings.LightCone;
 import sunbeam.app.render.SceneSession;
 import sunbeam.app.scene.Scene;
 
@@ -36,7 +36,7 @@ public final class Overlays {
     void paint(BufferedImage image, Scene scene, SceneSession session) {
         if (strokes) {
             session.update(scene);
-            PatchStrokes.paint(image.createGraphics(), session, image.getWidth(), image.getHeight());
+            LineDrawings.strokes(image.createGraphics(), session, image.getWidth(), image.getHeight());
         }
         if (lightCone) {
             LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());

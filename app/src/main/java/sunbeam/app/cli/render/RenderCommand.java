@@ -29,12 +29,12 @@ import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
-import sunbeam.app.render.LoadingScene;
+import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.render.PixelSamples;
 import sunbeam.app.render.SceneData;
 import sunbeam.app.render.SceneLoader;
-import sunbeam.app.render.Wireframe;
+import sunbeam.app.render.SceneLoader.LoadingScene;
 import sunbeam.app.scene.Scene;
 import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
@@ -136,7 +136,7 @@ public final class RenderCommand extends FileCommand {
                 output != null ? output : Path.of(stem() + (animation.isGiven() ? "-" + animation.name() : ".png"));
         checkFiles(scene, target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
-        try (LoadingScene loading = LoadingScene.start(loader, scene);
+        try (LoadingScene loading = new LoadingScene(loader, scene);
                 RenderContext context = loading.offscreen()) {
             return draw(context, loading, scenes, target);
         }
@@ -206,7 +206,8 @@ public final class RenderCommand extends FileCommand {
         AtomicFile.checkWritable(file, overwrite(output));
         MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
-        BufferedImage image = Wireframe.draw(scene, mesh.mesh(), overlays.hasStrokes(), size.width(), size.height());
+        BufferedImage image =
+                LineDrawings.wireframe(scene, mesh.mesh(), overlays.hasStrokes(), size.width(), size.height());
         Map<String, String> text = Map.of("Title", "Mesh", "Scene", SceneWriter.caption(scene));
         Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));

@@ -15,11 +15,7 @@ public final class BuiltInMeshes {
         return List.of("snake", "plane", "sphere", "cylinder", "disc");
     }
 
-    /**
-     * Generates a mesh, or throws an {@link InputException} for any other name.
-     *
-     * @throws InputException for any other name
-     */
+    /** Generates a mesh, or throws an {@link InputException} for any other name. */
     public static Mesh create(String name) {
         return switch (name) {
             case "snake" -> Snake.create();
@@ -35,11 +31,10 @@ public final class BuiltInMeshes {
 
     /** Faces up; u along x, v along y. */
     static Mesh plane(double side, int cells) {
-        Mesh.Builder builder = new Mesh.Builder().grid(cells, cells, (u, v) -> {
+        return Mesh.Builder.grid(cells, cells, false, (u, v) -> {
             Vector3d place = new Vector3d((u - 0.5) * side, (v - 0.5) * side, 0);
             return new Mesh.Builder.Point(place, new Vector3d(0, 0, 1), new Vector3d(1, 0, 0));
         });
-        return builder.build(false);
     }
 
     /**
@@ -78,7 +73,7 @@ public final class BuiltInMeshes {
 
     /** Turns a profile over v about the z axis; u turns counter-clockwise. */
     private static Mesh revolution(int columns, int rows, boolean closed, DoubleFunction<Profile> profile) {
-        Mesh.Builder builder = new Mesh.Builder().grid(columns, rows, (u, v) -> {
+        return Mesh.Builder.grid(columns, rows, closed, (u, v) -> {
             // Both sides of the seam have bitwise equal points.
             double angle = u == 1 ? 0 : 2 * Math.PI * u;
             double cos = Math.cos(angle);
@@ -88,7 +83,6 @@ public final class BuiltInMeshes {
             Vector3d normal = new Vector3d(at.outward * cos, at.outward * sin, at.upward);
             return new Mesh.Builder.Point(place, normal, new Vector3d(-sin, cos, 0));
         });
-        return builder.build(closed);
     }
 
     /**

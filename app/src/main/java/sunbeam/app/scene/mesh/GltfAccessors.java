@@ -54,10 +54,10 @@ final class GltfAccessors {
     private final ByteBuffer binary;
     private final Map<Integer, ByteBuffer> loaded = new HashMap<>();
 
-    GltfAccessors(Path file, GlTF gltf, ByteBuffer binary) {
+    GltfAccessors(Path file, GltfDocument document) {
         this.file = file;
-        this.gltf = gltf;
-        this.binary = binary;
+        this.gltf = document.gltf();
+        this.binary = document.binary();
     }
 
     /** Numbers of a type in a buffer view. */
@@ -173,7 +173,7 @@ final class GltfAccessors {
             throw new InputException("a buffer view has " + length + " bytes from " + offset + " on in a buffer of "
                     + buffer.limit() + "; copy it again with its files");
         }
-        return GltfFile.slice(buffer, (int) offset, (int) length);
+        return GltfDocument.slice(buffer, (int) offset, (int) length);
     }
 
     private ByteBuffer buffer(Integer index) throws IOException {
@@ -211,7 +211,7 @@ final class GltfAccessors {
             throw new InputException("buffer " + index + " lies at " + Quoted.of(uri)
                     + ", and nothing is fetched; put it into the folder, or export it as .glb");
         }
-        return GltfFile.map(fileInFolder(uri));
+        return GltfDocument.map(fileInFolder(uri));
     }
 
     private Path fileInFolder(String uri) {

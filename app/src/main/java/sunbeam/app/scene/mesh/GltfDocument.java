@@ -19,6 +19,10 @@ import de.javagl.jgltf.impl.v2.GlTF;
 import de.javagl.jgltf.impl.v2.Material;
 import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -27,10 +31,19 @@ import sunbeam.precompute.files.InputException;
 import sunbeam.precompute.text.Quoted;
 
 /**
- * Reads the JSON of glTF 2.0 into jgltf's classes, whose own reader would open any URI and allocate any stated size. Size, depth and number
- * of values are limited; messages about a value name its path.
+ * JSON of a glTF 2.0 file in jgltf's classes, whose own reader would open any URI and allocate any stated size, and the binary chunk of a
+ * .glb file. Size, depth and number of values are limited; messages about a value name its path.
  */
-final class GltfDocument {
+record GltfDocument(GlTF gltf, ByteBuffer binary) {
+    static final String MAGIC = "glTF";
+    private static final int MAGIC_NUMBER = 0x46546C67;
+    // The parsed tree of a longer text, with buffers as base64, would fill the heap.
+    private static final int MOST_JSON_BYTES = 24 << 20;
+    private static final int HEADER_BYTES = 12;
+    private static final int CHUNK_HEADER_BYTES = 8;
+    // "JSON" and "BIN\0" in little-endian ASCII.
+    private static final int JSON_CHUNK = 0x4E4F534A;
+    private static final int BINARY_CHUNK = 0x004E4942;
     private static final int MOST_VALUES = 1_000_000;
     private static final JsonFactory JSON = JsonFactory.builder()
             .streamReadConstraints(
@@ -48,8 +61,6 @@ final class GltfDocument {
     private static final Pattern HARMLESS =
             Pattern.compile("(KHR|EXT)_(materials|texture|lights)_.*|KHR_mesh_quantization");
 
-    private GltfDocument() {}
-
     private static ObjectMapper mapper() {
         ObjectMapper mapper = JsonMapper.builder(JSON)
                 .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES, DeserializationFeature.ACCEPT_FLOAT_AS_INT)
@@ -64,7 +75,55 @@ final class GltfDocument {
         mapper.configOverride(type).setIgnorals(JsonIgnoreProperties.Value.forIgnoredProperties(properties));
     }
 
-    static GlTF read(byte[] json) throws IOException {
+    static GltfDocument read(Path file) throws IOException {
+        ByteBuffer all = map(file);
+        if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {
+            return new GltfDocument(read(text(all, 0, all.limit())), ByteBuffer.allocate(0));
+        }
+        InputException.refuseIf(
+                all.getInt(4) != 2,
+                "it is glTF of version " + Integer.toUnsignedLong(all.getInt(4)) + "; export it as glTF 2.0");
+        int first = HEADER_BYTES + CHUNK_HEADER_BYTES;
+        int json = chunk(all, HEADER_BYTES, JSON_CHUNK, "JSON");
+        int next = first + json;
+        int binary = next + CHUNK_HEADER_BYTES > all.limit() ? 0 : chunk(all, next, BINARY_CHUNK, "binary");
+        ByteBuffer content = slice(all, binary == 0 ? 0 : next + CHUNK_HEADER_BYTES, binary);
+        return new GltfDocument(read(text(all, first, json)), content);
+    }
+
+    static ByteBuffer map(Path file) throws IOException {
+        MeshSource.requireSize(file);
+        try (FileChannel channel = FileChannel.open(file)) {
+            return channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size()).order(ByteOrder.LITTLE_ENDIAN);
+        }
+    }
+
+    static ByteBuffer slice(ByteBuffer buffer, int offset, int length) {
+        return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static int chunk(ByteBuffer all, int at, int kind, String name) {
+        if (at + CHUNK_HEADER_BYTES > all.limit() || all.getInt(at + 4) != kind) {
+            throw new InputException("there is no " + name + " chunk at byte " + at + "; export it again");
+        }
+        int length = all.getInt(at);
+        if (length < 0 || length > all.limit() - at - CHUNK_HEADER_BYTES) {
+            throw new InputException("the " + name + " chunk has " + Integer.toUnsignedLong(length)
+                    + " bytes, more than the file; copy or export it again");
+        }
+        return length;
+    }
+
+    private static byte[] text(ByteBuffer all, int offset, int length) {
+        InputException.refuseIf(
+                length > MOST_JSON_BYTES,
+                "its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES + " can be used, so export it as .glb");
+        byte[] text = new byte[length];
+        all.get(offset, text);
+        return text;
+    }
+
+    private static GlTF read(byte[] json) throws IOException {
         JsonNode tree = tree(json);
         String version = tree.path("asset").path("version").asText();
         InputException.refuseIf(

@@ -1,21 +1,31 @@
 package sunbeam.app.scene.mesh;
 
+import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLES;
+import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_FAN;
+import static de.javagl.jgltf.model.GltfConstants.GL_TRIANGLE_STRIP;
+
 import de.javagl.jgltf.impl.v2.GlTF;
+import de.javagl.jgltf.impl.v2.Material;
+import de.javagl.jgltf.impl.v2.MaterialPbrMetallicRoughness;
 import de.javagl.jgltf.impl.v2.MeshPrimitive;
 import de.javagl.jgltf.impl.v2.Node;
+import de.javagl.jgltf.impl.v2.TextureInfo;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.stream.Stream;
+import org.joml.Matrix3d;
+import org.joml.Matrix3x2d;
 import org.joml.Matrix4d;
 import org.joml.Quaterniond;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
 
 /**
@@ -23,78 +33,23 @@ import sunbeam.precompute.files.InputException;
  * and lines are ignored; skinned and morphed meshes are refused.
  */
 final class GltfFile {
-    static final String MAGIC = "glTF";
-    private static final int MAGIC_NUMBER = 0x46546C67;
-    // The parsed tree of a longer text, with buffers as base64, would fill the heap.
-    private static final int MOST_JSON_BYTES = 24 << 20;
-    private static final int HEADER_BYTES = 12;
-    private static final int CHUNK_HEADER_BYTES = 8;
-    // "JSON" and "BIN\0" in little-endian ASCII.
-    private static final int JSON = 0x4E4F534A;
-    private static final int BINARY = 0x004E4942;
     private static final Matrix4d UPRIGHT = new Matrix4d().rotationX(Math.PI / 2);
     private static final int MOST_NODES = 100_000;
+    // Primitives times placements, of which a small file can have many.
+    private static final int MOST_PRIMITIVES = 1_000_000;
 
     private final GlTF gltf;
     private final GltfAccessors accessors;
-    private final GltfPrimitives primitives;
+    private final RawMesh.Builder mesh = new RawMesh.Builder();
+    private int primitives;
 
-    private GltfFile(GlTF gltf, GltfAccessors accessors) {
-        this.gltf = gltf;
-        this.accessors = accessors;
-        this.primitives = new GltfPrimitives(gltf, accessors);
+    private GltfFile(Path file, GltfDocument document) {
+        this.gltf = document.gltf();
+        this.accessors = new GltfAccessors(file, document);
     }
 
     static RawMesh read(Path file) throws IOException {
-        ByteBuffer all = map(file);
-        if (all.limit() < HEADER_BYTES || all.getInt(0) != MAGIC_NUMBER) {
-            return read(file, text(all, 0, all.limit()), ByteBuffer.allocate(0));
-        }
-        InputException.refuseIf(
-                all.getInt(4) != 2,
-                "it is glTF of version " + Integer.toUnsignedLong(all.getInt(4)) + "; export it as glTF 2.0");
-        int first = HEADER_BYTES + CHUNK_HEADER_BYTES;
-        int json = chunk(all, HEADER_BYTES, JSON, "JSON");
-        int next = first + json;
-        int binary = next + CHUNK_HEADER_BYTES > all.limit() ? 0 : chunk(all, next, BINARY, "binary");
-        return read(file, text(all, first, json), slice(all, binary == 0 ? 0 : next + CHUNK_HEADER_BYTES, binary));
-    }
-
-    private static RawMesh read(Path file, byte[] json, ByteBuffer binary) throws IOException {
-        GlTF gltf = GltfDocument.read(json);
-        return new GltfFile(gltf, new GltfAccessors(file, gltf, binary)).mesh();
-    }
-
-    static ByteBuffer map(Path file) throws IOException {
-        MeshSource.requireSize(file);
-        try (FileChannel channel = FileChannel.open(file)) {
-            return channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size()).order(ByteOrder.LITTLE_ENDIAN);
-        }
-    }
-
-    static ByteBuffer slice(ByteBuffer buffer, int offset, int length) {
-        return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
-    }
-
-    private static int chunk(ByteBuffer all, int at, int kind, String name) {
-        if (at + CHUNK_HEADER_BYTES > all.limit() || all.getInt(at + 4) != kind) {
-            throw new InputException("there is no " + name + " chunk at byte " + at + "; export it again");
-        }
-        int length = all.getInt(at);
-        if (length < 0 || length > all.limit() - at - CHUNK_HEADER_BYTES) {
-            throw new InputException("the " + name + " chunk has " + Integer.toUnsignedLong(length)
-                    + " bytes, more than the file; copy or export it again");
-        }
-        return length;
-    }
-
-    private static byte[] text(ByteBuffer all, int offset, int length) {
-        InputException.refuseIf(
-                length > MOST_JSON_BYTES,
-                "its JSON has " + length + " bytes; at most " + MOST_JSON_BYTES + " can be used, so export it as .glb");
-        byte[] text = new byte[length];
-        all.get(offset, text);
-        return text;
+        return new GltfFile(file, GltfDocument.read(file)).mesh();
     }
 
     private record PendingNode(Integer node, Matrix4d parent) {}
@@ -121,11 +76,11 @@ final class GltfFile {
             }
             add(waiting, node.getChildren(), place);
         }
-        return primitives.mesh();
+        return mesh.build();
     }
 
     private static void add(Deque<PendingNode> waiting, List<Integer> nodes, Matrix4d parent) {
-        for (Integer node : nodes == null ? List.<Integer>of() : nodes) {
+        for (Integer node : Objects.requireNonNullElse(nodes, List.<Integer>of())) {
             waiting.add(new PendingNode(node, parent));
         }
     }
@@ -149,16 +104,193 @@ final class GltfFile {
     }
 
     private void place(Integer number, Node node, Matrix4d place) throws IOException {
-        var mesh = accessors.entry(gltf.getMeshes(), node.getMesh(), "mesh");
+        var placed = accessors.entry(gltf.getMeshes(), node.getMesh(), "mesh");
         InputException.refuseIf(
                 node.getSkin() != null,
                 "node " + number + " is moved by a skeleton; apply its pose and export it without one");
-        List<Float> weights = node.getWeights() == null ? mesh.getWeights() : node.getWeights();
+        List<Float> weights = node.getWeights() == null ? placed.getWeights() : node.getWeights();
         InputException.refuseIf(
                 weights != null && weights.stream().anyMatch(weight -> weight != 0),
                 "node " + number + " is moved by the weights of targets; apply them and export it again");
-        for (MeshPrimitive primitive : mesh.getPrimitives() == null ? List.<MeshPrimitive>of() : mesh.getPrimitives()) {
-            primitives.add(primitive, place);
+        for (MeshPrimitive primitive : Objects.requireNonNullElse(placed.getPrimitives(), List.<MeshPrimitive>of())) {
+            add(primitive, place);
+        }
+    }
+
+    /** Ignores points, lines and primitives scaled to nothing. */
+    private void add(MeshPrimitive primitive, Matrix4d place) throws IOException {
+        InputException.refuseIf(
+                ++primitives > MOST_PRIMITIVES,
+                "its nodes place more than " + MOST_PRIMITIVES + " primitives; join the meshes");
+        Map<String, Integer> attributes = primitive.getAttributes();
+        if (attributes == null || place.determinant3x3() == 0) {
+            return;
+        }
+        int mode = primitive.getMode() == null ? GL_TRIANGLES : primitive.getMode();
+        Integer positions = attributes.get("POSITION");
+        if (positions == null || mode < GL_TRIANGLES || mode > GL_TRIANGLE_FAN) {
+            return;
+        }
+        int vertices = accessors.count(positions);
+        int corners = primitive.getIndices() == null ? vertices : accessors.count(primitive.getIndices());
+        int triangles = mode == GL_TRIANGLES ? corners / 3 : Math.max(0, corners - 2);
+        mesh.requireRoom(vertices, triangles);
+        Offsets offsets = vertices(TextureCoordinates.of(gltf, primitive), attributes, vertices, place);
+        int[] indices = indices(primitive, corners, vertices);
+        boolean mirrored = place.determinant3x3() < 0;
+        for (int triangle = 0; triangle < triangles; triangle++) {
+            int[] at = corners(mode, triangle);
+            int second = at[mirrored ? 2 : 1];
+            int third = at[mirrored ? 1 : 2];
+            mesh.addFace(offsets.polygon(indices[at[0]], indices[second], indices[third]));
+        }
+    }
+
+    /** In a strip, every second triangle has two corners exchanged (glTF 2.0, 3.7.2.1). */
+    private static int[] corners(int mode, int triangle) {
+        return switch (mode) {
+            case GL_TRIANGLE_STRIP -> new int[] {triangle, triangle + 1 + triangle % 2, triangle + 2 - triangle % 2};
+            case GL_TRIANGLE_FAN -> new int[] {triangle + 1, triangle + 2, 0};
+            default -> new int[] {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+        };
+    }
+
+    private int[] indices(MeshPrimitive primitive, int corners, int vertices) throws IOException {
+        double[] given = primitive.getIndices() == null ? null : accessors.read(primitive.getIndices(), 1);
+        int[] indices = new int[corners];
+        for (int i = 0; i < corners; i++) {
+            double index = given == null ? i : given[i];
+            if (!(index >= 0 && index < vertices) || index != Math.rint(index)) {
+                throw new InputException("accessor " + primitive.getIndices() + " names vertex " + index
+                        + " but there are " + vertices + "; repair the mesh or export it again");
+            }
+            indices[i] = (int) index;
+        }
+        return indices;
+    }
+
+    /** Indices of a primitive's first position, texture coordinate and normal in the mesh, or -1. */
+    private record Offsets(int position, int textureCoordinate, int normal) {
+        int[] polygon(int... vertices) {
+            int[] polygon = new int[9];
+            for (int corner = 0; corner < 3; corner++) {
+                polygon[3 * corner] = position + vertices[corner];
+                polygon[3 * corner + 1] = textureCoordinate < 0 ? -1 : textureCoordinate + vertices[corner];
+                polygon[3 * corner + 2] = normal < 0 ? -1 : normal + vertices[corner];
+            }
+            return polygon;
+        }
+    }
+
+    private Offsets vertices(TextureCoordinates texture, Map<String, Integer> attributes, int vertices, Matrix4d place)
+            throws IOException {
+        Offsets offsets = new Offsets(
+                mesh.positions(),
+                attributes.containsKey(texture.attribute()) ? mesh.textureCoordinates() : -1,
+                attributes.containsKey("NORMAL") ? mesh.normals() : -1);
+        double[] positions = read(attributes, "POSITION", 3, vertices);
+        for (int i = 0; i < vertices; i++) {
+            Vector3d position = place.transformPosition(vector(positions, 3, i));
+            mesh.addPosition(position.x, position.y, position.z);
+        }
+        if (offsets.textureCoordinate >= 0) {
+            double[] coordinates = read(attributes, texture.attribute(), 2, vertices);
+            for (int i = 0; i < vertices; i++) {
+                Vector2d uv =
+                        texture.transform.transformPosition(new Vector2d(coordinates[2 * i], coordinates[2 * i + 1]));
+                mesh.addTextureCoordinate(uv.x, 1 - uv.y);
+            }
+        }
+        if (offsets.normal >= 0) {
+            Matrix3d normalMatrix = place.normal(new Matrix3d());
+            double hand = Math.signum(place.determinant3x3());
+            double[] normals = read(attributes, "NORMAL", 3, vertices);
+            double[] tangents = attributes.containsKey("TANGENT")
+                    ? read(attributes, "TANGENT", 4, vertices)
+                    : new double[4 * vertices];
+            for (int i = 0; i < vertices; i++) {
+                Vector3d normal = normalMatrix.transform(vector(normals, 3, i));
+                mesh.addNormal(normal.x, normal.y, normal.z);
+                Vector3d tangent = place.transformDirection(vector(tangents, 4, i));
+                mesh.addTangent(tangent.x, tangent.y, tangent.z, hand * tangents[4 * i + 3]);
+            }
+        }
+        return offsets;
+    }
+
+    private double[] read(Map<String, Integer> attributes, String name, int components, int vertices)
+            throws IOException {
+        Integer accessor = attributes.get(name);
+        InputException.refuseIf(
+                accessors.count(accessor) != vertices,
+                name + " has " + accessors.count(accessor) + " elements of " + vertices + " vertices; export it again");
+        return accessors.read(accessor, components);
+    }
+
+    private static Vector3d vector(double[] values, int perVertex, int vertex) {
+        int at = perVertex * vertex;
+        return new Vector3d(values[at], values[at + 1], values[at + 2]);
+    }
+
+    /** TEXCOORD_n of the material's first texture, with the transform of its extension, whose v grows downwards. */
+    private record TextureCoordinates(int set, Matrix3x2d transform) {
+        private static final String TRANSFORM = "KHR_texture_transform";
+
+        static TextureCoordinates of(GlTF gltf, MeshPrimitive primitive) {
+            List<Material> materials = gltf.getMaterials();
+            Integer index = primitive.getMaterial();
+            boolean hasMaterial = index != null && materials != null && index >= 0 && index < materials.size();
+            TextureInfo texture = hasMaterial ? firstTexture(materials.get(index)) : null;
+            int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
+            Map<String, Object> extensions = texture == null ? null : texture.getExtensions();
+            if (extensions == null || !extensions.containsKey(TRANSFORM)) {
+                return new TextureCoordinates(set, new Matrix3x2d());
+            }
+            if (!(extensions.get(TRANSFORM) instanceof Map<?, ?> transform)) {
+                throw damaged();
+            }
+            Object ownSet = transform.containsKey("texCoord") ? transform.get("texCoord") : set;
+            Object rotation = transform.containsKey("rotation") ? transform.get("rotation") : 0;
+            if (!(ownSet instanceof Integer number) || !(rotation instanceof Number radians)) {
+                throw damaged();
+            }
+            // Counter-clockwise in the picture, as in the extension's first example; its formula has the other sign.
+            Matrix3x2d matrix = new Matrix3x2d().translate(pair(transform, "offset", new Vector2d()));
+            matrix.rotate(-radians.doubleValue()).scale(pair(transform, "scale", new Vector2d(1)));
+            return new TextureCoordinates(number, matrix);
+        }
+
+        private static TextureInfo firstTexture(Material material) {
+            MaterialPbrMetallicRoughness surface = material.getPbrMetallicRoughness();
+            return Stream.of(
+                            surface == null ? null : surface.getBaseColorTexture(),
+                            material.getNormalTexture(),
+                            surface == null ? null : surface.getMetallicRoughnessTexture(),
+                            material.getEmissiveTexture())
+                    .filter(Objects::nonNull)
+                    .findFirst()
+                    .orElse(null);
+        }
+
+        private static Vector2d pair(Map<?, ?> transform, String key, Vector2d fallback) {
+            if (!transform.containsKey(key)) {
+                return fallback;
+            }
+            if (transform.get(key) instanceof List<?> list
+                    && list.size() == 2
+                    && list.get(0) instanceof Number x
+                    && list.get(1) instanceof Number y) {
+                return new Vector2d(x.doubleValue(), y.doubleValue());
+            }
+            throw damaged();
+        }
+
+        private static InputException damaged() {
+            return new InputException("its " + TRANSFORM + " cannot be understood; export it again without");
+        }
+
+        String attribute() {
+            return "TEXCOORD_" + set;
         }
     }
 }

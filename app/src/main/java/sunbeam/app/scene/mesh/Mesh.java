@@ -90,7 +90,8 @@ public record Mesh(
         }
 
         /** Samples a surface. A cell with an edge of length 0 gets one triangle. */
-        Builder grid(int columns, int rows, Surface surface) {
+        static Mesh grid(int columns, int rows, boolean closed, Surface surface) {
+            Builder mesh = new Builder();
             int[][] vertices = new int[rows + 1][columns + 1];
             Vector3dc[][] points = new Vector3dc[rows + 1][columns + 1];
             for (int row = 0; row <= rows; row++) {
@@ -99,20 +100,20 @@ public record Mesh(
                     double v = (double) row / rows;
                     Point point = surface.at(u, v);
                     points[row][column] = point.position();
-                    vertices[row][column] = vertex(point, u, v);
+                    vertices[row][column] = mesh.vertex(point, u, v);
                 }
             }
             for (int row = 0; row < rows; row++) {
                 for (int column = 0; column < columns; column++) {
                     if (differ(points[row][column], points[row][column + 1])) {
-                        triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
+                        mesh.triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
                     }
                     if (differ(points[row + 1][column], points[row + 1][column + 1])) {
-                        triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
+                        mesh.triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
                     }
                 }
             }
-            return this;
+            return mesh.build(closed);
         }
 
         private static boolean differ(Vector3dc one, Vector3dc other) {

@@ -73,7 +73,7 @@ public record MeshSource(String name, Unit unit) {
             if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
                 return PLY;
             }
-            return head.startsWith(GltfFile.MAGIC) || head.strip().startsWith("{") ? GLTF : OBJ;
+            return head.startsWith(GltfDocument.MAGIC) || head.strip().startsWith("{") ? GLTF : OBJ;
         }
     }
 
@@ -124,10 +124,8 @@ public record MeshSource(String name, Unit unit) {
 
     static void requireSize(Path file) throws IOException {
         long bytes = Files.size(file);
-        if (bytes > MOST_BYTES) {
-            throw new InputException(file.getFileName() + " has " + bytes + " bytes; at most " + MOST_BYTES
-                    + " can be used, so simplify the mesh");
-        }
+        String most = " bytes; at most " + MOST_BYTES + " can be used, so simplify the mesh";
+        InputException.refuseIf(bytes > MOST_BYTES, file.getFileName() + " has " + bytes + most);
     }
 
     /** Reads a file of at most 512 MiB, 2 million positions and 2 million triangles. */
@@ -161,7 +159,7 @@ public record MeshSource(String name, Unit unit) {
         }
         VertexAssembly assembly = new VertexAssembly(planar ? mesh.withPlanarCoordinates() : mesh, planar);
         Mesh result = assembly.assemble();
-        sizeWarning(result, unit).ifPresent(line -> warnings.add(file + ": " + line));
+        sizeWarning(mesh, unit).ifPresent(line -> warnings.add(file + ": " + line));
         if (assembly.computedNormals() > 0) {
             warnings.add(file + ": computed normals for " + assembly.computedNormals() + " of "
                     + count(result.vertices(), "vertex"));
@@ -178,8 +176,8 @@ public record MeshSource(String name, Unit unit) {
         return number + " " + (number == 1 ? noun : plural);
     }
 
-    private static Optional<String> sizeWarning(Mesh mesh, Unit unit) {
-        double side = longestSide(mesh);
+    private static Optional<String> sizeWarning(RawMesh mesh, Unit unit) {
+        double side = mesh.longestSide();
         if (isPlausible(side)) {
             return Optional.empty();
         }
@@ -196,19 +194,5 @@ public record MeshSource(String name, Unit unit) {
 
     private static boolean isPlausible(double side) {
         return side >= LEAST && side <= MOST;
-    }
-
-    private static double longestSide(Mesh mesh) {
-        double longest = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double least = Double.POSITIVE_INFINITY;
-            double most = Double.NEGATIVE_INFINITY;
-            for (int i = axis; i < mesh.positions().length; i += 3) {
-                least = Math.min(least, mesh.positions()[i]);
-                most = Math.max(most, mesh.positions()[i]);
-            }
-            longest = Math.max(longest, most - least);
-        }
-        return longest;
     }
 }

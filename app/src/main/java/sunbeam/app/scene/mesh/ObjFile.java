@@ -88,12 +88,7 @@ final class ObjFile {
         }
         double[] numbers = new double[count];
         for (int i = 0; i < count && words.hasMoreTokens(); i++) {
-            String word = words.nextToken();
-            try {
-                numbers[i] = Double.parseDouble(word);
-            } catch (NumberFormatException failure) {
-                throw new InputException(Quoted.of(word) + " is no number; export the mesh again", failure);
-            }
+            numbers[i] = RawMesh.Builder.number(words.nextToken());
         }
         return numbers;
     }
@@ -116,8 +111,7 @@ final class ObjFile {
     /** Reads v, v/vt, v//vn or v/vt/vn into three indices; -1 for a missing one. */
     private void corner(String word, int[] polygon, int at) {
         String[] parts = word.split("/", -1);
-        boolean isWellFormed = parts.length <= 3 && (parts.length < 2 || !parts[parts.length - 1].isEmpty());
-        if (!isWellFormed) {
+        if (parts.length > 3 || (parts.length > 1 && parts[parts.length - 1].isEmpty())) {
             throw noCorner(word);
         }
         polygon[at] = index(word, parts[0], mesh.positions(), "position");

@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.joml.Vector3d;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.text.Quoted;
 
 /**
  * Triangles of a file.
@@ -93,6 +94,15 @@ public record RawMesh(
         return new Vector3d[] {least, most};
     }
 
+    /** In meters, of coordinates rounded to float32 as in a {@link Mesh}. */
+    double longestSide() {
+        Vector3d[] ends = bounds();
+        return IntStream.range(0, 3)
+                .mapToDouble(axis -> (double) (float) ends[1].get(axis) - (float) ends[0].get(axis))
+                .max()
+                .orElseThrow();
+    }
+
     /** Returns the center of a mesh so far away that float32 would change its shape by 3e-5 of its longest side. */
     public Optional<Vector3d> farCenter() {
         Vector3d[] ends = bounds();
@@ -164,6 +174,14 @@ public record RawMesh(
 
         int normals() {
             return normals.size() / 3;
+        }
+
+        static double number(String word) {
+            try {
+                return Double.parseDouble(word);
+            } catch (NumberFormatException wrong) {
+                throw new InputException(Quoted.of(word) + " is no number; export the mesh again", wrong);
+            }
         }
 
         void addPosition(double... xyz) {

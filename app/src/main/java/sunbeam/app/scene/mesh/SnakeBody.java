@@ -4,8 +4,8 @@ import static sunbeam.app.scene.texture.ScaleRelief.BEGIN;
 
 import java.util.Arrays;
 import org.joml.Vector3d;
+import sunbeam.app.scene.texture.BodyColors.SnakeHead;
 import sunbeam.app.scene.texture.ScaleRelief;
-import sunbeam.app.scene.texture.SnakeHead;
 
 /**
  * Body of the built-in snake: outline, center line, skin, and scales' positions. The parameter is the place along the body, 0 snout to 1

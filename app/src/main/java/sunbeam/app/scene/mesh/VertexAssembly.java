@@ -11,11 +11,18 @@ import org.joml.Vector3f;
 /**
  * Merges corners of equal position, texture coordinate, normal and handedness into vertices. A vertex has the file's tangent, or the mean
  * of its triangles' tangents, weighted by area; both are made orthogonal to the normal.
+ *
+ * <p>The normal is the file's, else the mean over the triangles around the position, weighted by area. Copies of a position, at seams and
+ * hard edges, have the mean over all copies if the angle to their own is small.
  */
 final class VertexAssembly {
+    // Cosine of 41 degrees. A hard edge of 90 stays hard: the mean over it is 45 from either side.
+    private static final double LEAST_COSINE = 0.75;
+
     private final RawMesh mesh;
     private final boolean alwaysRightHanded;
-    private final CornerNormals cornerNormals;
+    // Of the triangles around each position, 3 values each.
+    private final float[] normalSums;
     private final int[] indices;
     private final Map<Vertex, Integer> numbers = new HashMap<>();
     private final List<Vertex> vertices = new ArrayList<>();
@@ -57,8 +64,11 @@ final class VertexAssembly {
     VertexAssembly(RawMesh mesh, boolean alwaysRightHanded) {
         this.mesh = mesh;
         this.alwaysRightHanded = alwaysRightHanded;
-        this.cornerNormals = new CornerNormals(mesh);
         this.indices = new int[mesh.cornerCount()];
+        this.normalSums = areaNormals(mesh);
+        if (IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.normal(corner) < 0)) {
+            shareMeans();
+        }
     }
 
     long computedNormals() {
@@ -75,7 +85,7 @@ final class VertexAssembly {
             TriangleTangent tangent = TriangleTangent.of(mesh, first);
             int textureHand = tangent.mirrored() && !alwaysRightHanded ? -1 : 1;
             for (int corner = first; corner < first + 3; corner++) {
-                int key = cornerNormals.key(corner);
+                int key = key(corner);
                 int hand = mesh.hasTangent(key) ? mesh.hand(key) : textureHand;
                 Vertex vertex = new Vertex(mesh.position(corner), mesh.textureCoordinate(corner), key, hand);
                 indices[corner] = numbers.computeIfAbsent(vertex, this::addVertex);
@@ -99,7 +109,7 @@ final class VertexAssembly {
         for (int i = 0; i < count; i++) {
             Vertex vertex = vertices.get(i);
             computedNormals += vertex.normalKey() < 0 ? 1 : 0;
-            Vector3d normal = cornerNormals.normal(vertex.position(), vertex.normalKey());
+            Vector3d normal = normal(vertex.position(), vertex.normalKey());
             for (int axis = 0; axis < 3; axis++) {
                 result.positions()[3 * i + axis] = (float) mesh.positions()[3 * vertex.position() + axis];
             }
@@ -138,75 +148,60 @@ final class VertexAssembly {
         return new Vector3d(vector).fma(-vector.dot(normal), normal);
     }
 
-    /**
-     * Unit normals of corners: the file's, else the mean over the triangles around the position, weighted by area. Copies of a position, at
-     * seams and hard edges, have the mean over all copies if the angle to their own is small.
-     */
-    private static final class CornerNormals {
-        // Cosine of 41 degrees. A hard edge of 90 stays hard: the mean over it is 45 from either side.
-        private static final double LEAST_COSINE = 0.75;
-
-        private final RawMesh mesh;
-        private final float[] sums;
-
-        CornerNormals(RawMesh mesh) {
-            this.mesh = mesh;
-            this.sums = new float[mesh.positions().length];
-            for (int first = 0; first < mesh.cornerCount(); first += 3) {
-                Vector3d normal = mesh.areaNormal(first);
-                for (int corner = first; corner < first + 3; corner++) {
-                    int at = 3 * mesh.position(corner);
-                    sums[at] += (float) normal.x;
-                    sums[at + 1] += (float) normal.y;
-                    sums[at + 2] += (float) normal.z;
-                }
-            }
-            if (IntStream.range(0, mesh.cornerCount()).anyMatch(corner -> mesh.normal(corner) < 0)) {
-                shareMeans();
+    private static float[] areaNormals(RawMesh mesh) {
+        float[] sums = new float[mesh.positions().length];
+        for (int first = 0; first < mesh.cornerCount(); first += 3) {
+            Vector3d normal = mesh.areaNormal(first);
+            for (int corner = first; corner < first + 3; corner++) {
+                int at = 3 * mesh.position(corner);
+                sums[at] += (float) normal.x;
+                sums[at + 1] += (float) normal.y;
+                sums[at + 2] += (float) normal.z;
             }
         }
+        return sums;
+    }
 
-        private void shareMeans() {
-            Map<Vector3d, Vector3d> means = new HashMap<>();
-            for (int i = 0; i < sums.length / 3; i++) {
-                Vector3d own = Mesh.vector(sums, i);
-                // Unit vectors: the division into triangles must not matter.
-                means.computeIfAbsent(position(i), place -> new Vector3d())
-                        .fma(1 / Math.max(1e-300, own.length()), own);
-            }
-            for (int i = 0; i < sums.length / 3; i++) {
-                Vector3d mean = means.get(position(i));
-                Vector3d own = Mesh.vector(sums, i);
-                if (mean.dot(own) > LEAST_COSINE * mean.length() * own.length()) {
-                    put(sums, 3 * i, mean);
-                }
+    private void shareMeans() {
+        Map<Vector3d, Vector3d> means = new HashMap<>();
+        for (int i = 0; i < normalSums.length / 3; i++) {
+            Vector3d own = Mesh.vector(normalSums, i);
+            // Unit vectors: the division into triangles must not matter.
+            means.computeIfAbsent(position(i), place -> new Vector3d()).fma(1 / Math.max(1e-300, own.length()), own);
+        }
+        for (int i = 0; i < normalSums.length / 3; i++) {
+            Vector3d mean = means.get(position(i));
+            Vector3d own = Mesh.vector(normalSums, i);
+            if (mean.dot(own) > LEAST_COSINE * mean.length() * own.length()) {
+                put(normalSums, 3 * i, mean);
             }
         }
+    }
 
-        private Vector3d position(int i) {
-            double[] all = mesh.positions();
-            // -0.0 becomes 0.0, which has another hash.
-            return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
-        }
+    private Vector3d position(int i) {
+        double[] all = mesh.positions();
+        // -0.0 becomes 0.0, which has another hash.
+        return new Vector3d(all[3 * i] + 0.0, all[3 * i + 1] + 0.0, all[3 * i + 2] + 0.0);
+    }
 
-        /** Key that corners of one position share: index of the file's normal, -1 for the mean, or -2 - t for triangle t's. */
-        int key(int corner) {
-            int given = mesh.normal(corner);
-            if (given >= 0 && Mesh.vector(mesh.normals(), given).length() > 0) {
-                return given;
-            }
-            Vector3d mean = Mesh.vector(sums, mesh.position(corner));
-            Vector3d own = mesh.areaNormal(corner - corner % 3);
-            // Triangles back to back may have a mean of zero or facing the back; they use their own normal.
-            return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
+    /** Key that corners of one position share: index of the file's normal, -1 for the mean, or -2 - t for triangle t's. */
+    private int key(int corner) {
+        int given = mesh.normal(corner);
+        if (given >= 0 && Mesh.vector(mesh.normals(), given).length() > 0) {
+            return given;
         }
+        Vector3d mean = Mesh.vector(normalSums, mesh.position(corner));
+        Vector3d own = mesh.areaNormal(corner - corner % 3);
+        // Triangles back to back may have a mean of zero or facing the back; they use their own normal.
+        return mean.dot(own) > 1e-6 * mean.length() * own.length() ? -1 : -2 - corner / 3;
+    }
 
-        Vector3d normal(int position, int key) {
-            if (key >= 0) {
-                return Mesh.vector(mesh.normals(), key).normalize();
-            }
-            Vector3d normal = key == -1 ? Mesh.vector(sums, position) : mesh.areaNormal(3 * (-2 - key));
-            return normal.normalize();
+    /** Returns the unit normal of a key. */
+    private Vector3d normal(int position, int key) {
+        if (key >= 0) {
+            return Mesh.vector(mesh.normals(), key).normalize();
         }
+        Vector3d normal = key == -1 ? Mesh.vector(normalSums, position) : mesh.areaNormal(3 * (-2 - key));
+        return normal.normalize();
     }
 }

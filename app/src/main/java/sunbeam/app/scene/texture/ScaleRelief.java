@@ -96,8 +96,10 @@ public final class ScaleRelief {
     private static void headTexel(int column, int row, byte[] rgba, int at) {
         double along = (column + 0.5) / TEXELS;
         double around = 1 - 2 * (row + 0.5) / HEAD_ROWS;
-        double ahead = SnakeHead.height(along + STEP, around) - SnakeHead.height(along - STEP, around);
-        double beside = SnakeHead.height(along, around + STEP) - SnakeHead.height(along, around - STEP);
+        double ahead =
+                BodyColors.SnakeHead.height(along + STEP, around) - BodyColors.SnakeHead.height(along - STEP, around);
+        double beside =
+                BodyColors.SnakeHead.height(along, around + STEP) - BodyColors.SnakeHead.height(along, around - STEP);
         rgba[at] = slope(ahead / (2 * STEP), noise(2 * at));
         rgba[at + 1] = slope(beside / (2 * STEP * HALF_GIRTH), noise(2 * at + 1));
         rgba[at + 3] = code(1 / LIGHTEST);

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.gpu.picture.LinearPicture;
-import sunbeam.app.render.PatchStrokes;
+import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.Pick;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelSamples;
@@ -263,7 +263,7 @@ public final class GraphicsStage implements Stage {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
         current.parts.stream()
                 .findFirst()
-                .ifPresent(session -> PatchStrokes.paint(image.createGraphics(), session, width, height));
+                .ifPresent(session -> LineDrawings.strokes(image.createGraphics(), session, width, height));
         return image;
     }
 

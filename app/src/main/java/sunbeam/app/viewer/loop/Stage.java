@@ -106,7 +106,7 @@ public interface Stage extends AutoCloseable {
 
     Optional<Pick> pick(int x, int y, int width, int height);
 
-    /** Returns {@link sunbeam.app.render.PatchStrokes} on a transparent image. */
+    /** Returns {@link sunbeam.app.render.LineDrawings#strokes} on a transparent image. */
     BufferedImage strokes(int width, int height);
 
     @Override
