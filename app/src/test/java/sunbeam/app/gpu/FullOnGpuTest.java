@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -135,13 +134,7 @@ class FullOnGpuTest extends InAContext {
         Comparison(double coherenceLength) {
             CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
             this.full = new FullMethod(
-                    new TableChoices(
-                            Optional.of(TOLERANCE),
-                            Optional.empty(),
-                            Optional.empty(),
-                            Optional.empty(),
-                            Optional.empty()),
-                    new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT));
+                    TableChoices.within(TOLERANCE), new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT));
             this.reference = new ReferenceEvaluator(ROUGH, window, WindowOrigin.CENTRE);
         }
 
@@ -157,8 +150,7 @@ class FullOnGpuTest extends InAContext {
                     .plan(full.table(), full.area(), VisibleRange.of(pairs));
             FourierTable table = plan.fourierTable(heights, done -> {});
             MethodUse use = spectral ? MethodUse.SPECTRAL : MethodUse.COLOR;
-            try (UploadedTables method =
-                            UploadedTables.upload(context, plan.sampling().tables(plan, table, use, cie));
+            try (UploadedTables method = UploadedTables.upload(context, plan.tables(table, use, cie));
                     DirectionsRenderer renderer = new DirectionsRenderer(context, method, spectral)) {
                 return renderer.evaluate(queries, done -> {});
             }

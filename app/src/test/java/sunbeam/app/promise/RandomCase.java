@@ -138,8 +138,7 @@ record RandomCase(
     private List<float[]> evaluate(RenderContext context, Surface surface, SpectrumPlan plan) {
         FourierTable table = plan.fourierTable(surface.levels(), done -> {});
         MethodUse use = colors ? MethodUse.COLOR : MethodUse.SPECTRAL;
-        try (UploadedTables method =
-                        UploadedTables.upload(context, plan.sampling().tables(plan, table, use, surface.cie()));
+        try (UploadedTables method = UploadedTables.upload(context, plan.tables(table, use, surface.cie()));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, !colors)) {
             return renderer.evaluate(queries, done -> {});
         }

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.AtlasPages;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
@@ -52,7 +52,8 @@ public record ColorTablePlan(
                 surface,
                 surface.planner()
                         .ofTables(level.area().average())
-                        .plan(choices, level.area(), VisibleRange.all(), roughness));
+                        .plan(choices, level.area(), VisibleRange.all(), roughness),
+                FresnelFactor.ONCE);
     }
 
     /**
@@ -163,8 +164,6 @@ public record ColorTablePlan(
                         "COLOR_FILTER",
                         table.levels().get(count - 1).interpolation().shaderFunction())
                 .define("COLOR_POINT_LEVELS", table.pointLevelCount())
-                .build(
-                        table.area().window().sigmaMeters(),
-                        table.area().window().specularReach(CieTable.MAXIMUM_WAVELENGTH));
+                .build(table.area().window());
     }
 }

@@ -30,7 +30,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     }
 
     public static FullMethod of(Choices choices) {
-        return new FullMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
+        return new FullMethod(new TableChoices(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }
 
     public static FullMethod thesis() {
@@ -47,11 +47,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
         return planned(surface, tablePlan(surface, range), fresnel);
     }
 
-    static MethodPlan planned(Surface surface, SpectrumPlan plan) {
-        return planned(surface, plan, FresnelFactor.ONCE);
-    }
-
-    private static MethodPlan planned(Surface surface, SpectrumPlan plan, FresnelFactor fresnel) {
+    static MethodPlan planned(Surface surface, SpectrumPlan plan, FresnelFactor fresnel) {
         return new MethodPlan(
                 plan.summary(),
                 plan::reasons,
@@ -60,8 +56,7 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
                 MemoryNeed.of(plan, surface.map().rows()),
                 EnumSet.allOf(MethodUse.class),
                 () -> "full|" + surface.key() + "|" + plan.key() + "|" + fresnel,
-                (use, sources) ->
-                        fresnel.applyTo(plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
+                (use, sources) -> fresnel.applyTo(plan.tables(sources.fourier(plan), use, surface.cie())));
     }
 
     public SpectrumPlan tablePlan(Surface surface, VisibleRange range) {

@@ -48,11 +48,6 @@ public record GemMethod(
                     GaussianArea.windowOf(choices),
                     FresnelFactor.of(choices)));
 
-    public GemMethod {
-        spacing.ifPresent(SPACING.kind()::check);
-        orders.ifPresent(ORDERS.kind()::check);
-    }
-
     @Override
     public MethodType type() {
         return TYPE;
@@ -101,6 +96,6 @@ public record GemMethod(
         return fresnel.applyTo(tables.define("GEM_ORDERS", count)
                 .define("THESIS_FORM", form == GemForm.THESIS ? 1 : 0)
                 .reals("gemSpacing", period)
-                .build(window.sigmaMeters(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
+                .build(window));
     }
 }

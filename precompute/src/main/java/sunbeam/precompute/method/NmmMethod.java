@@ -44,7 +44,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
             "nmm",
             "one wavelength per diffraction order, weighted by the order's width.",
             FullMethod.SETTINGS,
-            choices -> new NmmMethod(TableChoices.of(choices), GaussianArea.of(choices), FresnelFactor.of(choices)));
+            choices -> new NmmMethod(new TableChoices(choices), GaussianArea.of(choices), FresnelFactor.of(choices)));
 
     @Override
     public MethodType type() {
@@ -86,8 +86,7 @@ public record NmmMethod(TableChoices table, GaussianArea area, FresnelFactor fre
                 MemoryNeed.of(plan, surface.map().rows()).and(ownLayout(weighted)),
                 EnumSet.allOf(MethodUse.class),
                 () -> "nmm|" + weighted + "|" + surface.key() + "|" + plan.key() + "|" + fresnel,
-                (use, sources) ->
-                        tables(surface, plan, plan.sampling().tables(plan, sources.fourier(plan), use, surface.cie())));
+                (use, sources) -> tables(surface, plan, plan.tables(sources.fourier(plan), use, surface.cie())));
     }
 
     private static ArrayLayout ownLayout(boolean weighted) {

@@ -66,13 +66,9 @@ public record PqMethod(
             Choices.none().with(AVERAGE, Average.COHERENT),
             PqMethod::of);
 
-    public PqMethod {
-        replicas.ifPresent(REPLICAS.kind()::check);
-    }
-
     private static PqMethod of(Choices choices) {
         return new PqMethod(
-                TableChoices.of(choices),
+                new TableChoices(choices),
                 interpolation(choices),
                 GaussianArea.windowOf(choices),
                 choices.find(REPLICAS),
@@ -221,7 +217,6 @@ public record PqMethod(
             ShaderTables.Builder tables = new ShaderTables.Builder("pq");
             Average.COHERENT.defineIn(tables);
             ShaderArrays.define(tables, true, expansion.terms());
-            CoherenceWindow equalArea = replicas.equalAreaWindow(map.width(), map.height());
             if (method.interpolation == PeriodInterpolation.RING) {
                 tables.define("PERIOD_RING", 1);
             } else {
@@ -242,7 +237,7 @@ public record PqMethod(
                     .reals("periodLength", map.width(), map.height())
                     .reals("periodReplicas", replicas.alongX(), replicas.alongY())
                     .integers("wavelengthCount", wavelengths.count())
-                    .build(equalArea.sigmaMeters(), equalArea.specularReach(CieTable.MAXIMUM_WAVELENGTH)));
+                    .build(replicas.equalAreaWindow(map.width(), map.height())));
         }
 
         private float[] layer(PeriodSpectrum spectrum, int layer) {

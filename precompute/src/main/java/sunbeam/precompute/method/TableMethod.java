@@ -21,6 +21,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MemoryNeed;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
@@ -103,7 +104,8 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             TableChoices choices = TableChoices.within(method.sourceTolerance());
             Planner planner = surface.planner().ofTables(method.area().average());
             SpectrumPlan source = planner.plan(choices, method.area(), points.range(coarsest));
-            return new PointTable(surface, method, points, coarsest, FullMethod.planned(surface, source));
+            return new PointTable(
+                    surface, method, points, coarsest, FullMethod.planned(surface, source, FresnelFactor.ONCE));
         }
 
         private boolean isOneLight() {
@@ -160,8 +162,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                             sources.diagnostics()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table").trial(table.words(method.tolerance()));
             table.putInto(tables);
-            SpectrumPlan sums = source.spectrum().orElseThrow();
-            return tables.build(sums.window().sigmaMeters(), sums.specularReach());
+            return tables.build(method.area().window());
         }
 
         private Optional<ValidatedTable> cached(TableSources sources, Function<TableDesign, ColorBaker> bakers) {

@@ -60,7 +60,7 @@ public record BinSampling(Neighborhood neighborhood, WavelengthNodes wavelengths
         return binTables("full_bins", plan, table, neighborhood)
                 .array(ShaderArrays.wavelengths(wavelengths))
                 .integers("wavelengthCount", wavelengths.count())
-                .build(plan.window().sigmaMeters(), plan.specularReach());
+                .build(plan.window());
     }
 
     /** Part of cache keys: for a given light, the number of wavelengths and the first two determine all. */

@@ -22,7 +22,7 @@ import sunbeam.precompute.text.Text;
  * @param longestStep longest step along a ray, cycles per meter; rays that cross many columns skip some
  * @param fewestNodes fewest wavelengths; where rays cross fewer columns, near the specular direction, both axes are interpolated
  * @param band rule for the wavelengths near the specular direction
- * @param single sampling for single wavelengths; if empty, a grid that serves both averages
+ * @param spectral sampling for single wavelengths, of both averages; empty if it is this one
  * @param apart whether columns and rows are in separate textures, for drivers with smaller limits
  */
 public record GridSampling(
@@ -32,7 +32,7 @@ public record GridSampling(
         double longestStep,
         int fewestNodes,
         BandRule band,
-        Optional<OrderSampling> single,
+        Optional<Sampling> spectral,
         boolean apart,
         ErrorBudget budget)
         implements Sampling {
@@ -70,22 +70,13 @@ public record GridSampling(
                 : List.of(plan.area().average());
     }
 
+    @Override
     public Sampling serving(MethodUse use) {
-        if (use == MethodUse.COLOR) {
-            return this;
-        }
-        InterpolationDesign both = new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE);
-        return single.<Sampling>map(bins -> bins)
-                .orElseGet(() -> new GridSampling(
-                        both, neighborhood, nodeStep, longestStep, fewestNodes, band, single, apart, budget));
+        return use == MethodUse.SPECTRAL ? spectral.orElse(this) : this;
     }
 
     @Override
     public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
-        Sampling serving = serving(use);
-        if (!equals(serving)) {
-            return serving.layouts(plan, use);
-        }
         List<ArrayLayout> layouts = new ArrayList<>();
         for (Average average : averages(plan, use)) {
             layouts.addAll(new GridArrays(this, plan, average, use).layouts());
@@ -100,7 +91,7 @@ public record GridSampling(
         long turned = 2L * Double.BYTES * plan.expansion().terms() * bins;
         long layer = 0;
         for (MethodUse use : MethodUse.values()) {
-            for (ArrayLayout layout : layouts(plan, use)) {
+            for (ArrayLayout layout : plan.layouts(use)) {
                 layer = Math.max(layer, layout.bytes() / layout.layers());
             }
         }
@@ -109,10 +100,6 @@ public record GridSampling(
 
     @Override
     public ShaderTables tables(SpectrumPlan plan, FourierTable table, MethodUse use, CieTable cie) {
-        Sampling serving = serving(use);
-        if (!equals(serving)) {
-            return serving.tables(plan, table, use, cie);
-        }
         ShaderTables.Builder tables = new ShaderTables.Builder("full_grid");
         plan.area().average().defineIn(tables);
         ShaderArrays.define(tables, true, table.terms());
@@ -134,6 +121,6 @@ public record GridSampling(
                     .integers("gridFewestNodes", fewestNodes)
                     .reals("cieWhite", cie.white());
         }
-        return tables.build(plan.window().sigmaMeters(), plan.specularReach());
+        return tables.build(plan.window());
     }
 }

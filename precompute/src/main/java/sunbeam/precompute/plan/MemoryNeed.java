@@ -36,9 +36,7 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
         // A pair of real terms is transformed in one symmetric band, up to twice as wide along each axis.
         long lines = (long) rows + bandY.symmetric().count();
         long transform = COMPLEX_BYTES * lines * bandX.symmetric().count();
-        return new MemoryNeed(
-                table + Math.max(transform, plan.sampling().workBytes(plan)),
-                plan.sampling().layouts(plan, use));
+        return new MemoryNeed(table + Math.max(transform, plan.sampling().workBytes(plan)), plan.layouts(use));
     }
 
     public static MemoryNeed of(SpectrumPlan plan, int rows) {

@@ -120,6 +120,6 @@ public record OrderSampling(Neighborhood neighborhood, Optional<OrderNodes> reso
                 .reals("orderPanel", nodes.panel())
                 .reals("orderLargestStep", nodes.largestStep())
                 .reals("orderCornerLength", nodes.cornerLength()));
-        return tables.build(plan.window().sigmaMeters(), plan.specularReach());
+        return tables.build(plan.window());
     }
 }

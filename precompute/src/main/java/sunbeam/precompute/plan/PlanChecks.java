@@ -88,26 +88,28 @@ final class PlanChecks {
         return SettingException.of(EXPANSION, Expansion.Kind.TAYLOR, problem + relief);
     }
 
-    static SettingException tooLarge(SpectrumPlan plan, String excess) {
-        return SettingException.of(
-                COHERENCE_LENGTH,
-                plan.window().coherenceLength(),
-                excess
-                        + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
-                        + " patch, or give a coarser ",
-                TOLERANCE,
-                ", fewer ",
-                TERMS,
-                ", a smaller ",
-                RADIUS,
-                ", a larger ",
-                WAVELENGTH_STEP,
-                " or another ",
-                COHERENCE_LENGTH);
+    /** Refuses plans beyond the limits of memory and of a shader's loop steps. */
+    static Optional<SettingException> refusal(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
+        return excess(plan, rows, heapLimit, mostSteps)
+                .map(excess -> SettingException.of(
+                        COHERENCE_LENGTH,
+                        plan.window().coherenceLength(),
+                        excess
+                                + "; method table, for the ensemble average, and method reference, for lists, take less; else crop the"
+                                + " patch, or give a coarser ",
+                        TOLERANCE,
+                        ", fewer ",
+                        TERMS,
+                        ", a smaller ",
+                        RADIUS,
+                        ", a larger ",
+                        WAVELENGTH_STEP,
+                        " or another ",
+                        COHERENCE_LENGTH));
     }
 
     /** Returns which limit is exceeded, as the end of a sentence that begins with "coherence length 65 um". */
-    static Optional<String> excess(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
+    private static Optional<String> excess(SpectrumPlan plan, int rows, long heapLimit, long mostSteps) {
         Optional<String> memory = Arrays.stream(MethodUse.values())
                 .flatMap(use -> MemoryNeed.of(plan, use, rows).excess(heapLimit).stream())
                 .findFirst();

@@ -1,5 +1,8 @@
 package sunbeam.precompute.plan;
 
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -10,6 +13,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.OrderSampling.BandRule;
 import sunbeam.precompute.reference.WindowLight;
+import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.HeightScale;
 import sunbeam.precompute.spectrum.InterpolationDesign;
@@ -25,10 +29,6 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
 
     public Planner(HeightLevels heights, CieTable cie, Roughness.Cache statistics) {
         this(heights, cie, Runtime.getRuntime().maxMemory(), PlanChecks.MOST_LOOP_STEPS, statistics);
-    }
-
-    Planner(HeightLevels heights, CieTable cie, long heapLimit) {
-        this(heights, cie, heapLimit, PlanChecks.MOST_LOOP_STEPS, Roughness.Cache.NONE);
     }
 
     /** Color tables of the ensemble average are summed on the CPU, without a shader's limit on loops. */
@@ -50,13 +50,12 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         List<Supplier<Sampling>> samplings = choices.fixesBins()
                 ? List.of(() -> BinSampling.of(choices, area.window(), map, cie))
                 : new Samplings(heights, cie, area, range, budget).choices();
-        SpectrumPlan plan = null;
-        Optional<String> excess = Optional.empty();
+        Optional<SettingException> refusal = Optional.empty();
         for (Supplier<Sampling> choice : samplings) {
             Sampling sampling = choice.get();
             // One bin more, since float32 may round to the next.
             Neighborhood around = sampling.neighborhood();
-            plan = new SpectrumPlan(
+            SpectrumPlan plan = new SpectrumPlan(
                     choices.promisedTolerance(),
                     range,
                     expansion,
@@ -64,12 +63,12 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
                     range.bandY(map.height(), around.radiusY() + 1),
                     area,
                     sampling);
-            excess = PlanChecks.excess(plan, map.rows(), heapLimit, mostSteps);
-            if (excess.isEmpty()) {
+            refusal = PlanChecks.refusal(plan, map.rows(), heapLimit, mostSteps);
+            if (refusal.isEmpty()) {
                 return plan;
             }
         }
-        throw PlanChecks.tooLarge(plan, excess.orElseThrow());
+        throw refusal.orElseThrow();
     }
 
     /** Measures the roughness if the plan may interpolate the spectrum on a grid; else returns {@link Roughness#NONE}. */
@@ -84,17 +83,18 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
         return need.excess(heapLimit);
     }
 
-    public Expansion expansion(TableChoices choices, VisibleRange range) {
-        return expansion(choices, range, new ErrorBudget(choices.tolerance()));
+    public Expansion expansion(TableChoices table, VisibleRange range) {
+        return expansion(table, range, new ErrorBudget(table.tolerance()));
     }
 
-    private Expansion expansion(TableChoices choices, VisibleRange range, ErrorBudget budget) {
-        boolean thesis = choices.isThesis();
-        Expansion.Kind kind = choices.expansion().orElse(thesis ? Expansion.Kind.TAYLOR : Expansion.Kind.LOWRANK);
+    private Expansion expansion(TableChoices table, VisibleRange range, ErrorBudget budget) {
+        boolean thesis = table.isThesis();
+        Optional<Integer> chosen = table.choices().find(TERMS);
+        Expansion.Kind kind = table.choices().get(EXPANSION, thesis ? Expansion.Kind.TAYLOR : Expansion.Kind.LOWRANK);
         HeightScale scale = thesis ? HeightScale.mean(heights) : HeightScale.midRange(heights);
         double minimum = scale.phase(CieTable.MAXIMUM_WAVELENGTH, range.minimumW());
         double maximum = scale.phase(CieTable.MINIMUM_WAVELENGTH, range.maximumW());
-        Optional<Integer> terms = thesis ? Optional.of(choices.terms().orElse(THESIS_TERMS)) : choices.terms();
+        Optional<Integer> terms = thesis ? Optional.of(chosen.orElse(THESIS_TERMS)) : chosen;
         double tolerance = terms.isPresent() ? -1 : budget.expansion();
         if (kind == Expansion.Kind.LOWRANK) {
             PlanChecks.requireExpandable(scale, maximum);
@@ -206,15 +206,20 @@ public record Planner(HeightLevels heights, CieTable cie, long heapLimit, long m
             // Columns are closer where both axes would be interpolated too far out.
             double reach = fewestNodes() * step / CieTable.BAND_WIDTH;
             double closer = step / (int) Math.ceil(reach / LARGEST_CENTER);
+            Sampling spectral = bins().bins() <= PlanChecks.MOST_LOOP_STEPS
+                    ? new OrderSampling(bins(), Optional.empty(), band)
+                    : new GridSampling(
+                            new ErrorBudget(budget.tolerance()).interpolation(Average.ENSEMBLE),
+                            reached(),
+                            closer,
+                            longest,
+                            fewestNodes(),
+                            band,
+                            Optional.empty(),
+                            apart,
+                            budget);
             return new GridSampling(
-                    design, reached(), closer, longest, fewestNodes(), band, single(band), apart, budget);
-        }
-
-        /** Empty if the bins exceed the limit of a shader's loops. */
-        private Optional<OrderSampling> single(BandRule band) {
-            return Optional.of(bins())
-                    .filter(bins -> bins.bins() <= PlanChecks.MOST_LOOP_STEPS)
-                    .map(bins -> new OrderSampling(bins, Optional.empty(), band));
+                    design, reached(), closer, longest, fewestNodes(), band, Optional.of(spectral), apart, budget);
         }
 
         private double relativeFineness() {

@@ -21,6 +21,11 @@ public sealed interface Sampling permits BinSampling, GridSampling, OrderSamplin
     /** Returns the loop steps of the slowest pixel; unrolled loops do not count. */
     long loopSteps(SpectrumPlan plan);
 
+    /** Returns the sampling whose tables serve a use. */
+    default Sampling serving(MethodUse use) {
+        return this;
+    }
+
     /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
     List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use);
 

@@ -16,6 +16,9 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.ValueKind;
+import sunbeam.precompute.shader.ArrayLayout;
+import sunbeam.precompute.shader.ShaderTables;
+import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.Band;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.FourierTable;
@@ -61,9 +64,14 @@ public record SpectrumPlan(
         return area.window();
     }
 
-    /** Returns |(u, v)| up to which a direction sees the specular peak, which outshines diffracted light. */
-    public double specularReach() {
-        return window().specularReach(CieTable.MAXIMUM_WAVELENGTH);
+    /** Returns the shapes of the arrays of {@link #tables}, with an upper limit of layers where unknown. */
+    List<ArrayLayout> layouts(MethodUse use) {
+        return sampling.serving(use).layouts(this, use);
+    }
+
+    /** Returns the shader's tables, with layers computed on demand; the Fourier table may have fewer terms than this plan. */
+    public ShaderTables tables(FourierTable table, MethodUse use, CieTable cie) {
+        return sampling.serving(use).tables(this, table, use, cie);
     }
 
     /** Returns a text that determines the tables of one patch; different numbers have different texts. */

@@ -13,43 +13,18 @@ import java.util.Optional;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
-import sunbeam.precompute.spectrum.Expansion;
 
-/**
- * User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others.
- *
- * @param promisedTolerance relative error, {@link ErrorBudget#FINEST}..{@link ErrorBudget#COARSEST}; empty for the thesis's choices, which
- *     promise nothing
- * @param neighborhood bins summed around each frequency, with the thesis's preset only
- * @param wavelengthStep equal step of the wavelength, meters
- */
-public record TableChoices(
-        Optional<Double> promisedTolerance,
-        Optional<Expansion.Kind> expansion,
-        Optional<Integer> terms,
-        Optional<Neighborhood> neighborhood,
-        Optional<Double> wavelengthStep) {
+/** User's choices for Fourier tables, summed bins and wavelengths; the planner makes the others. */
+public record TableChoices(Choices choices) {
     /** Settings of these choices, except the neighborhood's, which not all methods have. */
     public static final List<Setting<?>> SETTINGS = List.of(PRESET, TOLERANCE, EXPANSION, TERMS, WAVELENGTH_STEP);
 
-    private static final Neighborhood THESIS_BINS = new Neighborhood(1, Neighborhood.Anchor.FLOOR);
+    private static final List<Setting<?>> BINS = List.of(RADIUS, ANCHOR);
+    public static final TableChoices THESIS = new TableChoices(Choices.none().with(PRESET, Preset.THESIS));
 
-    public static final TableChoices THESIS = new TableChoices(
-            Optional.empty(), Optional.empty(), Optional.empty(), Optional.of(THESIS_BINS), Optional.empty());
-
+    /** Ignores settings of others; throws SettingException if the choices contradict each other. */
     public TableChoices {
-        promisedTolerance.ifPresent(TOLERANCE.kind()::check);
-        terms.ifPresent(TERMS.kind()::check);
-        wavelengthStep.ifPresent(WAVELENGTH_STEP.kind()::check);
-    }
-
-    public static TableChoices within(double tolerance) {
-        return new TableChoices(
-                Optional.of(tolerance), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
-    }
-
-    /** Reads the choices; throws SettingException if they contradict each other. */
-    public static TableChoices of(Choices choices) {
+        choices = choices.only(Setting.union(SETTINGS, BINS));
         boolean thesis = Preset.isThesis(choices);
         if (thesis && choices.has(TOLERANCE)) {
             throw choices.complaint(
@@ -58,21 +33,8 @@ public record TableChoices(
                     PRESET,
                     " " + choices.written(PRESET) + ", whose choices keep no tolerance; leave one of them out");
         }
-        return new TableChoices(
-                thesis ? Optional.empty() : Optional.of(choices.get(TOLERANCE)),
-                choices.find(EXPANSION),
-                choices.find(TERMS),
-                neighborhood(choices, thesis),
-                choices.find(WAVELENGTH_STEP));
-    }
-
-    private static Optional<Neighborhood> neighborhood(Choices choices, boolean thesis) {
-        if (thesis) {
-            return Optional.of(new Neighborhood(
-                    choices.get(RADIUS, THESIS_BINS.radiusX()), choices.get(ANCHOR, Neighborhood.Anchor.FLOOR)));
-        }
-        for (Setting<?> setting : List.of(RADIUS, ANCHOR)) {
-            if (choices.has(setting)) {
+        for (Setting<?> setting : BINS) {
+            if (!thesis && choices.has(setting)) {
                 throw choices.complaint(
                         setting,
                         "is of the thesis's bins, which a plan for a tolerance does not sum; leave it out, or give ",
@@ -80,22 +42,43 @@ public record TableChoices(
                         " thesis");
             }
         }
-        return Optional.empty();
+        choices = thesis ? choices : choices.without(PRESET).orStandard(TOLERANCE);
+    }
+
+    public static TableChoices within(double tolerance) {
+        return new TableChoices(Choices.none().with(TOLERANCE, tolerance));
     }
 
     public boolean isThesis() {
-        return promisedTolerance.isEmpty();
+        return Preset.isThesis(choices);
     }
 
-    public boolean fixesBins() {
-        return neighborhood.isPresent() || wavelengthStep.isPresent();
+    /** Returns the relative error; empty for the thesis's choices, which promise nothing. */
+    Optional<Double> promisedTolerance() {
+        return choices.find(TOLERANCE);
     }
 
     double tolerance() {
-        return promisedTolerance.orElse(ErrorBudget.STANDARD);
+        return choices.get(TOLERANCE);
+    }
+
+    /** Returns the bins summed around each frequency; empty except for the thesis's choices. */
+    public Optional<Neighborhood> neighborhood() {
+        return isThesis()
+                ? Optional.of(new Neighborhood(choices.get(RADIUS, 1), choices.get(ANCHOR, Neighborhood.Anchor.FLOOR)))
+                : Optional.empty();
+    }
+
+    /** Returns the equal step of the wavelength, meters. */
+    public Optional<Double> wavelengthStep() {
+        return choices.find(WAVELENGTH_STEP);
+    }
+
+    boolean fixesBins() {
+        return isThesis() || choices.has(WAVELENGTH_STEP);
     }
 
     public TableChoices withWavelengthStep(double meters) {
-        return new TableChoices(promisedTolerance, expansion, terms, neighborhood, Optional.of(meters));
+        return new TableChoices(choices.with(WAVELENGTH_STEP, meters));
     }
 }

@@ -8,6 +8,8 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
+import sunbeam.precompute.color.CieTable;
+import sunbeam.precompute.optics.CoherenceWindow;
 
 /**
  * Tables of a method's shader: constants, uniforms and arrays. Callers must not change the uniforms' components.
@@ -107,6 +109,10 @@ public record ShaderTables(
             integers.putAll(others.integers());
             arrays.addAll(others.arrays());
             return this;
+        }
+
+        public ShaderTables build(CoherenceWindow window) {
+            return build(window.sigmaMeters(), window.specularReach(CieTable.MAXIMUM_WAVELENGTH));
         }
 
         public ShaderTables build(double windowSigma, double specularReach) {

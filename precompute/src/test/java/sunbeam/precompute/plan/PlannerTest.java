@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static sunbeam.precompute.plan.MethodSettings.EXPANSION;
+import static sunbeam.precompute.plan.MethodSettings.TERMS;
+import static sunbeam.precompute.plan.MethodSettings.WAVELENGTH_STEP;
 
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +24,7 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ArrayLayout;
@@ -80,7 +84,7 @@ class PlannerTest {
     @ValueSource(longs = {32L << 20, 8L << 20})
     void plansBeyondTheMemoryAreRefusedWithTheirNeed(long heap) {
         HeightMap map = Surfaces.random(1024, 1024, PITCH, 800e-9, 1);
-        Planner planner = new Planner(HeightLevels.of(map), CIE, heap);
+        Planner planner = planner(map, heap);
 
         assertThatThrownBy(() -> planner.plan(STANDARD.table(), STANDARD.area(), VisibleRange.all()))
                 .isInstanceOf(SettingException.class)
@@ -159,7 +163,11 @@ class PlannerTest {
     }
 
     private static Planner planner(HeightMap map) {
-        return new Planner(HeightLevels.of(map), CIE, MUCH_MEMORY);
+        return planner(map, MUCH_MEMORY);
+    }
+
+    private static Planner planner(HeightMap map, long heap) {
+        return new Planner(HeightLevels.of(map), CIE, heap, PlanChecks.MOST_LOOP_STEPS, Roughness.Cache.NONE);
     }
 
     @Test
@@ -204,14 +212,12 @@ class PlannerTest {
     /** Zero or empty where the planner chooses. */
     private static Request request(
             Optional<Expansion.Kind> expansion, int terms, double coherenceLength, double wavelengthStep) {
-        TableChoices table = new TableChoices(
-                Optional.of(ErrorBudget.STANDARD),
-                expansion,
-                terms == 0 ? Optional.empty() : Optional.of(terms),
-                Optional.empty(),
-                wavelengthStep == 0 ? Optional.empty() : Optional.of(wavelengthStep));
+        Choices choices = Choices.none();
+        choices = expansion.isEmpty() ? choices : choices.with(EXPANSION, expansion.get());
+        choices = terms == 0 ? choices : choices.with(TERMS, terms);
+        choices = wavelengthStep == 0 ? choices : choices.with(WAVELENGTH_STEP, wavelengthStep);
         CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
-        return new Request(table, GaussianArea.STANDARD.with(window));
+        return new Request(new TableChoices(choices), GaussianArea.STANDARD.with(window));
     }
 
     private static final int SIDE = 64;

@@ -49,7 +49,7 @@ class SamplingTablesTest {
         assertThat(plan.sampling()).isInstanceOf(form);
         ShaderTables tables = tables(plan, use);
         // The number of an ensemble's terms is an estimate.
-        List<ArrayLayout> planned = plan.sampling().layouts(plan, use).stream()
+        List<ArrayLayout> planned = plan.layouts(use).stream()
                 .filter(layout -> !layout.sampler().startsWith("ensemble"))
                 .toList();
         assertThat(tables.arrays())
@@ -77,7 +77,7 @@ class SamplingTablesTest {
 
     private static ShaderTables tables(SpectrumPlan plan, MethodUse use) {
         FourierTable table = plan.fourierTable(HeightLevels.of(SKIN), done -> {});
-        return plan.sampling().tables(plan, table, use, CIE);
+        return plan.tables(table, use, CIE);
     }
 
     @Test
