@@ -1,5 +1,8 @@
 package sunbeam.precompute.color;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
 /** sRGB (IEC 61966-2-1): transfer curve and primaries with D65 white. shaders/include/srgb.glsl computes it in GLSL. */
 public final class Srgb {
     private static final double[][] TO_XYZ = {
@@ -9,12 +12,10 @@ public final class Srgb {
     private static final double[][] FROM_XYZ = {
         {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}
     };
-    private static final int CHANNELS = 256;
-    // Ranges of linear light, 2.4e-4 wide: the darkest 8-bit values lie 3e-4 apart, so no range holds two limits.
-    private static final int RANGES = 4096;
-    // Lower limit of each 8-bit value in linear light, and the 8-bit value at the start of each range.
-    private static final double[] BEGINS = begins();
-    private static final short[] FIRST = first();
+    // Lower limit of each 8-bit value in linear light.
+    private static final double[] BEGINS = IntStream.range(0, 256)
+            .mapToDouble(channel -> channel == 0 ? 0 : linear(channel - 0.5))
+            .toArray();
 
     private Srgb() {}
 
@@ -26,33 +27,9 @@ public final class Srgb {
 
     /** Returns the nearest 8-bit value of linear light clamped to [0, 1]; 0 for NaN. */
     public static int channel(double linear) {
-        double clipped = Math.min(1, Math.max(0, linear));
-        int channel = FIRST[(int) (RANGES * clipped)];
-        while (clipped >= BEGINS[channel + 1]) {
-            channel++;
-        }
-        return channel;
-    }
-
-    private static double[] begins() {
-        double[] begins = new double[CHANNELS + 1];
-        for (int channel = 1; channel < CHANNELS; channel++) {
-            begins[channel] = linear(channel - 0.5);
-        }
-        begins[CHANNELS] = Double.POSITIVE_INFINITY;
-        return begins;
-    }
-
-    private static short[] first() {
-        short[] first = new short[RANGES + 1];
-        int channel = 0;
-        for (int range = 0; range <= RANGES; range++) {
-            while ((double) range / RANGES >= BEGINS[channel + 1]) {
-                channel++;
-            }
-            first[range] = (short) channel;
-        }
-        return first;
+        int found = Arrays.binarySearch(BEGINS, linear > 0 ? linear : 0);
+        // Between two limits binarySearch returns -1 - (index of the upper one).
+        return found >= 0 ? found : -2 - found;
     }
 
     /** Returns CIE XYZ of linear red, green and blue; Y = 1 for white. */

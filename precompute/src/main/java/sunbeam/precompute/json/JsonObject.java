@@ -9,7 +9,6 @@ import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.util.JsonParserDelegate;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.node.MissingNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -95,9 +94,7 @@ public final class JsonObject {
                 InputException.refuseIf(
                         nextToken() != JsonToken.START_OBJECT, name + ", line 1: it must be one JSON object, { ... }");
                 JsonNode root = JSON.readTree(this);
-                if (nextToken() != null) {
-                    throw wrong("something follows the closing brace; remove it");
-                }
+                InputException.refuseIf(nextToken() != null, here() + "something follows the closing brace; remove it");
                 return new JsonObject(this, JsonPointer.empty(), "", root);
             } catch (IOException broken) {
                 // Jackson's message is for programmers.
@@ -116,14 +113,15 @@ public final class JsonObject {
                 JsonPointer at = getParsingContext().pathAsPointer();
                 boolean known = lines.put(at, currentTokenLocation().getLineNr()) != null;
                 if (known && token == JsonToken.FIELD_NAME) {
-                    throw wrong("the key " + Quoted.of(currentName()) + " stands twice; remove one");
+                    throw new InputException(
+                            here() + "the key " + Quoted.of(currentName()) + " stands twice; remove one");
                 }
             }
             return token;
         }
 
-        private InputException wrong(String problem) {
-            return new InputException(name + ", line " + currentTokenLocation().getLineNr() + ": " + problem);
+        private String here() {
+            return name + ", line " + currentTokenLocation().getLineNr() + ": ";
         }
     }
 
@@ -166,8 +164,8 @@ public final class JsonObject {
     }
 
     public List<JsonObject> objects(String key, int most) {
-        JsonNode list = find(key).orElse(MissingNode.getInstance());
-        boolean fits = list.isMissingNode() || (list.isArray() && list.size() <= most);
+        JsonNode list = find(key).orElseGet(JSON::createArrayNode);
+        boolean fits = list.isArray() && list.size() <= most;
         require(fits, key, "must be a list of at most " + most + " objects, [ { ... } ]");
         return IntStream.range(0, list.size())
                 .mapToObj(i -> inner(key, list.get(i), place.appendProperty(key).appendIndex(i)))
@@ -238,14 +236,12 @@ public final class JsonObject {
         String key = setting.fileKey();
         return switch (setting.kind().form()) {
             case TEXT -> text(key, value);
-            case QUANTITY ->
-                quantity(key, value, text -> {
-                    if (Decimals.parse(text).isPresent()) {
-                        throw new IllegalArgumentException(Quoted.of(text) + " has no unit; give "
-                                + setting.kind().range());
-                    }
-                    return text;
-                });
+            case QUANTITY -> {
+                String text = quantity(key, value, Function.identity());
+                String problem = " has no unit; give " + setting.kind().range();
+                require(Decimals.parse(text).isEmpty(), key, Quoted.of(text) + problem);
+                yield text;
+            }
             case FLAG -> {
                 require(value.isBoolean(), key, "must be true or false, without quotes");
                 yield value.asText();

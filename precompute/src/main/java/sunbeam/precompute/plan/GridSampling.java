@@ -2,16 +2,27 @@ package sunbeam.precompute.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.IntFunction;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.plan.OrderSampling.BandRule;
+import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.KernelPolynomials;
 import sunbeam.precompute.shader.ShaderArrays;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
+import sunbeam.precompute.shader.TableArray;
+import sunbeam.precompute.spectrum.Band;
+import sunbeam.precompute.spectrum.CoefficientTable;
 import sunbeam.precompute.spectrum.FourierTable;
+import sunbeam.precompute.spectrum.GridResampler;
+import sunbeam.precompute.spectrum.GridResampler.Axis;
+import sunbeam.precompute.spectrum.GridResampler.Order;
 import sunbeam.precompute.spectrum.InterpolationDesign;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 import sunbeam.precompute.text.Text;
 
 /**
@@ -36,6 +47,8 @@ public record GridSampling(
         boolean apart,
         ErrorBudget budget)
         implements Sampling {
+    private static final int CHANNELS = 4;
+
     /** Returns the largest |u|, |v| up to which both axes are interpolated. */
     public double centerReach() {
         return fewestNodes * nodeStep / CieTable.BAND_WIDTH;
@@ -79,7 +92,7 @@ public record GridSampling(
     public List<ArrayLayout> layouts(SpectrumPlan plan, MethodUse use) {
         List<ArrayLayout> layouts = new ArrayList<>();
         for (Average average : averages(plan, use)) {
-            layouts.addAll(new GridArrays(this, plan, average, use).layouts());
+            layouts.addAll(new GridArrays(plan, average, use).layouts());
         }
         layouts.add(ShaderArrays.cieWeightsLayout());
         return layouts;
@@ -110,7 +123,7 @@ public record GridSampling(
                 .define("GRID_ENDS_CUT", budget.roughness().isRough() ? 0 : 1)
                 .reals("heightHalfRange", table.expansion().scale().halfRange());
         for (Average average : averages(plan, use)) {
-            new GridArrays(this, plan, average, use).addTo(tables, table);
+            new GridArrays(plan, average, use).addTo(tables, table);
         }
         tables.array(ShaderArrays.cieWeights(cie));
         if (use == MethodUse.COLOR) {
@@ -122,5 +135,189 @@ public record GridSampling(
                     .reals("cieWhite", cie.white());
         }
         return tables.build(plan.window());
+    }
+
+    /** Arrays of shaders/method/grid_tables.glsl: the resampled spectra of one average. */
+    private final class GridArrays {
+        private final SpectrumPlan plan;
+        private final boolean coherent;
+        private final String name;
+        private final double sigma;
+        private final double step;
+        // Positions of columns along x and of rows along y; samples along rows and along columns.
+        private final Grid nodes;
+        private final Grid samples;
+        private final Grid point;
+        private final MethodUse use;
+
+        private record Grid(Band x, Band y) {
+            Grid(VisibleRange range, double step, int margin) {
+                this(range.bandX(1 / step, margin), range.bandY(1 / step, margin));
+            }
+        }
+
+        /** Real fields; the function returns {@code [field - first][bin]} from a first field to an end. */
+        private record Fields(
+                CoefficientTable coefficients, int count, BiFunction<Integer, Integer, double[][]> values) {}
+
+        GridArrays(SpectrumPlan plan, Average average, MethodUse use) {
+            this.plan = plan;
+            this.coherent = average == Average.COHERENT;
+            this.name = ValueKind.name(average);
+            double window = plan.window().sigmaFrequency();
+            this.sigma = coherent ? window : window / Math.sqrt(2);
+            this.step = sigma / interpolation.deviation();
+            int taps = interpolation.taps();
+            this.nodes = new Grid(plan.range(), nodeStep, 1);
+            this.samples = new Grid(plan.range(), step, taps);
+            this.use = use;
+            // For colors both axes are interpolated near the specular direction only.
+            double reach = centerReach();
+            VisibleRange center = new VisibleRange(-reach, reach, -reach, reach, 0, 0);
+            this.point = new Grid(use == MethodUse.SPECTRAL ? plan.range() : center, step, taps);
+        }
+
+        /** The ensemble has about twice as many terms as the expansion, real ones, four per texel; two complex terms share a texel. */
+        List<ArrayLayout> layouts() {
+            int terms = plan.expansion().terms();
+            int texels = texels(2 * terms);
+            int samples = CoefficientTable.sampleCount(plan.expansion(), coherent ? 1 : PowerSpectrum.BANDWIDTH);
+            int functions = coherent ? terms : CHANNELS * texels;
+            List<ArrayLayout> layouts = new ArrayList<>(List.of(
+                    ShaderArrays.coefficientsLayout(name + "Coefficients", samples, functions),
+                    pointLayout(texels).array()));
+            if (use == MethodUse.COLOR) {
+                raysLayouts(texels).forEach(rays -> layouts.add(rays.array()));
+            }
+            return layouts;
+        }
+
+        private static int texels(int fields) {
+            return (fields + CHANNELS - 1) / CHANNELS;
+        }
+
+        private TermsLayout pointLayout(int texels) {
+            return TermsLayout.of(name + "Point", point.x.count(), point.y.count(), texels, 1);
+        }
+
+        private List<TermsLayout> raysLayouts(int texels) {
+            return apart
+                    ? List.of(raysLayout("Columns", texels, 1), raysLayout("Rows", texels, 1))
+                    : List.of(raysLayout("Rays", texels, 2));
+        }
+
+        private TermsLayout raysLayout(String suffix, int texels, int grids) {
+            return TermsLayout.of(
+                    name + suffix,
+                    Math.max(samples.x.count(), samples.y.count()),
+                    Math.max(nodes.x.count(), nodes.y.count()),
+                    texels,
+                    grids);
+        }
+
+        private Fields fields(FourierTable table) {
+            if (coherent) {
+                return new Fields(
+                        CoefficientTable.sampled(table.expansion()),
+                        2 * table.terms(),
+                        (first, end) ->
+                                table.amplitudes(first / 2, end / 2, plan.area().origin()));
+            }
+            PowerSpectrum spectrum = PowerSpectrum.of(table, budget.powerBasis());
+            return new Fields(spectrum.coefficients(), spectrum.coefficients().terms(), spectrum::terms);
+        }
+
+        void addTo(ShaderTables.Builder tables, FourierTable table) {
+            Fields fields = fields(table);
+            CoefficientTable coefficients = fields.coefficients;
+            int texels = texels(fields.count);
+            String prefix = name.toUpperCase(Locale.ROOT);
+            TermsLayout layout = pointLayout(texels);
+            GridResampler points =
+                    new GridResampler(interpolated(point.x, table.x()), interpolated(point.y, table.y()));
+            tables.define(prefix + "_TEXELS", texels)
+                    .define(prefix + "_POINT_TOGETHER", layout.together())
+                    .array(ShaderArrays.coefficients(name + "Coefficients", coefficients))
+                    .reals(name + "PhaseMap", ShaderArrays.phaseMap(coefficients))
+                    .reals(name + "Scale", 1 / step)
+                    .array(TableArray.computed(
+                            layout.array(), layer -> layer(fields, layer, layout, points, Order.ROWS)))
+                    .reals(name + "PointFirst", point.x.first(), point.y.first());
+            if (use == MethodUse.COLOR) {
+                List<TermsLayout> rays = raysLayouts(texels);
+                tables.define(prefix + "_RAYS_TOGETHER", rays.get(0).together())
+                        .define(prefix + "_RAYS_LAYERS", rays.get(0).layersPerGrid())
+                        .define("RAYS_APART", rays.size() - 1);
+                addRays(tables, table, fields, rays);
+            }
+        }
+
+        private Axis interpolated(Band grid, PowerSpectrum.Axis bins) {
+            return Axis.forInterpolation(grid, step, bins, interpolation);
+        }
+
+        private Axis nodes(Band grid, PowerSpectrum.Axis bins) {
+            return Axis.forGridPoints(grid, nodeStep, bins, sigma);
+        }
+
+        /** Adds columns at steps along x, and rows at steps along y. Each column or row is one row of a texture. */
+        private void addRays(
+                ShaderTables.Builder tables, FourierTable table, Fields fields, List<TermsLayout> layouts) {
+            TermsLayout layout = layouts.get(0);
+            int height = layout.array().height();
+            GridResampler columns = new GridResampler(
+                    nodes(nodes.x.extended(height), table.x()),
+                    interpolated(samples.y.extended(layout.samples()), table.y()));
+            GridResampler rows = new GridResampler(
+                    interpolated(samples.x.extended(layout.samples()), table.x()),
+                    nodes(nodes.y.extended(height), table.y()));
+            // The layers of all columns precede those of all rows.
+            int layers = layout.layersPerGrid();
+            IntFunction<float[]> rays = layer -> layer < layers
+                    ? layer(fields, layer, layout, columns, Order.COLUMNS)
+                    : layer(fields, layer - layers, layout, rows, Order.ROWS);
+            tables.array(TableArray.computed(layout.array(), rays));
+            if (layouts.size() == 2) {
+                tables.array(TableArray.computed(layouts.get(1).array(), layer -> rays.apply(layers + layer)));
+            }
+            tables.reals("gridRayScale", 1 / step)
+                    .reals("gridRaysFirst", nodes.x.first(), samples.y.first(), nodes.y.first(), samples.x.first());
+        }
+
+        private static float[] layer(
+                Fields fields, int layer, TermsLayout layout, GridResampler resampler, Order order) {
+            int stride = CHANNELS * layout.together();
+            float[] texels = new float[stride * resampler.size()];
+            int first = stride * layer;
+            double[][] values = fields.values.apply(first, Math.min(fields.count, first + stride));
+            resampler.resample(values, texels, stride, order);
+            return texels;
+        }
+    }
+
+    /**
+     * Layout of a spectrum's terms in a texture. The texels of one sample lie side by side in a row, {@code together} in a layer, so that a
+     * pixel's reads are adjacent; others, beyond the limits of a row and of Java's heap, are in further layers.
+     */
+    record TermsLayout(int texels, int together, ArrayLayout array) {
+        // Limit of a layer, which is computed in the heap at a time.
+        private static final long LARGEST_LAYER_BYTES = 1L << 28;
+
+        static TermsLayout of(String sampler, int samples, int rows, int texels, int grids) {
+            long bytes = (long) Float.BYTES * CHANNELS * samples * rows;
+            long most = Math.min(MemoryNeed.LONGEST_SIDE / samples, LARGEST_LAYER_BYTES / bytes);
+            int together = (int) Math.max(1, Math.min(texels, most));
+            int layers = (texels + together - 1) / together;
+            return new TermsLayout(
+                    texels, together, ArrayLayout.layered(sampler, samples * together, rows, grids * layers, CHANNELS));
+        }
+
+        int layersPerGrid() {
+            return (texels + together - 1) / together;
+        }
+
+        int samples() {
+            return array.width() / together;
+        }
     }
 }

@@ -14,6 +14,7 @@ import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.setting.Setting.Sentence;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.shader.ArrayLayout;

@@ -1,7 +1,6 @@
 package sunbeam.precompute.shader;
 
 import com.fasterxml.jackson.core.JacksonException;
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.DataOutputStream;
@@ -44,6 +43,7 @@ public final class ShaderTablesFile {
     // Longer than any method's header.
     private static final int LONGEST_HEADER = 1 << 20;
     private static final int ALIGNMENT = 16;
+    private static final String BROKEN_HEADER = "its header cannot be read";
     private static final JsonMapper JSON = JsonMapper.builder()
             .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
@@ -51,40 +51,26 @@ public final class ShaderTablesFile {
 
     private ShaderTablesFile() {}
 
-    private record Header(String key, TableLabel label, ShaderTables tables, List<ArrayLayout> layouts) {
-        /** Throws ArithmeticException if all arrays overflow a long, or one layer an int, which limits a mapping to memory. */
-        long arrayBytes() {
-            long bytes = 0;
-            for (ArrayLayout layout : layouts) {
-                long layer = Math.multiplyExact(Float.BYTES, layout.floatsPerLayer());
-                bytes = Math.addExact(bytes, Math.multiplyExact(layer, layout.layers()));
-            }
-            return bytes;
-        }
-    }
+    private record Header(String key, TableLabel label, ShaderTables tables, List<ArrayLayout> layouts) {}
 
-    static byte[] header(String key, TableLabel label, ShaderTables tables) {
+    static byte[] header(String key, TableLabel label, ShaderTables tables) throws IOException {
         List<ArrayLayout> layouts =
                 tables.arrays().stream().map(TableArray::layout).toList();
-        try {
-            byte[] json = JSON.writeValueAsBytes(new Header(key, label, tables.with(List.of()), layouts));
-            // Blanks align the floats.
-            byte[] bytes = Arrays.copyOf(json, (json.length + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
-            Arrays.fill(bytes, json.length, bytes.length, (byte) ' ');
-            return bytes;
-        } catch (JsonProcessingException e) {
-            throw new UncheckedIOException(e);
-        }
+        byte[] json = JSON.writeValueAsBytes(new Header(key, label, tables.with(List.of()), layouts));
+        // Blanks align the floats.
+        byte[] bytes = Arrays.copyOf(json, (json.length + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+        Arrays.fill(bytes, json.length, bytes.length, (byte) ' ');
+        return bytes;
     }
 
     /** Writes tables, layer by layer, to a new file of a temporary name, which the caller renames; the label is for lists. */
     public static void write(Path file, String key, TableLabel label, ShaderTables tables) {
-        byte[] header = header(key, label, tables);
         byte[] block = new byte[BLOCK];
         FloatBuffer floats =
                 ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer();
         try (CheckedOutputStream checked = new CheckedOutputStream(Files.newOutputStream(file), new CRC32C());
                 DataOutputStream stream = new DataOutputStream(checked)) {
+            byte[] header = header(key, label, tables);
             ByteBuffer start = ByteBuffer.allocate(PREFIX + header.length);
             stream.write(start.putLong(MAGIC)
                     .putInt(VERSION)
@@ -134,21 +120,15 @@ public final class ShaderTablesFile {
 
     private static int headerBytes(FileChannel channel) throws IOException {
         long size = channel.size();
-        if (size < PREFIX + Long.BYTES) {
-            throw new InputException("truncated: " + size + " bytes are no tables");
-        }
+        InputException.refuseIf(size < PREFIX + Long.BYTES, "truncated: " + size + " bytes are no tables");
         ByteBuffer prefix = map(channel, 0, PREFIX);
-        if (prefix.getLong() != MAGIC) {
-            throw new InputException("not tables of Sunbeam's");
-        }
+        InputException.refuseIf(prefix.getLong() != MAGIC, "not tables of Sunbeam's");
         int version = prefix.getInt();
-        if (version != VERSION) {
-            throw new InputException("tables of version " + version + ", this Sunbeam reads version " + VERSION);
-        }
+        InputException.refuseIf(
+                version != VERSION, "tables of version " + version + ", this Sunbeam reads version " + VERSION);
         int headerBytes = prefix.getInt();
-        if (headerBytes <= 0 || headerBytes > LONGEST_HEADER || headerBytes > size - PREFIX - Long.BYTES) {
-            throw new InputException("its header cannot be read");
-        }
+        long most = Math.min(LONGEST_HEADER, size - PREFIX - Long.BYTES);
+        InputException.refuseIf(headerBytes <= 0 || headerBytes > most, BROKEN_HEADER);
         return headerBytes;
     }
 
@@ -156,9 +136,7 @@ public final class ShaderTablesFile {
         int headerBytes = headerBytes(channel);
         Header header = header(channel, headerBytes);
         requireSize(channel.size(), header, headerBytes);
-        if (!header.key().equals(key)) {
-            throw new InputException("tables of another surface or plan");
-        }
+        InputException.refuseIf(!header.key().equals(key), "tables of another surface or plan");
         CRC32C checksum = new CRC32C();
         checksum.update(map(channel, 0, PREFIX + headerBytes));
         List<TableArray> arrays = new ArrayList<>();
@@ -173,9 +151,9 @@ public final class ShaderTablesFile {
             }
             arrays.add(new TableArray(layout, layer -> layers.get(layer).duplicate()));
         }
-        if (map(channel, position, Long.BYTES).getLong() != checksum.getValue()) {
-            throw new InputException("its checksum does not fit: the file was altered or damaged");
-        }
+        InputException.refuseIf(
+                map(channel, position, Long.BYTES).getLong() != checksum.getValue(),
+                "its checksum does not fit: the file was altered or damaged");
         return header.tables().with(arrays);
     }
 
@@ -185,7 +163,7 @@ public final class ShaderTablesFile {
         try {
             return JSON.readValue(bytes, Header.class);
         } catch (JacksonException e) {
-            throw new InputException("its header cannot be read");
+            throw new InputException(BROKEN_HEADER);
         }
     }
 
@@ -193,19 +171,18 @@ public final class ShaderTablesFile {
         return channel.map(FileChannel.MapMode.READ_ONLY, position, bytes);
     }
 
-    /** Called before memory is allocated. */
+    /** Called before memory is allocated. One layer must not overflow an int, which limits a mapping to memory. */
     private static void requireSize(long size, Header header, int headerBytes) {
-        long expected;
+        long expected = (long) PREFIX + headerBytes + Long.BYTES;
         try {
-            expected = Math.addExact(PREFIX + headerBytes + Long.BYTES, header.arrayBytes());
-        } catch (ArithmeticException e) {
-            throw new InputException("its header cannot be read");
+            for (ArrayLayout layout : header.layouts()) {
+                long layer = Math.multiplyExact(Float.BYTES, layout.floatsPerLayer());
+                expected = Math.addExact(expected, Math.multiplyExact(layer, layout.layers()));
+            }
+        } catch (ArithmeticException overflow) {
+            throw new InputException(BROKEN_HEADER);
         }
-        if (size != expected) {
-            throw new InputException(
-                    size < expected
-                            ? "truncated: " + size + " bytes left of " + expected
-                            : "too long: " + size + " bytes instead of " + expected);
-        }
+        InputException.refuseIf(size < expected, "truncated: " + size + " bytes left of " + expected);
+        InputException.refuseIf(size > expected, "too long: " + size + " bytes instead of " + expected);
     }
 }

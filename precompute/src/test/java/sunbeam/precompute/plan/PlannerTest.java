@@ -24,6 +24,8 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.plan.Sampling.BinSampling;
+import sunbeam.precompute.plan.Sampling.OrderSampling;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Choices.Origin;
 import sunbeam.precompute.setting.SettingException;
