@@ -117,7 +117,7 @@ vec3 bandXyz(Ray ray, Steps steps) {
     return sum.power * cieWhite / sum.one;
 }
 
-// Integral over the band of power that need not vanish at the band's ends (BandRule of sunbeam.precompute.plan.OrderSampling):
+// Integral over the band of power that need not vanish at the band's ends (BandRule of sunbeam.precompute.plan.Sampling):
 // bandFewestNodes equal steps up to |(u, v)| = bandReach, panels beyond. bandPanel limits a panel's length along the ray, in cycles per
 // meter; bandLargestPanel limits its size in 1 / lambda, in 1 / meter.
 uniform int bandFewestNodes;

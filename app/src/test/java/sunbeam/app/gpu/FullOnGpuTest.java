@@ -24,6 +24,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.Roughness;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -134,7 +135,9 @@ class FullOnGpuTest extends InAContext {
         Comparison(double coherenceLength) {
             CoherenceWindow window = CoherenceWindow.ofCoherenceLength(coherenceLength);
             this.full = new FullMethod(
-                    TableChoices.within(TOLERANCE), new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT));
+                    TableChoices.within(TOLERANCE),
+                    new GaussianArea(window, WindowOrigin.CENTRE, Average.COHERENT),
+                    FresnelFactor.ONCE);
             this.reference = new ReferenceEvaluator(ROUGH, window, WindowOrigin.CENTRE);
         }
 

@@ -1,5 +1,6 @@
 package sunbeam.precompute.errors;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import sunbeam.precompute.color.CieLab;
@@ -19,11 +20,7 @@ public record Comparison(double[] computed, double[] exact, double gain) {
     }
 
     public static double largest(double[] values) {
-        double result = values[0];
-        for (double value : values) {
-            result = Math.max(result, value);
-        }
-        return result;
+        return Arrays.stream(values).max().orElseThrow();
     }
 
     /** True if X, Y, Z of power are bright enough to be compared. */

@@ -2,6 +2,9 @@ package sunbeam.precompute.evaluation;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.util.MathArrays;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 
@@ -12,12 +15,9 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
         double[] gains = Arrays.stream(grid.angles())
                 .map(angle -> Gain.relativeRadiance(grid.plane().pair(angle)))
                 .toArray();
-        double[][] radiance = new double[values.length][gains.length];
-        for (int row = 0; row < radiance.length; row++) {
-            for (int column = 0; column < gains.length; column++) {
-                radiance[row][column] = gains[column] * values[row][column];
-            }
-        }
+        double[][] radiance = Arrays.stream(values)
+                .map(row -> MathArrays.ebeMultiply(gains, row))
+                .toArray(double[][]::new);
         return new ResponseMatrix(grid, radiance);
     }
 
@@ -54,11 +54,9 @@ public record ResponseMatrix(ResponseGrid grid, double[][] values) {
 
         /** Returns the largest step of u / lambda between neighboring angles, at the shortest wavelength, in cycles per meter. */
         public double coarsestStep() {
-            double coarsest = 0;
-            for (int i = 1; i < angles.length; i++) {
-                coarsest = Math.max(coarsest, Math.abs(plane.u(angles[i]) - plane.u(angles[i - 1])));
-            }
-            return coarsest / wavelengths[0];
+            DoubleStream steps = IntStream.range(1, angles.length)
+                    .mapToDouble(i -> Math.abs(plane.u(angles[i]) - plane.u(angles[i - 1])));
+            return steps.max().orElse(0) / wavelengths[0];
         }
     }
 }

@@ -9,7 +9,12 @@ public record OwnFolder(Path owner, String kind) {
 
     /** Resolves a name; the file need not exist. Throws IllegalArgumentException if it is invalid or leads out. */
     public Path file(String name) {
-        Path relative = parsed(name);
+        Path relative;
+        try {
+            relative = Path.of(name);
+        } catch (InvalidPathException broken) {
+            throw new IllegalArgumentException("is no file name (" + broken.getReason() + "); mend it", broken);
+        }
         boolean leaves = relative.isAbsolute() || relative.getRoot() != null;
         for (Path part : relative) {
             leaves |= part.toString().equals("..");
@@ -32,14 +37,6 @@ public record OwnFolder(Path owner, String kind) {
         } catch (IOException failure) {
             throw new IllegalArgumentException(
                     "cannot be followed (" + failure.getMessage() + "); check the file", failure);
-        }
-    }
-
-    private static Path parsed(String name) {
-        try {
-            return Path.of(name);
-        } catch (InvalidPathException broken) {
-            throw new IllegalArgumentException("is no file name (" + broken.getReason() + "); mend it", broken);
         }
     }
 }

@@ -25,10 +25,6 @@ public record FullMethod(TableChoices table, GaussianArea area, FresnelFactor fr
     public static final MethodType TYPE =
             new MethodType("full", "all wavelengths, Gaussian coherence window.", SETTINGS, FullMethod::of);
 
-    public FullMethod(TableChoices table, GaussianArea area) {
-        this(table, area, FresnelFactor.ONCE);
-    }
-
     public static FullMethod of(Choices choices) {
         return new FullMethod(new TableChoices(choices), GaussianArea.of(choices), FresnelFactor.of(choices));
     }

@@ -20,14 +20,12 @@ import sunbeam.precompute.spectrum.PowerSpectrum;
 public final class LevelBakers {
     private final ColorTablePlan plan;
     private final TableSources sources;
-    private final CieTable cie;
     private final Lazy<PowerSpectrum> spectrum;
     private final Lazy<GaussianPyramid> pyramid;
 
     public LevelBakers(ColorTablePlan plan, TableSources sources) {
         this.plan = plan;
         this.sources = sources;
-        this.cie = plan.surface().cie();
         this.spectrum = new Lazy<>(() -> {
             SpectrumPlan bins = plan.spectrum().orElseThrow();
             return PowerSpectrum.of(sources.fourier(bins), new ErrorBudget(plan.tolerance()).powerBasis());
@@ -60,6 +58,7 @@ public final class LevelBakers {
         if (plan.spectrum().isEmpty()) {
             return sources.baker(sources.tables(plan.source(level)));
         }
+        CieTable cie = plan.surface().cie();
         return table().slopeDeviation() > 0
                 ? new SlopeBaker(spectrum.get(), cie, pyramid.get(), table(), level)
                 : new RadialBaker(spectrum.get(), cie, table().levels().get(level));
@@ -71,7 +70,13 @@ public final class LevelBakers {
             return level(0);
         }
         ColorTable.Level finest = table().levels().get(0);
-        return new RadialBaker(spectrum.get(), cie, table().area(), finest.design(), TableSpace.AllLights.REACH, true);
+        return new RadialBaker(
+                spectrum.get(),
+                plan.surface().cie(),
+                table().area(),
+                finest.design(),
+                TableSpace.AllLights.REACH,
+                true);
     }
 
     /** Value computed once, without a lock, by the first thread that needs it. After a failure the next call tries again. */

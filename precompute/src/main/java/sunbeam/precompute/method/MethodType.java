@@ -1,7 +1,6 @@
 package sunbeam.precompute.method;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
@@ -12,20 +11,12 @@ import sunbeam.precompute.setting.Setting;
  */
 public record MethodType(
         String label, String help, List<Setting<?>> settings, Choices fixed, Function<Choices, Method> creation) {
-    public MethodType {
-        settings = List.copyOf(settings);
-    }
-
     MethodType(String label, String help, List<Setting<?>> settings, Function<Choices, Method> creation) {
         this(label, help, settings, Choices.none(), creation);
     }
 
     public boolean has(Setting<?> setting) {
         return settings.contains(setting);
-    }
-
-    Optional<String> fixed(Setting<?> setting) {
-        return fixed.has(setting) ? Optional.of(fixed.written(setting)) : Optional.empty();
     }
 
     /** Creates the method; throws SettingException for contradictory choices, and ignores settings of other types. */

@@ -3,7 +3,6 @@ package sunbeam.precompute.method;
 import static sunbeam.precompute.plan.MethodSettings.TOLERANCE;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.MethodSettings.Preset;
@@ -68,7 +67,7 @@ public final class Methods {
     }
 
     private static void checkFixed(MethodType type, Setting<?> setting, Choices choices) {
-        Optional<String> fixed = type.fixed(setting);
+        String fixed = type.fixed().written(setting);
         if (fixed.isEmpty()) {
             throw choices.complaint(
                     setting,
@@ -78,12 +77,12 @@ public final class Methods {
                     METHOD,
                     " " + labels(setting).get(0));
         }
-        if (!fixed.get().equals(choices.written(setting))) {
+        if (!fixed.equals(choices.written(setting))) {
             throw choices.complaint(
                     setting,
                     "is not for ",
                     METHOD,
-                    Text.format(" %s, which has %s only; leave it out or use ", type.label(), fixed.get()),
+                    Text.format(" %s, which has %s only; leave it out or use ", type.label(), fixed),
                     METHOD,
                     " " + owners(setting));
         }

@@ -18,16 +18,12 @@ public record Surface(HeightLevels levels, String name, String digest, CieTable 
     }
 
     public static Surface of(Patch patch) {
-        return of(patch, patch.digest());
+        return new Surface(patch.heights(), patch.name(), patch.digest(), CieTable.load());
     }
 
     /** Returns the surface of a patch for plans only: without the slow digest of all heights. */
     public static Surface withoutIdentity(Patch patch) {
-        return of(patch, "");
-    }
-
-    private static Surface of(Patch patch, String digest) {
-        return new Surface(patch.heights(), patch.name(), digest, CieTable.load());
+        return new Surface(patch.heights(), patch.name(), "", CieTable.load());
     }
 
     public HeightMap map() {

@@ -26,7 +26,6 @@ import sunbeam.precompute.plan.Planner;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
-import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -42,14 +41,10 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
             "table",
             "colors of full, tabulated in advance: fastest if many pixels share a table; full is faster for a small map or a short list.",
             List.of(TOLERANCE, WINDOW_ORIGIN, COHERENCE_LENGTH, AVERAGE),
-            TableMethod::of);
+            choices -> new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices)));
 
     public TableMethod {
         TOLERANCE.kind().check(tolerance);
-    }
-
-    private static TableMethod of(Choices choices) {
-        return new TableMethod(choices.get(TOLERANCE), GaussianArea.of(choices));
     }
 
     @Override
@@ -108,17 +103,13 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                     surface, method, points, coarsest, FullMethod.planned(surface, source, FresnelFactor.ONCE));
         }
 
-        private boolean isOneLight() {
-            return points.light().isPresent();
-        }
-
         MethodPlan plan() {
             MemoryNeed memory = points.memory(coarsest);
             return new MethodPlan(
                     Text.format(
                             "table to %s %%: %s, step at most %.2g in (u, v), %.0f MB or more; made of %s",
                             SpectrumPlan.percent(method.tolerance()),
-                            isOneLight() ? "one light" : coarsest.slices() + " slices in w",
+                            points.light().isPresent() ? "one light" : coarsest.slices() + " slices in w",
                             coarsest.step(),
                             memory.textureBytes() * 1e-6,
                             source.summary()),
@@ -140,7 +131,7 @@ public record TableMethod(double tolerance, GaussianArea area) implements Method
                             + " the tolerance (docs/color-tables.md)",
                     coarsest.step()));
             reasons.add(
-                    isOneLight()
+                    points.light().isPresent()
                             ? "one slice: w follows from u and v under one light"
                             : Text.format("%d slices in w, interpolated by cubic polynomials", coarsest.slices()));
             reasons.add("evaluated by full for half of the tolerance:");

@@ -10,13 +10,9 @@ public enum Average {
     ENSEMBLE;
 
     public void defineIn(ShaderTables.Builder tables) {
-        for (int i = 0; i < values().length; i++) {
-            tables.define(values()[i].constant(), i);
+        for (Average average : values()) {
+            tables.define("AVERAGE_" + average, average.ordinal());
         }
-        tables.define("AVERAGE", constant());
-    }
-
-    private String constant() {
-        return "AVERAGE_" + name();
+        tables.define("AVERAGE", "AVERAGE_" + this);
     }
 }

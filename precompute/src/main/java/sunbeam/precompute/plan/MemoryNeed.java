@@ -25,10 +25,6 @@ public record MemoryNeed(long heapBytes, List<ArrayLayout> textures) {
     private static final long TERM_BYTES = 2 * Float.BYTES;
     private static final long COMPLEX_BYTES = 2 * Double.BYTES;
 
-    public MemoryNeed {
-        textures = List.copyOf(textures);
-    }
-
     static MemoryNeed of(SpectrumPlan plan, MethodUse use, int rows) {
         Band bandX = plan.bandX();
         Band bandY = plan.bandY();

@@ -81,19 +81,16 @@ public record SpectrumPlan(
     }
 
     public String summary() {
-        return Text.format(
-                "%s, coherence length %s, %s average, %s",
-                promise(),
-                Lengths.format(window().coherenceLength()),
-                ValueKind.name(area.average()),
-                sampling.summary(range));
-    }
-
-    private String promise() {
-        return tolerance
+        String promise = tolerance
                 .map(error -> Text.format(
                         "colors planned to %s %% (95 %% of directions to %s %%)", percent(error), percent(3 * error)))
                 .orElse("as in the thesis");
+        return Text.format(
+                "%s, coherence length %s, %s average, %s",
+                promise,
+                Lengths.format(window().coherenceLength()),
+                ValueKind.name(area.average()),
+                sampling.summary(range));
     }
 
     public static String percent(double share) {

@@ -22,10 +22,6 @@ public record VisibleRange(
         double maximumW,
         Optional<Direction> light,
         List<DirectionPair> pairs) {
-    public VisibleRange {
-        pairs = List.copyOf(pairs);
-    }
-
     public VisibleRange(
             double minimumU, double maximumU, double minimumV, double maximumV, double minimumW, double maximumW) {
         this(minimumU, maximumU, minimumV, maximumV, minimumW, maximumW, Optional.empty(), List.of());

@@ -1,6 +1,5 @@
 package sunbeam.precompute.setting;
 
-import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -19,13 +18,9 @@ import sunbeam.precompute.setting.Choices.Origin;
  * @param <T> type of values
  */
 public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence help, Optional<T> standard) {
-    private static final Pattern KEY = Pattern.compile("[a-z]+([A-Z][a-z]*)*");
     private static final Pattern CAPITAL = Pattern.compile("([A-Z])");
 
     public Setting {
-        if (!KEY.matcher(key).matches() || !KEY.matcher(fileKey).matches()) {
-            throw new IllegalArgumentException("key " + key + " or " + fileKey + " is not written likeThis");
-        }
         standard = standard.map(kind::check);
     }
 
@@ -77,17 +72,8 @@ public record Setting<T>(String key, String fileKey, ValueKind<T> kind, Sentence
 
     /** Message of texts and {@link Setting}s, whose names depend on the source where they were chosen. */
     public record Sentence(List<Object> parts) {
-        public Sentence {
-            parts = List.copyOf(parts);
-            for (Object part : parts) {
-                if (!(part instanceof String || part instanceof Setting<?>)) {
-                    throw new IllegalArgumentException(part + " is neither a text nor a setting");
-                }
-            }
-        }
-
         public static Sentence of(Object... parts) {
-            return new Sentence(Arrays.asList(parts));
+            return new Sentence(List.of(parts));
         }
 
         public String in(Origin origin) {

@@ -1,7 +1,6 @@
 package sunbeam.precompute.shader;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -29,13 +28,6 @@ public record ShaderTables(
         double windowSigma,
         double specularReach,
         String trial) {
-    public ShaderTables {
-        defines = Collections.unmodifiableMap(new TreeMap<>(defines));
-        reals = Collections.unmodifiableMap(new TreeMap<>(reals));
-        integers = Collections.unmodifiableMap(new TreeMap<>(integers));
-        arrays = List.copyOf(arrays);
-    }
-
     public long bytes() {
         return arrays.stream().mapToLong(array -> array.layout().bytes()).sum();
     }

@@ -22,6 +22,7 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.ErrorBudget;
 import sunbeam.precompute.plan.GaussianArea;
+import sunbeam.precompute.plan.MethodSettings.FresnelFactor;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
@@ -43,7 +44,8 @@ class MethodOptionsTest {
     @Test
     void fullWithinTheStandardToleranceNeedsNoOption() {
         assertThat(method(""))
-                .isEqualTo(new FullMethod(TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD));
+                .isEqualTo(new FullMethod(
+                        TableChoices.within(ErrorBudget.STANDARD), GaussianArea.STANDARD, FresnelFactor.ONCE));
         assertThat(method("--preset thesis")).isEqualTo(FullMethod.thesis());
         assertThat(method("--method FULL --expansion Taylor")).isEqualTo(method("--expansion taylor"));
     }
@@ -169,7 +171,7 @@ class MethodOptionsTest {
         double[] heights = new double[32 * 32];
         Arrays.setAll(heights, i -> i % 32 < 16 ? 0 : 100e-9);
         HeightMap map = new HeightMap(32, 32, 100e-9, 100e-9, heights);
-        return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD)
+        return new FullMethod(TableChoices.within(tolerance), GaussianArea.STANDARD, FresnelFactor.ONCE)
                 .plan(Surface.of(new Patch("lines", map, "made up", List.of())), VisibleRange.all());
     }
 
