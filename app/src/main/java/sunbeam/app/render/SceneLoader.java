@@ -12,9 +12,8 @@ import java.util.function.Supplier;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.cache.BlobCache;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.render.SceneData.ReflectanceComponent;
 import sunbeam.app.scene.PatchAtlas;
 import sunbeam.app.scene.Scene;
@@ -239,8 +238,8 @@ public final class SceneLoader {
         Optional<ColorTablePlan> levels = planned.colorTable().map(plan -> plan.onRelief(scene.slopeDeviation()));
         MethodPlan method = levels.map(ColorTablePlan::plan).orElse(planned);
         ShaderTables made = levels.isPresent()
-                ? setup.freshTables(method, MethodUse.COLOR, GpuBaker::of)
-                : setup.tables(method, MethodUse.COLOR, GpuBaker::of, progressOfTables);
+                ? setup.freshTables(method, MethodUse.COLOR)
+                : setup.tables(method, MethodUse.COLOR, progressOfTables);
         ShaderTables tables = scene.effectiveEnergy()
                 .divisor(
                         patch.heights(),
@@ -249,7 +248,7 @@ public final class SceneLoader {
                 .map(divisor -> divisor.applyTo(made, setup.cie()))
                 .orElse(made);
         Optional<LevelBakers> bakers = levels.map(plan ->
-                new LevelBakers(plan, setup.sources(GpuBaker::of, line -> warning.accept(patch.name() + ": " + line))));
+                new LevelBakers(plan, setup.sources(line -> warning.accept(patch.name() + ": " + line))));
         return new SceneData(scene, shape.get(), region, patch, method, tables, bakers, part);
     }
 

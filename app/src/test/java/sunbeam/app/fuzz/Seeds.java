@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.files.cache.TileFile;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -87,7 +88,8 @@ final class Seeds {
     }
 
     static CachedTiles pages(Path file) {
-        return TileFile.of(file, KEY, NumberFormat.HALF, TableLabel.NONE, 1 << 20, warning -> {}, () -> {});
+        CacheFolder folder = new CacheFolder(file.getParent(), "");
+        return TileFile.of(folder, file, KEY, NumberFormat.HALF, TableLabel.NONE, warning -> {});
     }
 
     static byte[] pages() throws IOException {

@@ -11,12 +11,11 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.measure.errors.DirectionSampler;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.precompute.errors.Comparison;
@@ -88,7 +87,7 @@ record Meter(RenderContext context, int size, Direction light) {
     Measurement measure(DiffractionSetup setup, String name, Method method, Optional<ExactViews> exact) {
         long start = System.nanoTime();
         MethodPlan plan = method.plan(setup.surface().withStatistics(Roughness.Cache.NONE), VisibleRange.of(light));
-        ShaderTables tables = setup.freshTables(plan, ShaderTables.MethodUse.COLOR, GpuBaker::of);
+        ShaderTables tables = setup.freshTables(plan, ShaderTables.MethodUse.COLOR);
         try (UploadedTables drawn = UploadedTables.upload(context, tables)) {
             context.finish();
             double making = (System.nanoTime() - start) * 1e-9;

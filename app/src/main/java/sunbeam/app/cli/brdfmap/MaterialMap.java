@@ -13,11 +13,10 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import org.joml.Vector3f;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.BrdfMapRenderer.DiscDirections;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.scene.Energy;
@@ -164,7 +163,7 @@ final class MaterialMap {
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
             String label = "BRDF map" + (parts.size() > 1 ? " " + (i + 1) + " of " + parts.size() : "");
-            ShaderTables made = setup.tables(part.plan, ShaderTables.MethodUse.COLOR, GpuBaker::of);
+            ShaderTables made = setup.tables(part.plan, ShaderTables.MethodUse.COLOR);
             trials.add(made.trial());
             try (UploadedTables tables = UploadedTables.upload(context, made);
                     BrdfMapRenderer renderer = new BrdfMapRenderer(context, tables, size, turn);

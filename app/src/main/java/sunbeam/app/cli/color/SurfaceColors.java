@@ -10,11 +10,10 @@ import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.cli.options.LightOptions;
 import sunbeam.app.cli.options.Range;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.ProgressDisplay.Progress;
 import sunbeam.app.terminal.UsageException;
@@ -160,7 +159,7 @@ final class SurfaceColors {
     private List<float[]> evaluate(RenderContext context, MethodPlan plan, MethodUse use, List<Query> queries) {
         // Progress of several surfaces appears on one line of the terminal, so it names the surface.
         String label = (use == MethodUse.SPECTRAL ? "Spectrum of " : "Colors of ") + patch().name();
-        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
+        try (UploadedTables tables = UploadedTables.upload(context, setup.tables(plan, use));
                 DirectionsRenderer renderer = new DirectionsRenderer(context, tables, use == MethodUse.SPECTRAL);
                 Progress progress = setup.progress().start(label, queries.size())) {
             return renderer.evaluate(queries, progress::step);

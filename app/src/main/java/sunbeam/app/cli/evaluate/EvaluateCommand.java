@@ -19,11 +19,10 @@ import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
@@ -204,7 +203,7 @@ public final class EvaluateCommand extends FileCommand {
 
     /** Evaluates by the shader that also draws BRDF maps, with a fragment for each direction and wavelength. */
     private static ResponseMatrix byShader(DiffractionSetup setup, MethodPlan plan, ResponseGrid grid) {
-        ShaderTables tables = setup.tables(plan, ShaderTables.MethodUse.SPECTRAL, GpuBaker::of);
+        ShaderTables tables = setup.tables(plan, ShaderTables.MethodUse.SPECTRAL);
         double[] wavelengths = grid.wavelengths();
         double[][] power = new double[wavelengths.length][];
         try (RenderContext context = RenderContext.offscreen();

@@ -22,13 +22,12 @@ import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.cli.options.SettingOptions;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
 import sunbeam.app.files.output.Ending;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
@@ -136,7 +135,7 @@ public final class ReflectanceCommand extends FileCommand {
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
         methodOptions.print(plan, err);
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
-        ShaderTables tables = setup.tables(plan, use, GpuBaker::of);
+        ShaderTables tables = setup.tables(plan, use);
         methodOptions.printTrial(tables.trial(), err);
         List<double[]> results = evaluator.evaluate(tables);
         Optional<Certificate> certificate = certify.count()

@@ -59,7 +59,7 @@ public record BlobCache(Optional<String> build, CacheFolder folder, Consumer<Str
             return maker.get();
         }
         String hash = Sha256.of(name + "|" + build.get());
-        Path file = opened.get().resolve(CacheFolder.Entry.name(hash));
+        Path file = opened.get().resolve(CacheFolder.name(hash, CacheFolder.Entry.BYTES));
         byte[] head = TileFile.head(FORMAT, new TableLabel("", name), hash);
         return folder.read(file, path -> read(path, head, most), warning).orElseGet(() -> {
             byte[] bytes = maker.get();

@@ -27,6 +27,7 @@ import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.files.InputException;
+import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.shader.ShaderTablesFile;
 import sunbeam.precompute.shader.TableLabel;
 
@@ -39,26 +40,9 @@ import sunbeam.precompute.shader.TableLabel;
 public record CacheFolder(Path path, String allowed) {
     /** File of the cache with its length, and time of the last use or of the write. */
     public record Entry(Path file, long bytes, Instant lastUsed) {
-        static final String SHADER = "tables";
-        static final String TILES = "tiles";
+        public static final String SHADER = "tables";
+        public static final String TILES = "tiles";
         static final String BYTES = "bytes";
-
-        // Hexadecimal digits in a file's name.
-        private static final int SURFACE_DIGITS = 12;
-        private static final int KEY_DIGITS = 32;
-
-        static String name(String surfaceDigest, String keyHash, String ending) {
-            return surfaceDigest.substring(0, SURFACE_DIGITS) + "-" + keyHash.substring(0, KEY_DIGITS) + "." + ending;
-        }
-
-        static String name(String keyHash) {
-            return keyHash.substring(0, KEY_DIGITS) + "." + BYTES;
-        }
-
-        boolean isTilesOf(String surfaceDigest) {
-            String name = file.getFileName().toString();
-            return name.startsWith(surfaceDigest.substring(0, SURFACE_DIGITS)) && name.endsWith("." + TILES);
-        }
 
         static boolean isOne(Path file) {
             return List.of(SHADER, TILES, BYTES).contains(ending(file));
@@ -80,6 +64,10 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     public static final long STANDARD_LIMIT = 2_000_000_000;
+
+    // Hexadecimal digits in a file's name.
+    private static final int SURFACE_DIGITS = 12;
+    private static final int KEY_DIGITS = 32;
 
     private static final String NAME = "sunbeam";
     private static final String LIMIT = "SUNBEAM_CACHE_LIMIT";
@@ -109,6 +97,26 @@ public record CacheFolder(Path path, String allowed) {
                     + failure.getMessage() + "); set XDG_CACHE_HOME to a folder that takes files");
             return Optional.empty();
         }
+    }
+
+    /** Returns the file of a surface's tables or tiles by their key; empty, with a warning, if the folder takes no files. */
+    public Optional<Path> file(String surfaceDigest, String key, String ending, Consumer<String> warning) {
+        return open(warning).map(path -> path.resolve(surface(surfaceDigest) + name(Sha256.of(key), ending)));
+    }
+
+    private static String surface(String digest) {
+        return digest.substring(0, SURFACE_DIGITS) + "-";
+    }
+
+    static String name(String keyHash, String ending) {
+        return keyHash.substring(0, KEY_DIGITS) + "." + ending;
+    }
+
+    /** True if there are tiles of a surface, in any light. */
+    public boolean hasTiles(String surfaceDigest) {
+        return entries().stream()
+                .map(entry -> entry.file().getFileName().toString())
+                .anyMatch(name -> name.startsWith(surface(surfaceDigest)) && name.endsWith("." + Entry.TILES));
     }
 
     /** Mode 700, as the XDG specification demands. */
@@ -170,7 +178,7 @@ public record CacheFolder(Path path, String allowed) {
     /**
      * Reads a file; empty if it is missing or no regular file, or with one line of warning if the reader throws an {@link InputException}.
      */
-    <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
+    public <T> Optional<T> read(Path file, Function<Path, T> reader, Consumer<String> warning) {
         if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
             return Optional.empty();
         }
@@ -187,7 +195,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /** Writes a file, or warns in one line; then deletes others until the folder is within its limit. */
-    void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
+    public void save(Path file, Consumer<Path> writer, Consumer<String> warning) {
         try {
             AtomicFile.writeFile(file, Overwrite.REPLACE, path -> {
                 makeOwnersOnly(path);
@@ -221,7 +229,7 @@ public record CacheFolder(Path path, String allowed) {
     }
 
     /** A quarter of the folder's limit: one surface must not displace all others. */
-    long largest() {
+    public long largest() {
         return limit() / 4;
     }
 

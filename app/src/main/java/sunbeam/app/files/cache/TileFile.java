@@ -42,37 +42,37 @@ public final class TileFile implements CachedTiles {
     static final String FORMAT = "Sunbeam records 1";
     private static final int HEAD_BYTES = 2 * Long.BYTES;
 
+    private final CacheFolder folder;
+    private final Path file;
     private final FileChannel channel;
     private final byte[] key;
     private final int recordBytes;
     private final long start;
-    private final long mostBytes;
     private final Consumer<String> warning;
-    private final Runnable closed;
     private final Map<Long, Long> records = new HashMap<>();
     private final boolean locked;
     private boolean writable;
     private boolean warned;
 
     private TileFile(
+            CacheFolder folder,
+            Path file,
             FileChannel channel,
             String key,
             NumberFormat numbers,
             TableLabel label,
-            long mostBytes,
-            Consumer<String> warning,
-            Runnable closed)
+            Consumer<String> warning)
             throws IOException {
         String all = key + numbers + ByteOrder.nativeOrder();
         int contentBytes = numbers.bytes() * LevelBaking.TILE_NUMBERS;
         byte[] head = head(FORMAT, label, Sha256.of(all + "|" + contentBytes));
+        this.folder = folder;
+        this.file = file;
         this.channel = channel;
         this.key = all.getBytes(StandardCharsets.UTF_8);
         this.recordBytes = HEAD_BYTES + contentBytes;
         this.start = head.length;
-        this.mostBytes = mostBytes;
         this.warning = warning;
-        this.closed = closed;
         this.locked = lock(channel);
         this.writable = locked;
         ByteBuffer found = ByteBuffer.allocate(head.length);
@@ -92,15 +92,14 @@ public final class TileFile implements CachedTiles {
         }
     }
 
-    /** Opens or creates a file; without one, no tile is cached. */
+    /** Opens or creates a file of the folder, which counts as used; if that fails, no tile is cached. */
     public static CachedTiles of(
+            CacheFolder folder,
             Path file,
             String key,
             NumberFormat numbers,
             TableLabel label,
-            long mostBytes,
-            Consumer<String> warning,
-            Runnable closed) {
+            Consumer<String> warning) {
         FileChannel channel = null;
         try {
             channel = FileChannel.open(
@@ -111,7 +110,10 @@ public final class TileFile implements CachedTiles {
                     // A link may point to any file.
                     LinkOption.NOFOLLOW_LINKS);
             CacheFolder.makeOwnersOnly(file);
-            return new TileFile(channel, key, numbers, label, mostBytes, warning, closed);
+            CachedTiles tiles = new TileFile(folder, file, channel, key, numbers, label, warning);
+            folder.used(file);
+            folder.shrink(folder.limit(), Optional.of(file));
+            return tiles;
         } catch (IOException failure) {
             close(channel);
             return NONE;
@@ -258,7 +260,7 @@ public final class TileFile implements CachedTiles {
 
     private void append(long number, byte[] content) throws IOException {
         long at = start + (channel.size() - start) / recordBytes * recordBytes;
-        writable = at + recordBytes <= mostBytes;
+        writable = at + recordBytes <= folder.largest();
         if (writable) {
             ByteBuffer record = ByteBuffer.allocate(recordBytes);
             record.putLong(number).putLong(checksum(number, content)).put(content);
@@ -287,6 +289,6 @@ public final class TileFile implements CachedTiles {
     @Override
     public void close() {
         close(channel);
-        closed.run();
+        folder.shrink(folder.limit(), Optional.of(file));
     }
 }

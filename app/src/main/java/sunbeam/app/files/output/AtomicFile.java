@@ -1,6 +1,8 @@
 package sunbeam.app.files.output;
 
 import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -33,7 +35,8 @@ public final class AtomicFile implements AutoCloseable {
 
     private final Path target;
     private final Overwrite overwrite;
-    private final boolean isDirect;
+    private final boolean isStandardOutput;
+    private final boolean isDevice;
     private final ShutdownHook hook;
     // A temporary file, or the target itself.
     private Path contentPath;
@@ -44,7 +47,8 @@ public final class AtomicFile implements AutoCloseable {
     private AtomicFile(Path target, Overwrite overwrite) {
         this.target = target;
         this.overwrite = overwrite;
-        this.isDirect = !StandardOutput.isMeant(target) && OutputFolder.isDevice(target);
+        this.isStandardOutput = StandardOutput.isMeant(target);
+        this.isDevice = !isStandardOutput && OutputFolder.isDevice(target);
         this.contentPath = target;
         hook = new ShutdownHook(this::discard);
     }
@@ -73,15 +77,11 @@ public final class AtomicFile implements AutoCloseable {
             return;
         }
         try (AtomicFile probe = create(target, overwrite)) {
-            if (probe.isRenamed()) {
+            if (!probe.isDevice && !probe.isStandardOutput) {
                 OutputFolder.sweep(OutputFolder.of(target));
                 probe.fill(stream -> stream.write(new byte[PROBE_BYTES]));
             }
         }
-    }
-
-    private boolean isRenamed() {
-        return !isDirect && !StandardOutput.isMeant(target);
     }
 
     /**
@@ -133,10 +133,10 @@ public final class AtomicFile implements AutoCloseable {
     /** Creates the temporary file. It is not done in the constructor, so that the shutdown hook sees either no file or its name. */
     private synchronized void begin() throws IOException {
         requireOpen();
-        if (!isDirect) {
-            contentPath = isRenamed()
-                    ? OutputFolder.createTemporary(OutputFolder.of(target))
-                    : Files.createTempFile("sunbeam-", ".part");
+        if (isStandardOutput) {
+            contentPath = Files.createTempFile("sunbeam-", ".part");
+        } else if (!isDevice) {
+            contentPath = OutputFolder.createTemporary(OutputFolder.of(target));
             if (overwrite == Overwrite.REPLACE) {
                 OutputFolder.copyMode(target, contentPath);
             }
@@ -172,7 +172,7 @@ public final class AtomicFile implements AutoCloseable {
     /** Opens the temporary file without creating it: if the end of the process has removed it, it must stay removed. */
     private OutputStream open() throws IOException {
         try {
-            return isDirect
+            return isDevice
                     ? Files.newOutputStream(target, StandardOpenOption.WRITE)
                     : Files.newOutputStream(path(), StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
         } catch (NoSuchFileException removed) {
@@ -201,36 +201,35 @@ public final class AtomicFile implements AutoCloseable {
 
     /** Makes several files appear, or none, under the names with the lowest number from 1 for which all are free or may be replaced. */
     static List<Path> commitAll(List<AtomicFile> files, IntFunction<List<Path>> names) throws IOException {
-        int number = 1;
-        while (!claimAll(files, names.apply(number), number)) {
-            number++;
-        }
-        List<Path> places = names.apply(number);
-        for (int i = 0; i < files.size(); i++) {
-            files.get(i).appear(places.get(i));
-        }
-        return places;
-    }
-
-    private static boolean claimAll(List<AtomicFile> files, List<Path> names, int number) throws IOException {
-        for (int i = 0; i < files.size(); i++) {
+        for (int number = 1; ; number++) {
+            List<Path> places = names.apply(number);
             try {
-                files.get(i).claim(names.get(i));
-            } catch (FileAlreadyExistsException taken) {
-                for (AtomicFile each : files) {
-                    each.release();
+                for (int i = 0; i < files.size(); i++) {
+                    files.get(i).claim(places.get(i));
                 }
-                OutputFolder.requireNext(files.get(i).overwrite, names.get(i), number, taken);
-                return false;
+                for (int i = 0; i < files.size(); i++) {
+                    files.get(i).appear(places.get(i));
+                }
+                return places;
+            } catch (FileAlreadyExistsException taken) {
+                for (AtomicFile file : files) {
+                    file.release();
+                }
+                if (files.get(0).overwrite != Overwrite.NUMBER) {
+                    throw OutputException.of(Path.of(taken.getFile()), taken);
+                }
+                if (number == OutputFolder.MOST_NAMES) {
+                    throw new OutputException.Exists("cannot write " + taken.getFile()
+                            + ": so many exist already; name one with --output, or add --force");
+                }
             }
         }
-        return true;
     }
 
     /** Reserves a free name by link(2), which fails if the name exists. With a check before a rename, two writers could both succeed. */
     private synchronized void claim(Path name) throws IOException {
         requireOpen();
-        if (!isRenamed()) {
+        if (isDevice || isStandardOutput) {
             return;
         }
         force(contentPath, StandardOpenOption.WRITE);
@@ -250,14 +249,14 @@ public final class AtomicFile implements AutoCloseable {
 
     private synchronized void appear(Path name) throws IOException {
         requireOpen();
-        if (isRenamed()) {
+        if (isStandardOutput) {
+            Files.copy(contentPath, new FileOutputStream(FileDescriptor.out));
+        } else if (!isDevice) {
             // rename(2) changes nothing if the name is a link to the content.
             Files.move(contentPath, name, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } else if (!isDirect) {
-            StandardOutput.copy(contentPath);
         }
         isOpen = false;
-        if (!isDirect) {
+        if (!isDevice) {
             // If this fails, a later sweep removes the file like those of killed processes.
             contentPath.toFile().delete();
         }

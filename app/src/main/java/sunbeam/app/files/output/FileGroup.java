@@ -36,11 +36,7 @@ public record FileGroup(Path stem, List<String> endings, Overwrite overwrite) {
 
     /** Throws OutputException if a file cannot be written. */
     public void checkWritable() {
-        plainPaths().forEach(path -> AtomicFile.checkWritable(path, overwrite));
-    }
-
-    public List<Path> plainPaths() {
-        return endings.stream().map(ending -> path(1, ending)).toList();
+        endings.forEach(ending -> AtomicFile.checkWritable(path(1, ending), overwrite));
     }
 
     private Path path(int number, String ending) {

@@ -62,10 +62,7 @@ public class OutputException extends RuntimeException {
         if (reason.contains("No space left") || reason.contains("quota")) {
             return reason + "; free some space or choose another folder";
         }
-        if (reason.contains("name too long")) {
-            return reason + "; choose a shorter name";
-        }
-        return reason + "; choose another folder";
+        return reason + (reason.contains("name too long") ? "; choose a shorter name" : "; choose another folder");
     }
 
     private static String reason(IOException cause) {

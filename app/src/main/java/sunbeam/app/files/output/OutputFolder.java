@@ -54,22 +54,27 @@ public final class OutputFolder {
     public static <T> T filled(Path folder, Supplier<T> writer) {
         boolean isNew = !Files.exists(folder);
         create(folder);
-        ShutdownHook hook = new ShutdownHook(() -> removeOnceEmpty(folder, isNew ? HOOK_TRIES : 0));
+        if (!isNew) {
+            return writer.get();
+        }
+        ShutdownHook hook = new ShutdownHook(() -> removeOnceEmpty(folder));
         try {
             return writer.get();
         } finally {
             hook.close();
-            removeOnceEmpty(folder, isNew ? 1 : 0);
+            folder.toFile().delete();
         }
     }
 
-    /** May wait for the shutdown hooks of the folder's files, which run in any order. */
-    private static void removeOnceEmpty(Path folder, int tries) {
+    /** Waits for the shutdown hooks of the folder's files, which run in any order. */
+    private static void removeOnceEmpty(Path folder) {
         try {
             for (int i = 0;
-                    i < tries && folder.toFile().exists() && !folder.toFile().delete();
+                    i < HOOK_TRIES
+                            && folder.toFile().exists()
+                            && !folder.toFile().delete();
                     i++) {
-                Thread.sleep(tries > 1 ? HOOK_WAIT_MILLISECONDS : 0);
+                Thread.sleep(HOOK_WAIT_MILLISECONDS);
             }
         } catch (InterruptedException ending) {
             Thread.currentThread().interrupt();
@@ -86,8 +91,7 @@ public final class OutputFolder {
      * if it cannot.
      */
     public static Path claim(Path folder, boolean mayUse) {
-        int most = mayUse ? 0 : MOST_NAMES;
-        for (int number = 1; number <= most; number++) {
+        for (int number = 1; !mayUse && number <= MOST_NAMES; number++) {
             try {
                 return Files.createDirectory(numberedAtEnd(folder, number));
             } catch (FileAlreadyExistsException taken) {
@@ -197,17 +201,6 @@ public final class OutputFolder {
     private static Path numbered(Path plain, int number, int at) {
         String name = plain.getFileName().toString();
         return number == 1 ? plain : plain.resolveSibling(name.substring(0, at) + "-" + number + name.substring(at));
-    }
-
-    /** @throws OutputException if the next number may not be tried */
-    static void requireNext(Overwrite overwrite, Path name, int number, FileAlreadyExistsException taken) {
-        if (overwrite != Overwrite.NUMBER) {
-            throw OutputException.of(name, taken);
-        }
-        if (number == MOST_NAMES) {
-            throw new OutputException.Exists(
-                    "cannot write " + name + ": so many exist already; name one with --output, or add --force");
-        }
     }
 
     /** Creates {@code .sunbeam-PROCESS-NUMBER.part}. Files.createTempFile would restrict reading to the owner. */

@@ -1,9 +1,5 @@
 package sunbeam.app.files.output;
 
-import java.io.FileDescriptor;
-import java.io.FileOutputStream;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import sunbeam.precompute.text.Quoted;
 
@@ -19,9 +15,5 @@ public final class StandardOutput {
 
     public static String name(Path target) {
         return isMeant(target) ? "written to standard output" : Quoted.oneLine(target.toString());
-    }
-
-    static void copy(Path file) throws IOException {
-        Files.copy(file, new FileOutputStream(FileDescriptor.out));
     }
 }

@@ -14,7 +14,7 @@ import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
-public final class GpuBaker implements ColorBaker {
+final class GpuBaker implements ColorBaker {
     /** Side of a draw: keeps all processors of a software renderer busy, in a short draw. */
     private static final int SIDE = 128;
 
@@ -44,7 +44,7 @@ public final class GpuBaker implements ColorBaker {
     }
 
     /** Uploads a method's tables; throws {@link jrtr.GraphicsException} if the device has no room for them. */
-    public static GpuBaker of(ShaderTables tables) {
+    static GpuBaker of(ShaderTables tables) {
         return new GpuBaker(RenderContext.offscreen(), tables);
     }
 

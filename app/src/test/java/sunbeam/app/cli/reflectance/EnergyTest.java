@@ -23,7 +23,6 @@ import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.NeedsDisplay;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuBaker;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.method.MethodPlan;
@@ -123,8 +122,7 @@ class EnergyTest extends CommandLineFixture {
         MethodPlan plan = probe.plan(VisibleRange.all(), "--average=ensemble");
         EnergyDivisor divisor = new EnergyDivisor(probe.setup().patch().heights(), RefractiveIndex.KERATIN, WINDOW);
         ShaderTables tables = divisor.applyTo(
-                probe.setup().tables(plan, MethodUse.COLOR, GpuBaker::of),
-                probe.setup().cie());
+                probe.setup().tables(plan, MethodUse.COLOR), probe.setup().cie());
         List<Query> queries = new ArrayList<>();
         for (int theta = 0; theta < 80; theta += 5) {
             queries.add(new Query(

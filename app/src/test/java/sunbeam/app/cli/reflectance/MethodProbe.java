@@ -13,12 +13,11 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine;
 import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
-import sunbeam.app.files.cache.DiffractionSetup;
 import sunbeam.app.files.input.LightTable;
 import sunbeam.app.gpu.BrdfMapRenderer;
 import sunbeam.app.gpu.DirectionsRenderer;
 import sunbeam.app.gpu.UploadedTables;
-import sunbeam.app.gpu.colors.GpuBaker;
+import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.LinearPicture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.method.MethodPlan;
@@ -102,7 +101,7 @@ final class MethodProbe {
     }
 
     private UploadedTables upload(RenderContext context, MethodPlan plan, MethodUse use) {
-        return UploadedTables.upload(context, setup.tables(plan, use, GpuBaker::of));
+        return UploadedTables.upload(context, setup.tables(plan, use));
     }
 
     /** Asserts that each pixel in the disc of a map has a color; its size is odd, so that the middle one is u = v = 0. */

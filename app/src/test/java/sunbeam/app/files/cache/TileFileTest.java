@@ -21,7 +21,6 @@ import sunbeam.precompute.shader.TableLabel;
 final class TileFileTest {
     private static final TableLabel LABEL = new TableLabel("bläze", "table: 3 levels");
     private static final String KEY = "surface and plan";
-    private static final long PLENTY = 1L << 30;
     private static final int TILES = 6;
     private static final String DAMAGED = "cached colors are made again: some are damaged or cut off";
 
@@ -34,8 +33,8 @@ final class TileFileTest {
         return folder.resolve("one.tiles");
     }
 
-    private CachedTiles open(String key, long mostBytes) {
-        return TileFile.of(file(), key, NumberFormat.HALF, LABEL, mostBytes, warnings::add, () -> {});
+    private CachedTiles open(String key) {
+        return TileFile.of(new CacheFolder(folder, ""), file(), key, NumberFormat.HALF, LABEL, warnings::add);
     }
 
     private static byte[] coefficients(int level, int tile) {
@@ -53,7 +52,7 @@ final class TileFileTest {
     }
 
     private void keepAll() {
-        try (CachedTiles tiles = open(KEY, PLENTY)) {
+        try (CachedTiles tiles = open(KEY)) {
             for (int tile = 0; tile < TILES; tile++) {
                 tiles.keep(tile % 2, Map.of(tile, coefficients(tile % 2, tile)));
             }
@@ -63,7 +62,7 @@ final class TileFileTest {
     /** Number of tiles that a later run finds; asserts that each is right. */
     private int found(String key) {
         int count = 0;
-        try (CachedTiles tiles = open(key, PLENTY)) {
+        try (CachedTiles tiles = open(key)) {
             for (int level = 0; level < 3; level++) {
                 Map<Integer, byte[]> found = tiles.read(level, all());
                 count += found.size();
@@ -137,27 +136,22 @@ final class TileFileTest {
     @Test
     void aSecondProcessReadsButDoesNotWrite() {
         keepAll();
-        try (CachedTiles first = open(KEY, PLENTY);
-                CachedTiles second = open(KEY, PLENTY)) {
+        try (CachedTiles first = open(KEY);
+                CachedTiles second = open(KEY)) {
             second.keep(2, Map.of(1, coefficients(2, 1)));
             first.keep(2, Map.of(2, coefficients(2, 2)));
             assertThat(second.read(0, all())).hasSize(TILES / 2);
         }
-        try (CachedTiles later = open(KEY, PLENTY)) {
+        try (CachedTiles later = open(KEY)) {
             assertThat(later.present(2, all()).stream()).containsExactly(2);
         }
     }
 
     @Test
     void aFolderThatIsGoneKeepsNothing() {
+        Path gone = folder.resolve("gone");
         CachedTiles tiles = TileFile.of(
-                folder.resolve("gone").resolve("one.tiles"),
-                KEY,
-                NumberFormat.HALF,
-                LABEL,
-                PLENTY,
-                warnings::add,
-                () -> {});
+                new CacheFolder(gone, ""), gone.resolve("one.tiles"), KEY, NumberFormat.HALF, LABEL, warnings::add);
         tiles.keep(0, Map.of(1, coefficients(0, 1)));
         assertThat(tiles.read(0, all())).isEmpty();
     }

@@ -1,4 +1,4 @@
-package sunbeam.app.files.cache;
+package sunbeam.app.gpu.colors;
 
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -9,6 +9,9 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
+import sunbeam.app.files.cache.BlobCache;
+import sunbeam.app.files.cache.CacheFolder;
+import sunbeam.app.files.cache.TileFile;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.OptionOrigin;
@@ -18,7 +21,6 @@ import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ValidatedTable;
-import sunbeam.precompute.files.Sha256;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
@@ -99,16 +101,15 @@ public record DiffractionSetup(
     /**
      * Returns shader tables, uncached, whose layers are computed when they are read.
      *
-     * @param bakers opens a baker for tables of colors
      * @throws SettingException if the method does not support the use
      */
-    public ShaderTables freshTables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
+    public ShaderTables freshTables(MethodPlan plan, MethodUse use) {
         requireUse(plan, use);
-        return plan.tables(use, sources(bakers, warning));
+        return plan.tables(use, sources(warning));
     }
 
     /** Returns a plan's sources; {@code shortfall} receives a line for each table that misses its tolerance. */
-    public TableSources sources(Function<ShaderTables, ColorBaker> bakers, Consumer<String> shortfall) {
+    public TableSources sources(Consumer<String> shortfall) {
         DiffractionSetup setup = this;
         return new TableSources() {
             @Override
@@ -118,12 +119,12 @@ public record DiffractionSetup(
 
             @Override
             public ShaderTables tables(MethodPlan plan) {
-                return setup.tables(plan, MethodUse.COLOR, bakers);
+                return setup.tables(plan, MethodUse.COLOR);
             }
 
             @Override
             public ColorBaker baker(ShaderTables tables) {
-                return bakers.apply(tables);
+                return GpuBaker.of(tables);
             }
 
             @Override
@@ -133,8 +134,7 @@ public record DiffractionSetup(
 
             @Override
             public boolean hasTiles() {
-                return folder.open(warning).isPresent()
-                        && folder.entries().stream().anyMatch(entry -> entry.isTilesOf(surface.digest()));
+                return folder.open(warning).isPresent() && folder.hasTiles(surface.digest());
             }
 
             @Override
@@ -147,8 +147,10 @@ public record DiffractionSetup(
             @Override
             public CachedTiles tiles(ColorTablePlan plan) {
                 String key = tilesKey(plan);
-                Optional<Path> file = file(key, CacheFolder.Entry.TILES);
-                return file.map(path -> openTiles(path, key, plan)).orElse(CachedTiles.NONE);
+                TableLabel label = label(plan.plan());
+                return file(key, CacheFolder.Entry.TILES)
+                        .map(path -> TileFile.of(folder, path, key, plan.table().numbers(), label, warning))
+                        .orElse(CachedTiles.NONE);
             }
 
             @Override
@@ -158,8 +160,8 @@ public record DiffractionSetup(
         };
     }
 
-    public ShaderTables tables(MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers) {
-        return tables(plan, use, bakers, share -> {});
+    public ShaderTables tables(MethodPlan plan, MethodUse use) {
+        return tables(plan, use, share -> {});
     }
 
     /**
@@ -169,19 +171,17 @@ public record DiffractionSetup(
      * @param progress receives the share, 0..1, before each layer that is made
      * @throws SettingException if the method does not support the use
      */
-    public ShaderTables tables(
-            MethodPlan plan, MethodUse use, Function<ShaderTables, ColorBaker> bakers, DoubleConsumer progress) {
+    public ShaderTables tables(MethodPlan plan, MethodUse use, DoubleConsumer progress) {
         requireUse(plan, use);
         String key = "shader tables " + ShaderTablesFile.VERSION + "|" + plan.key(use);
         Optional<Path> file = file(key, CacheFolder.Entry.SHADER);
         if (file.isEmpty() || plan.memory().textureBytes() > folder.largest()) {
-            return freshTables(plan, use, bakers).preceded(progress);
+            return freshTables(plan, use).preceded(progress);
         }
         Function<Path, ShaderTables> reader = path -> ShaderTablesFile.read(path, key);
         return folder.read(file.get(), reader, warning).orElseGet(() -> {
             List<String> shortfalls = new ArrayList<>();
-            ShaderTables made =
-                    plan.tables(use, sources(bakers, shortfalls::add)).preceded(progress);
+            ShaderTables made = plan.tables(use, sources(shortfalls::add)).preceded(progress);
             shortfalls.forEach(warning);
             if (!shortfalls.isEmpty()) {
                 return made;
@@ -205,16 +205,6 @@ public record DiffractionSetup(
                 + "|" + plan.spectrum().map(SpectrumPlan::key).orElse("");
     }
 
-    private CachedTiles openTiles(Path file, String key, ColorTablePlan plan) {
-        long most = folder.limit();
-        Runnable shrink = () -> folder.shrink(most, Optional.of(file));
-        CachedTiles tiles =
-                TileFile.of(file, key, plan.table().numbers(), label(plan.plan()), folder.largest(), warning, shrink);
-        folder.used(file);
-        shrink.run();
-        return tiles;
-    }
-
     /** Not cached, because the colors that need it take longer. */
     public FourierTable fourierTable(SpectrumPlan plan) {
         try (Progress task = progress.start(
@@ -224,8 +214,7 @@ public record DiffractionSetup(
     }
 
     private Optional<Path> file(String key, String ending) {
-        String name = CacheFolder.Entry.name(surface.digest(), Sha256.of(key), ending);
-        return folder.open(warning).map(path -> path.resolve(name));
+        return folder.file(surface.digest(), key, ending, warning);
     }
 
     private static void requireUse(MethodPlan plan, MethodUse use) {

@@ -1,4 +1,4 @@
-package sunbeam.app.files.cache;
+package sunbeam.app.gpu.colors;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -20,6 +20,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.colortable.CachedTiles;
@@ -53,10 +54,6 @@ class DiffractionSetupTest {
     private Path home;
 
     private final List<String> warnings = new ArrayList<>();
-
-    private static ColorBaker refuseColors(ShaderTables tables) {
-        throw new AssertionError("no colors are needed");
-    }
 
     /** A tiny plan, which counts how often its tables are made. */
     private static MethodPlan counted(AtomicInteger made) {
@@ -99,12 +96,12 @@ class DiffractionSetupTest {
     }
 
     private ShaderTables tables(MethodPlan plan, MethodUse use) {
-        return setup("a").tables(plan, use, DiffractionSetupTest::refuseColors);
+        return setup("a").tables(plan, use);
     }
 
     private String oneLight(MethodPlan plan) {
         return setup("a")
-                .freshTables(plan, MethodUse.COLOR, DiffractionSetupTest::refuseColors)
+                .freshTables(plan, MethodUse.COLOR)
                 .defines()
                 .get("COLOR_ONE_LIGHT");
     }
@@ -182,7 +179,7 @@ class DiffractionSetupTest {
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
                         ColorBaker.Token.NONE);
         try (CachedTiles kept = setup("a")
-                .sources(DiffractionSetupTest::refuseColors, line -> {})
+                .sources(line -> {})
                 .tiles(all)) {
             int[] numbers = tiles.stream().toArray();
             kept.keep(
