@@ -1,7 +1,5 @@
 package sunbeam.app.cli.export;
 
-import static sunbeam.app.cli.export.ColorGrid.mix;
-
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -23,21 +21,22 @@ import sunbeam.precompute.optics.Gain;
  * division leaves the spectra smooth. Slices are ordered by the first direction's azimuth, then by its angle to the normal.
  *
  * @param azimuths density of the square's rows over the half vector's azimuth, the same for all slices
- * @param densities density of the map by slice
- * @param spectra by slice: {@code [(band * side + row) * side + column]}
- * @param luminance by slice: probability, not normalized, with which readers sample each point of the square
  */
-record BsdfMaterial(
-        Shape shape,
-        HalfVectors.Density azimuths,
-        List<float[]> densities,
-        List<float[]> spectra,
-        List<float[]> luminance) {
+record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slices) {
     // Lower bound of the half vector's cosine in the divisor of the spectra.
     private static final double LEAST_COSINE = 0.05;
     private static final double NANOMETER = 1e-9;
     // Share of the square's rows that is distributed evenly over azimuths, so that dark azimuths have rows, too.
     private static final double EVEN_SHARE = 0.3;
+
+    /**
+     * Arrays of one first direction.
+     *
+     * @param density density of {@link HalfVectors}
+     * @param spectra {@code [(band * side + row) * side + column]}
+     * @param luminance probability, not normalized, with which readers sample each point of the square
+     */
+    record Slice(float[] density, float[] spectra, float[] luminance) {}
 
     /** @param divisor divisor of radiance by first direction and wavelength, if energy is conserved */
     static BsdfMaterial of(
@@ -47,28 +46,19 @@ record BsdfMaterial(
             ProgressDisplay display,
             Optional<EnergyDivisor> divisor) {
         HalfVectors.Density azimuths = azimuths(grid, shape.rows());
-        float[][] densities = new float[shape.slices()][];
-        float[][] spectra = new float[shape.slices()][];
-        float[][] luminance = new float[shape.slices()][];
-        try (ProgressDisplay.Progress progress = display.start("Directions", shape.slices())) {
-            IntStream.range(0, shape.slices()).parallel().forEach(slice -> {
-                double phi = shape.phi(slice / shape.thetas());
-                double theta = shape.theta(slice % shape.thetas());
-                HalfVectors map = HalfVectors.of(azimuths, phi, theta, shape.columns());
-                densities[slice] = map.density();
-                int samples = shape.side() * shape.side();
-                spectra[slice] = new float[shape.bands().count() * samples];
-                luminance[slice] = new float[samples];
-                Direction first = Direction.ofDegrees(Math.toDegrees(theta), Math.toDegrees(phi));
-                double[] shares = DoubleStream.of(shape.bands().nanometers())
-                        .map(nm -> divisor.map(found -> 1 / found.at(first, nm * NANOMETER))
-                                .orElse(1.0))
-                        .toArray();
-                new Slice(shape, map, slice, bands, shares).fill(spectra[slice], luminance[slice]);
-                progress.step(1);
-            });
-        }
-        return new BsdfMaterial(shape, azimuths, List.of(densities), List.of(spectra), List.of(luminance));
+        List<Integer> numbers = IntStream.range(0, shape.slices()).boxed().toList();
+        List<Slice> slices = display.map("Directions", numbers, number -> {
+            double phi = shape.phi(number / shape.thetas());
+            double theta = shape.theta(number % shape.thetas());
+            HalfVectors map = HalfVectors.of(azimuths, phi, theta, shape.columns());
+            Direction first = Direction.ofDegrees(Math.toDegrees(theta), Math.toDegrees(phi));
+            double[] shares = DoubleStream.of(shape.bands().nanometers())
+                    .map(nm -> divisor.map(found -> 1 / found.at(first, nm * NANOMETER))
+                            .orElse(1.0))
+                    .toArray();
+            return new SliceBaker(shape, map, phi, theta, bands, shares).bake();
+        });
+        return new BsdfMaterial(shape, azimuths, slices);
     }
 
     /** Returns a density of rows that grows with the brightness of (u, v) at each azimuth. */
@@ -77,7 +67,7 @@ record BsdfMaterial(
         double step = grid.shape().u().step();
         for (int row = 0; row < rows; row++) {
             double azimuth = HalfVectors.azimuth(row, rows);
-            for (double r = 0; r < grid.shape().range().radius(); r += step) {
+            for (double r = 0; r < grid.shape().radius(); r += step) {
                 double depth = Math.sqrt(4 - r * r);
                 bright[row] += Math.sqrt(grid.xyz(-r * Math.cos(azimuth), -r * Math.sin(azimuth), -depth)[1]);
             }
@@ -115,61 +105,59 @@ record BsdfMaterial(
         int first = below * shape.columns();
         for (int i = 0; i < density.length; i++) {
             int at = first + i;
-            density[i] = (float) between(phi, theta, slice -> densities.get(slice)[at]);
+            density[i] = (float) between(phi, theta, slice -> slices.get(slice).density()[at]);
         }
         double x = HalfVectors.row(density, shape.columns(), row - below).share(column) * (shape.side() - 1);
         double y = azimuths.share(row) * (shape.side() - 1);
         double[] bands = shape.bands().nanometers();
         double place = (wavelength / NANOMETER - bands[0]) / shape.bands().step();
         double band = Math.max(0, Math.min(bands.length - 1.0, place));
-        double spectrum = between(phi, theta, slice -> at(spectra.get(slice), band, y, x));
+        double spectrum = between(phi, theta, slice -> at(slices.get(slice).spectra(), band, y, x));
         return spectrum * normalFactor(halfAngle) / (4 * wi.z());
     }
 
     private double between(double phi, double theta, IntToDoubleFunction value) {
-        int i = Math.max(0, Math.min(shape.phis() - 2, (int) phi));
-        int j = Math.max(0, Math.min(shape.thetas() - 2, (int) theta));
-        int slice = i * shape.thetas() + j;
-        int next = slice + shape.thetas();
-        double here = mix(value.applyAsDouble(slice), value.applyAsDouble(slice + 1), theta - j);
-        return mix(here, mix(value.applyAsDouble(next), value.applyAsDouble(next + 1), theta - j), phi - i);
+        return ColorGrid.bilinear(
+                phi, theta, shape.phis(), shape.thetas(), (i, j) -> value.applyAsDouble(i * shape.thetas() + j));
     }
 
     private double at(float[] values, double band, double y, double x) {
         int side = shape.side();
         int b = Math.max(0, Math.min(shape.bands().count() - 2, (int) band));
-        int i = Math.max(0, Math.min(side - 2, (int) y));
-        int j = Math.max(0, Math.min(side - 2, (int) x));
-        double[] both = new double[2];
-        for (int k = 0; k < 2; k++) {
-            int at = ((b + k) * side + i) * side + j;
-            double below = mix(values[at], values[at + 1], x - j);
-            both[k] = mix(below, mix(values[at + side], values[at + side + 1], x - j), y - i);
-        }
-        return mix(both[0], both[1], band - b);
+        int first = b * side * side;
+        int second = first + side * side;
+        return ColorGrid.mix(
+                ColorGrid.bilinear(y, x, side, side, (i, j) -> values[first + i * side + j]),
+                ColorGrid.bilinear(y, x, side, side, (i, j) -> values[second + i * side + j]),
+                band - b);
     }
 
-    private record Slice(Shape shape, HalfVectors map, int slice, List<ColorGrid> bands, double[] shares) {
+    /** @param shares factor of each band */
+    private record SliceBaker(
+            Shape shape, HalfVectors map, double phi, double theta, List<ColorGrid> bands, double[] shares) {
         // Least cosine of the second direction in the divisor of the luminance, which would be infinite at the horizon.
         private static final double LEAST_COSINE = 0.03;
 
-        void fill(float[] spectra, float[] luminance) {
+        Slice bake() {
             int side = shape.side();
+            float[] spectra = new float[shape.bands().count() * side * side];
+            float[] luminance = new float[side * side];
             for (int i = 0; i < side; i++) {
                 double row = map.azimuths().place((double) i / (side - 1));
                 HalfVectors.Density along = HalfVectors.row(map.density(), shape.columns(), row);
                 for (int j = 0; j < side; j++) {
                     double column = along.place((double) j / (side - 1));
-                    fill(i * side + j, row, column, along.at(column), spectra, luminance);
+                    luminance[i * side + j] = fill(spectra, i * side + j, row, column, along.at(column));
                 }
             }
+            return new Slice(map.density(), spectra, luminance);
         }
 
-        private void fill(int sample, double row, double column, double density, float[] spectra, float[] luminance) {
-            double theta = shape.theta(slice % shape.thetas());
+        /** Fills a sample's spectrum and returns its luminance. */
+        private float fill(float[] spectra, int sample, double row, double column, double density) {
             double angle = HalfVectors.angle(column, shape.columns());
             double azimuth = HalfVectors.azimuth(row, shape.rows());
-            double along = Math.sin(theta) * Math.cos(azimuth - shape.phi(slice / shape.thetas()));
+            double along = Math.sin(theta) * Math.cos(azimuth - phi);
             double half = along * Math.sin(angle) + Math.cos(theta) * Math.cos(angle);
             // The cosine of the second direction; below the horizon it is replaced by that on the horizon.
             double cosOther = Math.max(0, 2 * half * Math.cos(angle) - Math.cos(theta));
@@ -194,12 +182,11 @@ record BsdfMaterial(
                 }
             }
             // Solid angle of the second direction per area of the square, as readers compute it for the probability.
-            boolean seen = cosOther > 0;
             double least = Math.max(
                     density,
                     LEAST_COSINE * map.azimuths().at(row) / map.azimuths().total());
             double solid = Math.sin(angle) * Math.sqrt(angle) * half / least;
-            luminance[sample] = seen ? (float) (sum * normalFactor(angle) * solid) : 0;
+            return cosOther > 0 ? (float) (sum * normalFactor(angle) * solid) : 0;
         }
     }
 
@@ -228,7 +215,7 @@ record BsdfMaterial(
         static Shape of(GridShape shape, WavelengthBand range, int count) {
             double step = shape.u().step();
             double direction = DIRECTION_STEP * Math.sqrt(step);
-            double largest = Math.min(LARGEST_ANGLE, shape.range().largest());
+            double largest = Math.min(LARGEST_ANGLE, shape.largestAngle());
             int side = Math.max(8, (int) Math.ceil(2 * SIDE / step));
             double width = range.lastNanometers() - range.firstNanometers();
             double bandStep = BAND_STEP * step * ColorTable.MIDDLE_WAVELENGTH * 1e9;

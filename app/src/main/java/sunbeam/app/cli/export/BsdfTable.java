@@ -9,8 +9,10 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
+import sunbeam.app.cli.export.BsdfMaterial.Slice;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.NpyWriter;
@@ -24,7 +26,7 @@ import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.text.Text;
 
 /** A tensor file that Mitsuba 3 and pbrt-v4 read as their material {@code measured}. */
-final class BsdfTable implements TableWriter {
+record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
     // Format of tensor files: version 1.0, little endian, the last index runs fastest.
     private static final byte[] HEAD = "tensor_file\0\1\0".getBytes(StandardCharsets.US_ASCII);
     private static final byte UINT8 = 1;
@@ -35,27 +37,6 @@ final class BsdfTable implements TableWriter {
     private static final long SEED = 5;
     // Least power at which errors are measured: in a Gaussian's tail linear interpolation has large relative errors.
     private static final double LEAST_POWER = 1e-3;
-
-    private final WavelengthBand range;
-    private final int bandCount;
-    private String note = "";
-    private ErrorStatistics errors;
-
-    BsdfTable(WavelengthBand range, int bandCount) {
-        this.range = range;
-        this.bandCount = bandCount;
-    }
-
-    @Override
-    public List<String> notes() {
-        return List.of(note);
-    }
-
-    /** Returns the errors of power, which exceed the color grid's, because the file's grid of directions is coarser. */
-    @Override
-    public ErrorStatistics errors(TableMetadata metadata) {
-        return errors;
-    }
 
     private BsdfMaterial.Shape shape(GridShape shape) {
         return BsdfMaterial.Shape.of(shape, range, bandCount);
@@ -72,13 +53,14 @@ final class BsdfTable implements TableWriter {
         return Float.BYTES * shape(shape).floatCount();
     }
 
+    /** The errors of power exceed the color grid's, because the file's grid of directions is coarser. */
     @Override
-    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+    public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         BsdfMaterial.Shape shape = shape(grid.shape());
         BsdfMaterial material = BsdfMaterial.of(
                 shape, grid, baker.bands(grid, shape.bands()), metadata.setup().progress(), metadata.divisor());
-        errors = errors(material, grid, metadata);
-        note = Text.format(
+        ErrorStatistics errors = errors(material, grid, metadata);
+        String note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
                         + " the reference at %s %s",
                 shape.phis(),
@@ -89,10 +71,11 @@ final class BsdfTable implements TableWriter {
                 LEAST_POWER,
                 errors.pairs(),
                 errors);
-        return Map.of(".bsdf", stream -> write(stream, fields(material, metadata)));
+        AtomicFile.StreamContent content = stream -> write(stream, fields(material, metadata, note));
+        return new Output(Map.of(".bsdf", content), List.of(note), errors);
     }
 
-    private List<Field> fields(BsdfMaterial material, TableMetadata metadata) {
+    private static List<Field> fields(BsdfMaterial material, TableMetadata metadata, String note) {
         BsdfMaterial.Shape shape = material.shape();
         int phis = shape.phis();
         int thetas = shape.thetas();
@@ -101,19 +84,19 @@ final class BsdfTable implements TableWriter {
         // Readers interpolate sigma and ndf between the first and the last azimuth, where the curves are the same.
         return List.of(
                 Field.of("description", metadata.summary()),
-                Field.of("metadata", description(metadata)),
+                Field.of("metadata", description(metadata, note)),
                 Field.of("jacobian", (byte) 1),
                 Field.curve("phi_i", shape::phi, phis),
                 Field.curve("theta_i", shape::theta, thetas),
                 Field.curve("wavelengths", i -> nanometers[i], nanometers.length),
                 Field.curve("sigma", i -> Math.cos(angle(i)), 2, CURVE_SAMPLES),
                 Field.curve("ndf", i -> BsdfMaterial.normalFactor(angle(i)), 2, CURVE_SAMPLES),
-                Field.of("vndf", material.densities(), phis, thetas, shape.rows(), shape.columns()),
-                Field.of("luminance", material.luminance(), phis, thetas, side, side),
-                Field.of("spectra", material.spectra(), phis, thetas, nanometers.length, side, side));
+                Field.of("vndf", material, Slice::density, phis, thetas, shape.rows(), shape.columns()),
+                Field.of("luminance", material, Slice::luminance, phis, thetas, side, side),
+                Field.of("spectra", material, Slice::spectra, phis, thetas, nanometers.length, side, side));
     }
 
-    private String description(TableMetadata metadata) {
+    private static String description(TableMetadata metadata, String note) {
         Map<String, Object> fields = metadata.fields(
                 "BRDF times the cosine of the second direction, by bands of wavelengths, as material measured has it",
                 "linear in all angles and wavelengths, along the unit square of half vectors");
@@ -129,7 +112,7 @@ final class BsdfTable implements TableWriter {
     }
 
     /** Measures errors of power at pairs aimed at orders: most other pairs are dark. */
-    private ErrorStatistics errors(BsdfMaterial material, ColorGrid grid, TableMetadata metadata) {
+    private static ErrorStatistics errors(BsdfMaterial material, ColorGrid grid, TableMetadata metadata) {
         ExactLight exact =
                 metadata.setup().exact(new ReferenceMethod(grid.level().area()));
         DirectionSampler sampler = new DirectionSampler(
@@ -164,8 +147,9 @@ final class BsdfTable implements TableWriter {
             return of(name, text.getBytes(StandardCharsets.UTF_8));
         }
 
-        static Field of(String name, List<float[]> values, long... shape) {
-            return new Field(name, shape, null, values);
+        static Field of(String name, BsdfMaterial material, Function<Slice, float[]> array, long... shape) {
+            return new Field(
+                    name, shape, null, material.slices().stream().map(array).toList());
         }
 
         /** Returns a field with a curve along its last axis, the same at each index of the axis before. */
@@ -174,7 +158,7 @@ final class BsdfTable implements TableWriter {
             for (int i = 0; i < values.length; i++) {
                 values[i] = (float) curve.applyAsDouble(i);
             }
-            return of(name, Collections.nCopies(shape.length == 1 ? 1 : (int) shape[0], values), shape);
+            return new Field(name, shape, null, Collections.nCopies(shape.length == 1 ? 1 : (int) shape[0], values));
         }
 
         private long size() {

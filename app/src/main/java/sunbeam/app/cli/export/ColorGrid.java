@@ -25,18 +25,17 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
     double[] xyz(double u, double v, double w) {
         double column = shape.u().place(u);
         double row = shape.v().place(v);
-        int left = Math.max(0, Math.min((int) column, shape.u().count() - 2));
-        int below = Math.max(0, Math.min((int) row, shape.v().count() - 2));
+        int columns = shape.u().count();
         double place = shape.depth().place(-w);
         int first = shape.firstSlice(place);
         double[] xyz = new double[CHANNELS];
-        for (int slice = first; slice < first + TableDesign.TAPS; slice++) {
-            double weight = level.scale() * Lagrange.weight(place - first, slice - first, TableDesign.TAPS);
+        for (int tap = 0; tap < TableDesign.TAPS; tap++) {
+            float[] slice = roots[first + tap];
+            double weight = level.scale() * Lagrange.weight(place - first, tap, TableDesign.TAPS);
             for (int c = 0; c < CHANNELS; c++) {
-                double root = mix(
-                        mix(root(slice, left, below, c), root(slice, left + 1, below, c), column - left),
-                        mix(root(slice, left, below + 1, c), root(slice, left + 1, below + 1, c), column - left),
-                        row - below);
+                int channel = c;
+                Nodes nodes = (y, x) -> slice[CHANNELS * (y * columns + x) + channel];
+                double root = bilinear(row, column, shape.v().count(), columns, nodes);
                 xyz[c] += weight * root * root;
             }
         }
@@ -44,10 +43,18 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         return xyz;
     }
 
-    private double root(int slice, int column, int row, int channel) {
-        int inRow = Math.min(column, shape.u().count() - 1);
-        int inColumn = Math.min(row, shape.v().count() - 1);
-        return roots[slice][CHANNELS * (inColumn * shape.u().count() + inRow) + channel];
+    interface Nodes {
+        double at(int row, int column);
+    }
+
+    /** Interpolates linearly between the nodes around a fractional row and column. */
+    static double bilinear(double row, double column, int rows, int columns, Nodes nodes) {
+        int below = Math.max(0, Math.min((int) row, rows - 2));
+        int above = Math.min(below + 1, rows - 1);
+        int left = Math.max(0, Math.min((int) column, columns - 2));
+        int right = Math.min(left + 1, columns - 1);
+        double low = mix(nodes.at(below, left), nodes.at(below, right), column - left);
+        return mix(low, mix(nodes.at(above, left), nodes.at(above, right), column - left), row - below);
     }
 
     static double mix(double from, double to, double share) {
@@ -73,25 +80,19 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
                 }
             }
         }
-        return right < 0
-                ? GridShape.Box.of(shape.range())
-                : new GridShape.Box(
-                        inside(u.at(left - 1)),
-                        inside(u.at(right + 1)),
-                        inside(v.at(bottom - 1)),
-                        inside(v.at(top + 1)));
-    }
-
-    private double inside(double value) {
-        double radius = shape.range().radius();
-        return Math.max(-radius, Math.min(radius, value));
+        GridShape.Box whole = GridShape.Box.of(shape.radius());
+        return right < 0 ? whole : whole.clipped(u.at(left - 1), u.at(right + 1), v.at(bottom - 1), v.at(top + 1));
     }
 
     /** Bakes all texels that any two directions reach, sorted by azimuth, so that a batch is a wedge and batches share few rays. */
     void bake(ColorBaker baker, ColorBaker.Token token) {
         int[] byAngle = IntStream.range(0, shape.texels())
-                .filter(texel -> slices(texel) > 0)
-                .mapToLong(texel -> ((long) Float.floatToIntBits(angle(texel)) << Integer.SIZE) + texel)
+                .filter(texel -> shape.slicesAt(texel) > 0)
+                .mapToLong(texel -> {
+                    // A float's bits sort like its value only if it is not negative, so pi is added.
+                    float azimuth = (float) (Math.PI + Math.atan2(shape.vAt(texel), shape.uAt(texel)));
+                    return ((long) Float.floatToIntBits(azimuth) << Integer.SIZE) + texel;
+                })
                 .sorted()
                 .mapToInt(key -> (int) key)
                 .toArray();
@@ -99,7 +100,7 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         for (int first = 0; first < byAngle.length; first = next) {
             int samples = 0;
             for (next = first; next < byAngle.length && samples <= ColorBaker.LARGEST_BATCH; next++) {
-                samples += slices(byAngle[next]);
+                samples += shape.slicesAt(byAngle[next]);
             }
             bake(Arrays.copyOfRange(byAngle, first, next), samples, baker, token);
         }
@@ -109,38 +110,23 @@ record ColorGrid(ColorTable.Level level, GridShape shape, float[][] roots) {
         float[] uvw = new float[CHANNELS * samples];
         int at = 0;
         for (int texel : texels) {
-            double inside = GridShape.REACH / Math.max(GridShape.REACH, Math.hypot(u(texel), v(texel)));
-            for (int slice = 0; slice < slices(texel); slice++) {
-                uvw[at++] = (float) (inside * u(texel));
-                uvw[at++] = (float) (inside * v(texel));
+            double u = shape.uAt(texel);
+            double v = shape.vAt(texel);
+            double inside = GridShape.REACH / Math.max(GridShape.REACH, Math.hypot(u, v));
+            for (int slice = 0; slice < shape.slicesAt(texel); slice++) {
+                uvw[at++] = (float) (inside * u);
+                uvw[at++] = (float) (inside * v);
                 uvw[at++] = (float) -shape.depth().at(slice);
             }
         }
         float[] xyz = baker.bake(uvw, token);
         at = 0;
         for (int texel : texels) {
-            for (int slice = 0; slice < slices(texel); slice++) {
+            for (int slice = 0; slice < shape.slicesAt(texel); slice++) {
                 for (int c = 0; c < CHANNELS; c++) {
                     roots[slice][CHANNELS * texel + c] = (float) Math.sqrt(Math.max(0, xyz[at++]));
                 }
             }
         }
-    }
-
-    private int slices(int texel) {
-        return shape.slicesAt(texel % shape.u().count(), texel / shape.u().count());
-    }
-
-    private double u(int texel) {
-        return shape.u().at(texel % shape.u().count());
-    }
-
-    private double v(int texel) {
-        return shape.v().at(texel / shape.u().count());
-    }
-
-    /** Returns a texel's azimuth plus pi: a float's bits sort like its value only if it is not negative. */
-    private float angle(int texel) {
-        return (float) (Math.PI + Math.atan2(v(texel), u(texel)));
     }
 }

@@ -9,9 +9,9 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -32,6 +32,7 @@ import sunbeam.app.terminal.ByteSize;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.app.terminal.UsageException;
+import sunbeam.precompute.color.WavelengthBand;
 import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -43,6 +44,7 @@ import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.LightSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam export}: writes a surface's table of colors as a file for other programs. */
@@ -67,7 +69,7 @@ public final class ExportCommand extends FileCommand {
     private final PatchOptions patchOptions = PatchOptions.ofArgument();
 
     @Mixin
-    private final SettingOptions table = MethodOptions.ofTables(Map.of(
+    private final SettingOptions settings = MethodOptions.ofTables(Map.of(
             TOLERANCE,
             "0.02, for bsdf, html, glsl and osl 0.05; the table's steps are proportional to its square root"));
 
@@ -129,7 +131,7 @@ public final class ExportCommand extends FileCommand {
 
     @Override
     public Integer call() {
-        Choices choices = table.choices();
+        Choices choices = settings.choices();
         return choices.located(() -> export(choices));
     }
 
@@ -145,10 +147,11 @@ public final class ExportCommand extends FileCommand {
         }
         double tolerance = asked.has(TOLERANCE) ? asked.get(TOLERANCE) : format.tolerance;
         TableWriter writer = writer(asked, tolerance);
-        GridBaker.Limit limit = new GridBaker.Limit(writer, output, most());
+        long most = parsed("--size", () -> ByteSize.parse(size == null ? format.size : size));
+        GridBaker.Limit limit = new GridBaker.Limit(writer, output, most);
         format.check(output, overwrite());
         if (size != null) {
-            limit.requireRoom(limit.most());
+            limit.requireRoom(most);
         }
         PrintWriter err = err();
         DiffractionSetup setup =
@@ -159,8 +162,8 @@ public final class ExportCommand extends FileCommand {
                 .plan(setup.surface(), VisibleRange.all())
                 .colorTable()
                 .orElseThrow();
-        GridBaker baker = new GridBaker(setup, plan, tolerance);
-        ColorGrid grid = baker.finest(new GridShape.AngleRange(Math.toRadians(largestAngle)), limit);
+        GridBaker baker = new GridBaker(setup, plan);
+        ColorGrid grid = baker.finest(Math.toRadians(largestAngle), limit);
         ColorGrid read = writer.asRead(grid);
         double width =
                 Math.max(Energy.SHORTEST_WINDOW, read.level().area().window().coherenceLength());
@@ -170,14 +173,15 @@ public final class ExportCommand extends FileCommand {
                 read,
                 GridErrors.of(setup, baker, read, writer.errorWeights(setup.cie()), Optional.ofNullable(samples)),
                 rule.divisor(setup.patch().heights(), RefractiveIndex.KERATIN, choices.with(COHERENCE_LENGTH, width)));
-        List<Path> written = format.write(output, overwrite(), writer.files(grid, baker, metadata));
+        TableWriter.Output table = writer.output(grid, baker, metadata);
+        List<Path> written = format.write(output, overwrite(), table.files());
         PrintWriter out = out(output);
         PrintWriter text = json.text(out);
         text.println(metadata.summary());
         text.println(metadata.error());
-        writer.notes().forEach(text::println);
+        table.notes().forEach(text::println);
         json.print(out, metadata.fields(), written);
-        ErrorStatistics errors = writer.errors(metadata);
+        ErrorStatistics errors = table.errors();
         Certificate.Limits limits = Certificate.Limits.ofExport(tolerance);
         if (limits.hold(errors)) {
             return ExitCode.OK.code();
@@ -192,8 +196,8 @@ public final class ExportCommand extends FileCommand {
     private TableWriter writer(Choices asked, double tolerance) {
         boolean isSpectral = format == Format.BSDF || channels == NpzTable.Channels.SPECTRAL;
         if (channels != null && format != Format.NPZ) {
-            throw new UsageException("--channels " + channels.name().toLowerCase(Locale.ROOT)
-                    + " is for --format npz, and " + format + " has channels of its own; leave it out");
+            throw new UsageException("--channels " + ValueKind.name(channels) + " is for --format npz, and " + format
+                    + " has channels of its own; leave it out");
         }
         if (bands != null && !isSpectral) {
             throw new UsageException("--bands is of --format bsdf, and of npz with --channels spectral; leave it out");
@@ -201,32 +205,28 @@ public final class ExportCommand extends FileCommand {
         if (isSpectral) {
             LightTable.requireNone(asked, List.of(LightSettings.ILLUMINANT, LightSettings.OBSERVER));
         }
+        WavelengthBand range = asked.get(LightSettings.WAVELENGTHS);
         return switch (format) {
-            case NPZ ->
-                new NpzTable(
-                        channels == null ? NpzTable.Channels.XYZ : channels, isSpectral ? bands(asked, BANDS) : null);
+            case NPZ -> {
+                NpzTable.Channels kind = channels == null ? NpzTable.Channels.XYZ : channels;
+                yield new NpzTable(kind, isSpectral ? bands(range, bands == null ? BANDS : bands) : null);
+            }
             case BSDF ->
-                new BsdfTable(
-                        asked.get(LightSettings.WAVELENGTHS),
-                        bands == null ? 0 : bands(asked, bands).count());
+                new BsdfTable(range, bands == null ? 0 : bands(range, bands).count());
             case HTML -> new HtmlTable(tolerance);
             case GLSL, OSL -> new FolderTable(format == Format.GLSL);
         };
     }
 
-    private SpectralBands bands(Choices asked, int standard) {
-        try {
-            return new SpectralBands(asked.get(LightSettings.WAVELENGTHS), bands == null ? standard : bands);
-        } catch (IllegalArgumentException wrong) {
-            throw new UsageException("--bands " + wrong.getMessage());
-        }
+    private static SpectralBands bands(WavelengthBand range, int count) {
+        return parsed("--bands", () -> new SpectralBands(range, count));
     }
 
-    private long most() {
+    private static <T> T parsed(String option, Supplier<T> parser) {
         try {
-            return ByteSize.parse(size == null ? format.size : size);
+            return parser.get();
         } catch (IllegalArgumentException wrong) {
-            throw new UsageException("--size " + wrong.getMessage());
+            throw new UsageException(option + " " + wrong.getMessage());
         }
     }
 
@@ -250,7 +250,7 @@ public final class ExportCommand extends FileCommand {
 
         @Override
         public String toString() {
-            return name().toLowerCase(Locale.ROOT);
+            return ValueKind.name(this);
         }
 
         /** Refuses a wrong file name or an unwritable output. */

@@ -34,7 +34,9 @@ record FolderTable(boolean isGlsl) implements TableWriter {
 
     @Override
     public GridShape fit(GridShape shape) {
-        return isGlsl ? shape.padded(MOST_DOUBLINGS) : shape;
+        int multiple = isGlsl ? 1 << MOST_DOUBLINGS : 1;
+        return new GridShape(
+                shape.u().padded(multiple), shape.v().padded(multiple), shape.depth(), shape.largestAngle());
     }
 
     @Override
@@ -60,7 +62,7 @@ record FolderTable(boolean isGlsl) implements TableWriter {
     }
 
     @Override
-    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+    public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         String json = JsonOption.text(metadata.fields(QUANTITY + (isGlsl ? KTX2_QUANTITY : ""), INTERPOLATION));
         GridShape shape = grid.shape();
         int columns = shape.u().count();
@@ -92,7 +94,7 @@ record FolderTable(boolean isGlsl) implements TableWriter {
             String page = ShaderText.read("example.html").replace("@EXPOSURE@", "" + (float) metadata.exposure());
             files.put(".html", AtomicFile.StreamContent.of(page));
         }
-        return files;
+        return new Output(files, metadata);
     }
 
     private static short[] halves(ColorGrid grid, int channels) {

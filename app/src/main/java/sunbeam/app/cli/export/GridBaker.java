@@ -13,7 +13,6 @@ import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.RadialBaker;
-import sunbeam.precompute.colortable.TableDesign;
 import sunbeam.precompute.colortable.TableSpace;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.plan.ErrorBudget;
@@ -33,72 +32,63 @@ final class GridBaker {
         /** True if a table of this shape may fit on disk and in memory, by a lower bound of its size. */
         boolean mayHold(GridShape shape) {
             long bytes = writer.leastBytes(shape);
-            if (bytes <= most) {
-                requireRoom(bytes);
+            if (bytes > most) {
+                return false;
             }
+            requireRoom(bytes);
             long numbers = writer.numbers(shape);
-            return bytes <= most
-                    && numbers < Integer.MAX_VALUE
+            return numbers < Integer.MAX_VALUE
                     && numbers * Float.BYTES < Runtime.getRuntime().maxMemory() / HEAP_SHARE;
         }
 
         UsageException refusal(GridShape coarsest) {
             long bytes = writer.leastBytes(coarsest);
-            return new UsageException(
-                    bytes <= most
-                            ? "--size " + ByteSize.format(most) + " or Java's memory holds no table of this surface;"
-                                    + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
-                            : "--size " + ByteSize.format(most) + " holds no table of this surface: that of the widest"
-                                    + " orders takes " + ByteSize.format(bytes) + "; give more");
+            String why = bytes <= most
+                    ? " or Java's memory holds no table of this surface;"
+                            + " give more of it (memory by SUNBEAM_JAVA_OPTIONS=-Xmx8g)"
+                    : " holds no table of this surface: that of the widest orders takes " + ByteSize.format(bytes)
+                            + "; give more";
+            return new UsageException("--size " + ByteSize.format(most) + why);
         }
     }
 
-    private final ColorTable all;
-    private final List<ColorTable.Level> levels;
+    private final DiffractionSetup setup;
+    private final ColorTablePlan plan;
     private final PowerSpectrum spectrum;
-    private final CieTable cie;
-    private final double tolerance;
-    private final double relief;
-    private final ProgressDisplay display;
+    private final List<ColorTable.Level> levels;
 
     /** @param plan plan with the ensemble average */
-    GridBaker(DiffractionSetup setup, ColorTablePlan plan, double tolerance) {
-        this.all = plan.table();
-        this.levels = all.levels().subList(all.pointLevelCount(), all.levels().size());
+    GridBaker(DiffractionSetup setup, ColorTablePlan plan) {
+        this.setup = setup;
+        this.plan = plan;
         this.spectrum = PowerSpectrum.of(
                 setup.fourierTable(plan.spectrum().orElseThrow()), new ErrorBudget(plan.tolerance()).powerBasis());
-        this.cie = setup.cie();
-        this.tolerance = tolerance;
-        this.display = setup.progress();
-        this.relief = TableDesign.depth(setup.surface().map());
+        List<ColorTable.Level> all = plan.table().levels();
+        this.levels = all.subList(plan.table().pointLevelCount(), all.size());
     }
 
     /**
      * Returns the finest grid within a size limit; refuses to if not even the coarsest fits. It tries levels from coarse to fine; each grid
      * covers only the part of the (u, v) plane in which the coarser grid before it has light.
      */
-    ColorGrid finest(GridShape.AngleRange range, Limit limit) {
+    ColorGrid finest(double largestAngle, Limit limit) {
         ColorTable.Level widest = levels.get(levels.size() - 1);
-        GridShape whole = GridShape.within(tolerance, widest, relief, GridShape.Box.of(range), range);
-        GridShape.Box box = bake(cie, widest, whole).brightBox();
+        GridShape.Box all = GridShape.Box.of(GridShape.REACH * Math.sin(largestAngle));
+        GridShape.Box box = bake(setup.cie(), widest, GridShape.of(plan, widest, all, largestAngle))
+                .brightBox();
         ColorGrid best = null;
-        GridShape coarsest = null;
         for (int number = levels.size() - 1; number >= 0; number--) {
             ColorTable.Level level = levels.get(number);
-            GridShape shape = limit.writer().fit(GridShape.within(tolerance, level, relief, box, range));
-            coarsest = coarsest == null ? shape : coarsest;
-            if (!limit.mayHold(shape)) {
-                break;
-            }
-            ColorGrid grid = bake(cie, level, shape);
-            if (limit.writer().bytes(grid) > limit.most()) {
+            GridShape shape = limit.writer().fit(GridShape.of(plan, level, box, largestAngle));
+            ColorGrid grid = limit.mayHold(shape) ? bake(setup.cie(), level, shape) : null;
+            if (grid == null || limit.writer().bytes(grid) > limit.most()) {
+                if (best == null) {
+                    throw limit.refusal(shape);
+                }
                 break;
             }
             best = grid;
             box = grid.brightBox();
-        }
-        if (best == null) {
-            throw limit.refusal(coarsest);
         }
         return best;
     }
@@ -111,7 +101,7 @@ final class GridBaker {
     /** Returns the grid of the same part of the plane, with orders and texels {@code 2^doublings} times as wide. */
     ColorGrid coarser(ColorGrid grid, int doublings) {
         ColorTable.Level wider = levels.get(levels.indexOf(grid.level()) + 2 * doublings);
-        return bake(cie, wider, grid.shape().coarser(1 << doublings));
+        return bake(setup.cie(), wider, grid.shape().coarser(1 << doublings));
     }
 
     /** Returns grids with the same texels that hold spectral bands in place of X, Y, Z, {@link SpectralBands#TOGETHER} each. */
@@ -128,7 +118,7 @@ final class GridBaker {
     private ColorGrid bake(CieTable functions, ColorTable.Level level, GridShape shape) {
         ColorGrid grid = ColorGrid.empty(level, shape);
         String label = "Colors, grid " + (levels.size() - levels.indexOf(level)) + " of " + levels.size() + " at most";
-        try (ProgressDisplay.Progress progress = display.start(label, shape.evaluated())) {
+        try (ProgressDisplay.Progress progress = setup.progress().start(label, shape.evaluated())) {
             grid.bake(baker(functions, level), progress);
         }
         return grid;
@@ -142,6 +132,6 @@ final class GridBaker {
                 level.area(),
                 level.design(),
                 TableSpace.AllLights.REACH,
-                level.area().equals(all.area()));
+                level.area().equals(plan.table().area()));
     }
 }

@@ -90,7 +90,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
     private static List<Comparison> compare(
             ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> compared) {
         List<Comparison> bright = new ArrayList<>();
-        double lowest = Math.cos(grid.shape().range().largest());
+        double lowest = Math.cos(grid.shape().largestAngle());
         for (int tried = 0; tried < MOST_TRIES && bright.size() < SUM_PAIRS / 2; tried += SUM_PAIRS / 2) {
             List<DirectionPair> pairs = Stream.generate(queries)
                     .limit(SUM_PAIRS / 2)

@@ -1,11 +1,17 @@
 package sunbeam.app.cli.export;
 
+import java.util.stream.LongStream;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.colortable.TableDesign;
+import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.optics.CoherenceWindow;
 
-/** Axes of a color grid for some angles of light and view; slices of |w|, at least {@link TableDesign#TAPS}, are its depth. */
-record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
+/**
+ * Axes of a color grid; slices of |w|, at least {@link TableDesign#TAPS}, are its depth.
+ *
+ * @param largestAngle largest angle of light and view to the normal, radians
+ */
+record GridShape(Axis u, Axis v, Axis depth, double largestAngle) {
     /** Largest |(u, v)|, and largest |w|, of any two directions. */
     static final double REACH = 2;
     // Wavelength, meters, for which the step is chosen: in blue light orders are narrowest.
@@ -40,28 +46,34 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
         }
     }
 
-    record AngleRange(double largest) {
-        double radius() {
-            return REACH * Math.sin(largest);
-        }
-    }
-
     record Box(double left, double right, double bottom, double top) {
-        static Box of(AngleRange range) {
-            double radius = range.radius();
+        static Box of(double radius) {
             return new Box(-radius, radius, -radius, radius);
         }
+
+        Box clipped(double fromU, double toU, double fromV, double toV) {
+            return new Box(inside(fromU), inside(toU), inside(fromV), inside(toV));
+        }
+
+        private double inside(double value) {
+            return Math.max(left, Math.min(right, value));
+        }
     }
 
-    /** Returns the coarsest shape that keeps a tolerance: linear in the square roots along u and v, cubic in the colors along w. */
-    static GridShape within(double tolerance, ColorTable.Level level, double relief, Box box, AngleRange range) {
+    /** Returns the coarsest shape that keeps the plan's tolerance: linear in the square roots along u and v, cubic in the colors along w. */
+    static GridShape of(ColorTablePlan plan, ColorTable.Level level, Box box, double largestAngle) {
+        double tolerance = plan.table().tolerance();
         double step = Math.sqrt(8 * tolerance) * sigma(level.area().window(), SHARPEST_WAVELENGTH);
-        double sliceStep = TableDesign.within(tolerance, level.area(), relief).sliceStep();
-        double least = REACH * Math.cos(range.largest);
+        double sliceStep =
+                TableDesign.within(tolerance, level.area(), plan.relief()).sliceStep();
+        double least = REACH * Math.cos(largestAngle);
         int slices = Math.max(TableDesign.TAPS, 1 + (int) Math.ceil((REACH - least) / sliceStep));
         Axis depth = new Axis(least, (REACH - least) / (slices - 1), slices);
         return new GridShape(
-                Axis.covering(box.left, box.right, step), Axis.covering(box.bottom, box.top, step), depth, range);
+                Axis.covering(box.left, box.right, step),
+                Axis.covering(box.bottom, box.top, step),
+                depth,
+                largestAngle);
     }
 
     /** Standard deviation in (u, v) of a sharp order seen under a window. */
@@ -69,12 +81,13 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
         return wavelength * window.sigmaFrequency() / Math.sqrt(2);
     }
 
-    GridShape padded(int halvings) {
-        return new GridShape(u.padded(1 << halvings), v.padded(1 << halvings), depth, range);
+    /** Returns the largest |(u, v)|. */
+    double radius() {
+        return REACH * Math.sin(largestAngle);
     }
 
     GridShape coarser(int factor) {
-        return new GridShape(u.coarser(factor), v.coarser(factor), depth, range);
+        return new GridShape(u.coarser(factor), v.coarser(factor), depth, largestAngle);
     }
 
     int texels() {
@@ -86,19 +99,23 @@ record GridShape(Axis u, Axis v, Axis depth, AngleRange range) {
     }
 
     long evaluated() {
-        long sum = 0;
-        for (int row = 0; row < v.count(); row++) {
-            for (int column = 0; column < u.count(); column++) {
-                sum += slicesAt(column, row);
-            }
-        }
-        return sum;
+        return LongStream.range(0, (long) u.count() * v.count())
+                .map(this::slicesAt)
+                .sum();
     }
 
-    /** Returns the number of slices from the first that any two directions of the range reach at this (u, v). */
-    int slicesAt(int column, int row) {
-        double radius = Math.max(0, Math.hypot(u.at(column), v.at(row)) - 1.5 * u.step());
-        if (radius > range.radius()) {
+    double uAt(long texel) {
+        return u.at((int) (texel % u.count()));
+    }
+
+    double vAt(long texel) {
+        return v.at((int) (texel / u.count()));
+    }
+
+    /** Returns the number of slices from the first that any two directions reach at the (u, v) of a texel, counted row by row. */
+    int slicesAt(long texel) {
+        double radius = Math.max(0, Math.hypot(uAt(texel), vAt(texel)) - 1.5 * u.step());
+        if (radius > radius()) {
             return 0;
         }
         double deepest = Math.sqrt(Math.max(0, REACH * REACH - radius * radius));

@@ -8,7 +8,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
 
 /** A self-contained HTML page that draws a map and a sphere under a light that the mouse moves. */
-final class HtmlTable implements TableWriter {
+record HtmlTable(double tolerance) implements TableWriter {
     // Quantization step of the colors' logarithms to base 2, per unit of tolerance.
     private static final double OCTAVES_PER_TOLERANCE = 0.5;
     // Lower bound of the compressed bytes per texel that directions reach.
@@ -16,14 +16,6 @@ final class HtmlTable implements TableWriter {
     private static final int PAGE_BYTES = 20_000;
     // Limit of texels, as the graphics cards of telephones hold.
     private static final long MOST_TEXELS = 1 << 24;
-
-    private final double tolerance;
-    // The last grid: its size and contents are needed several times, but compressed once.
-    private QuantizedGrid packed;
-
-    HtmlTable(double tolerance) {
-        this.tolerance = tolerance;
-    }
 
     @Override
     public long leastBytes(GridShape shape) {
@@ -41,14 +33,12 @@ final class HtmlTable implements TableWriter {
     }
 
     private QuantizedGrid packed(ColorGrid grid) {
-        if (packed == null || !grid.level().equals(packed.grid().level())) {
-            packed = QuantizedGrid.of(grid, OCTAVES_PER_TOLERANCE * tolerance);
-        }
-        return packed;
+        return QuantizedGrid.of(grid, OCTAVES_PER_TOLERANCE * tolerance);
     }
 
     @Override
-    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+    public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+        QuantizedGrid packed = packed(grid);
         Map<String, Object> table = metadata.fields(
                 "square roots of CIE X, Y, Z of diffracted power, of logarithms in equal steps",
                 "square roots linear along u and v, their squares cubic along w");
@@ -58,8 +48,8 @@ final class HtmlTable implements TableWriter {
         table.put("slices", shape.depth().count());
         table.put("octaves", OCTAVES_PER_TOLERANCE * tolerance);
         table.put("floor", QuantizedGrid.FLOOR);
-        table.put("most", packed(grid).most());
-        table.put("largest", Math.toDegrees(shape.range().largest()));
+        table.put("most", packed.most());
+        table.put("largest", Math.toDegrees(shape.largestAngle()));
         table.put("theta", metadata.theta());
         table.put("exposure", metadata.exposure());
         String function = ShaderText.Language.GLSL.translate(ShaderText.of("sunbeam.glsl", metadata, 0));
@@ -67,9 +57,9 @@ final class HtmlTable implements TableWriter {
                 // In a script element "</" would end the element.
                 "JSON", new ObjectMapper().valueToTree(table).toString().replace("<", "\\u003c"),
                 "SHADER", function + "\n" + ShaderText.read("display.glsl"),
-                "DATA", Base64.getEncoder().encodeToString(packed(grid).packed()));
+                "DATA", Base64.getEncoder().encodeToString(packed.packed()));
         String page = ShaderText.fill(ShaderText.of("page.html", metadata, 0), values);
-        return Map.of(".html", AtomicFile.StreamContent.of(page));
+        return new Output(Map.of(".html", AtomicFile.StreamContent.of(page)), metadata);
     }
 
     /**
@@ -98,7 +88,7 @@ final class HtmlTable implements TableWriter {
                 int[][] now = new int[CHANNELS][texels];
                 for (int texel = 0; texel < texels; texel++) {
                     int column = texel % columns;
-                    boolean seen = slice < shape.slicesAt(column, texel / columns);
+                    boolean seen = slice < shape.slicesAt(texel);
                     for (int c = 0; c < CHANNELS; c++) {
                         double root = grid.roots()[slice][CHANNELS * texel + c];
                         double color = grid.level().scale() * (root * root);

@@ -66,11 +66,11 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     }
 
     @Override
-    public Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
+    public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         String json = JsonOption.text(description(metadata));
         GridShape shape = grid.shape();
         float[] colors = colors(shape, isSpectral() ? baker.bands(grid, bands) : List.of(grid));
-        return Map.of(".npz", stream -> {
+        AtomicFile.StreamContent content = stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
                 zip.putNextEntry(NpyWriter.entry("metadata.json"));
@@ -95,7 +95,8 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
                     zip.closeEntry();
                 }
             }
-        });
+        };
+        return new Output(Map.of(".npz", content), metadata);
     }
 
     private Map<String, Object> description(TableMetadata metadata) {

@@ -58,7 +58,7 @@ record TableMetadata(
                 shape.u().count(),
                 shape.v().count(),
                 shape.depth().count(),
-                Math.toDegrees(shape.range().largest()));
+                Math.toDegrees(shape.largestAngle()));
     }
 
     String error() {
@@ -72,7 +72,7 @@ record TableMetadata(
 
     /** Returns the angle of light with which an exported page begins, degrees. */
     double theta() {
-        return Math.min(FIRST_THETA, Math.toDegrees(grid.shape().range().largest()));
+        return Math.min(FIRST_THETA, Math.toDegrees(grid.shape().largestAngle()));
     }
 
     /** Returns the automatic exposure that {@code brdf-map} would choose for light at {@link #theta}. */
@@ -124,11 +124,12 @@ record TableMetadata(
         fields.put(
                 "unit",
                 "1: a flat mirror in specular direction has X, Y, Z of the light with Y = 1 under the asked window");
-        fields.put("axes", axes());
+        GridShape shape = grid.shape();
+        fields.put("axes", List.of(axis("w", shape.depth(), -1), axis("v", shape.v(), 1), axis("u", shape.u(), 1)));
         fields.put(
                 "directions",
                 "(u, v, w) = -(wi + wr), unit vectors to light and viewer; x tangent, y bitangent, z normal");
-        fields.put("largest_angle_deg", Math.toDegrees(grid.shape().range().largest()));
+        fields.put("largest_angle_deg", Math.toDegrees(grid.shape().largestAngle()));
         fields.put(
                 "radiance",
                 "rho = F(c)/F(1) K^2 / ((cos_i + cos_r)^2 cos_r) G C, c = |wi + wr| / 2, K = 2 c^2, F Schlick of 0.04, G = min(1, 2 (cos_i + cos_r) min(cos_i, cos_r) / K)");
@@ -142,16 +143,9 @@ record TableMetadata(
         fields.put("observer", "none");
     }
 
-    private List<Map<String, Object>> axes() {
-        GridShape shape = grid.shape();
-        return List.of(axis("w", shape.depth(), -1), axis("v", shape.v(), 1), axis("u", shape.u(), 1));
+    private static NamedAxis axis(String name, GridShape.Axis axis, int sign) {
+        return new NamedAxis(name, sign * axis.first(), sign * axis.step(), axis.count());
     }
 
-    private static Map<String, Object> axis(String name, GridShape.Axis axis, int sign) {
-        Map<String, Object> fields = new LinkedHashMap<>(Map.of("name", name));
-        fields.put("first", sign * axis.first());
-        fields.put("step", sign * axis.step());
-        fields.put("count", axis.count());
-        return fields;
-    }
+    private record NamedAxis(String name, double first, double step, int count) {}
 }

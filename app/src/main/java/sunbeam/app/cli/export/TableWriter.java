@@ -6,7 +6,7 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.errors.ErrorStatistics;
 
-/** Converts a color grid to the files of one format. A writer is used for one output only. */
+/** Converts a color grid to the files of one format. */
 interface TableWriter {
     /** Returns a lower bound of the output's bytes for a grid of this shape. */
     long leastBytes(GridShape shape);
@@ -35,15 +35,18 @@ interface TableWriter {
         return grid;
     }
 
-    /** Returns the errors that are judged by the tolerance. */
-    default ErrorStatistics errors(TableMetadata metadata) {
-        return metadata.errors().sums();
-    }
+    Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata);
 
-    default List<String> notes() {
-        return List.of();
+    /**
+     * Result of a conversion.
+     *
+     * @param files contents by ending; of a format that is one file, one content
+     * @param notes lines to print
+     * @param errors errors that are judged by the tolerance
+     */
+    record Output(Map<String, AtomicFile.StreamContent> files, List<String> notes, ErrorStatistics errors) {
+        Output(Map<String, AtomicFile.StreamContent> files, TableMetadata metadata) {
+            this(files, List.of(), metadata.errors().sums());
+        }
     }
-
-    /** Returns the contents of the files by ending; of a format that is one file, one content. */
-    Map<String, AtomicFile.StreamContent> files(ColorGrid grid, GridBaker baker, TableMetadata metadata);
 }

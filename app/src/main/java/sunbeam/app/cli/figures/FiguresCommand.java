@@ -15,7 +15,6 @@ import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.OutputFolder;
 import sunbeam.app.files.output.Overwrite;
-import sunbeam.app.gpu.picture.PictureDifference;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -143,12 +142,12 @@ public final class FiguresCommand extends FileCommand {
     }
 
     private int draw(Figure.Drawing drawing, List<Figure.Drawing> drawings) {
+        boolean replaced = overwrite() == Overwrite.REPLACE;
         if (drawing.picture().plot() != null) {
             drawing.picture().plot().draw(drawing, drawings);
             return ExitCode.OK.code();
         }
         drawing.writeInput(output);
-        boolean replaced = overwrite() == Overwrite.REPLACE;
         if (!drawing.resumes() && !replaced && Files.exists(drawing.file())) {
             return ExitCode.OK.code();
         }
@@ -189,13 +188,11 @@ public final class FiguresCommand extends FileCommand {
         StringBuilder html =
                 new StringBuilder(quick ? "<p>Drawn with --quick: small pictures, coarse responses.</p>\n" : "");
         for (Figure figure : figures) {
-            html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p>");
-            html.append("<b>Thesis:</b> ").append(escape(figure.thesis())).append("<br><b>Here:</b> ");
-            html.append(escape(figure.ours())).append("<br><b>Check:</b> ");
-            html.append(escape(figure.verdict(drawings)
-                    .map(Measure.Check.Verdict::toString)
-                    .orElse("a picture or a number is missing")));
-            html.append("</p>\n").append(table(figure, drawings));
+            String check = figure.verdict(drawings).map(String::valueOf).orElse("a picture or a number is missing");
+            html.append("<h2>").append(escape(figure.heading())).append("</h2>\n<p><b>Thesis:</b> ");
+            html.append(escape(figure.thesis())).append("<br><b>Here:</b> ").append(escape(figure.ours()));
+            html.append("<br><b>Check:</b> ").append(escape(check)).append("</p>\n");
+            html.append(table(figure, drawings));
             for (String patch : figure.rows()) {
                 html.append("<div class=\"row\">\n");
                 figure.own(drawings).stream()
@@ -235,8 +232,7 @@ public final class FiguresCommand extends FileCommand {
                 + drawing.picture().label();
         String difference = drawing.base()
                 .filter(Files::isRegularFile)
-                .map(base -> PictureDifference.of(Measure.image(drawing.file()), Measure.image(base)))
-                .map(found -> "; " + found.text() + " from the first")
+                .map(base -> "; " + Measure.difference(drawing.file(), base).text() + " from the first")
                 .orElse("");
         String command =
                 drawing.command().isEmpty() ? "" : "./sunbeam " + String.join(" ", drawing.command()) + " --force";

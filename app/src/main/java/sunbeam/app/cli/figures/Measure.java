@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -40,6 +41,7 @@ enum Measure {
     NUMBER("number"),
     DEVIATION("relative deviation from the thesis");
 
+    private static final Region EVERYWHERE = (x, y) -> true;
     /** Radius of the mirror direction's neighborhood in a map whose radius is 1. */
     private static final double NEAR = 0.03;
 
@@ -79,10 +81,7 @@ enum Measure {
         }
 
         double width() {
-            int top = IntStream.range(0, values.length)
-                    .filter(i -> values[i] == 1)
-                    .findFirst()
-                    .orElseThrow();
+            int top = Arrays.stream(values).boxed().toList().indexOf(1.0);
             int left = top;
             while (left > 0 && values[left] >= 0.5) {
                 left--;
@@ -103,20 +102,23 @@ enum Measure {
     /** Measures a picture, or a number at a JSON pointer, perhaps beside another picture; NaN if the command did not write it. */
     double of(Figure.Drawing drawing, String pointer, Figure.Drawing base) {
         return switch (this) {
-            case CHROMA -> chroma(drawing, (x, y) -> true);
+            case CHROMA -> chroma(drawing, EVERYWHERE);
             case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
             case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
-            case CHROMA_OF_THE_LIGHT -> chromaOfLight(drawing);
-            case VARIETY_OF_HUES -> varietyOfHues(image(drawing.file()));
+            case CHROMA_OF_THE_LIGHT ->
+                sum(
+                                drawing,
+                                EVERYWHERE,
+                                rgb -> luminance(rgb) * CieLab.ofSrgb(rgb).chroma())
+                        / light(drawing, EVERYWHERE);
+            case VARIETY_OF_HUES -> varietyOfHues(drawing);
             case LIGHT_ON_THE_LEFT ->
                 light(drawing, (x, y) -> x < -NEAR) / light(drawing, (x, y) -> Math.abs(x) > NEAR);
             case LIGHT_ALONG_X ->
                 light(drawing, (x, y) -> Math.abs(x) > Math.max(NEAR, Math.abs(y)))
                         / light(drawing, (x, y) -> Math.max(Math.abs(x), Math.abs(y)) > NEAR);
-            case MEDIAN_DIFFERENCE ->
-                PictureDifference.of(image(drawing.file()), image(base.file())).median();
-            case DIFFERENCE ->
-                PictureDifference.of(image(drawing.file()), image(base.file())).high();
+            case MEDIAN_DIFFERENCE -> difference(drawing.file(), base.file()).median();
+            case DIFFERENCE -> difference(drawing.file(), base.file()).high();
             case ERROR -> has(drawing, ".npy") && has(base, ".npy") ? error(drawing, base) : Double.NaN;
             case WIDTH -> has(drawing, ".csv") ? Response.read(drawing).width() : Double.NaN;
             case NUMBER -> number(drawing, pointer);
@@ -132,50 +134,39 @@ enum Measure {
         return Files.isRegularFile(drawing.beside(ending));
     }
 
-    static BufferedImage image(Path file) {
+    private static BufferedImage image(Path file) {
         return ImageFile.ours(file, "remove it");
+    }
+
+    static PictureDifference difference(Path file, Path base) {
+        return PictureDifference.of(image(file), image(base));
     }
 
     /** Returns the mean CIELAB chroma of a region's pixels that do not have the background's color, that of the picture's corner. */
     private static double chroma(Figure.Drawing drawing, Region region) {
-        BufferedImage image = image(drawing.file());
-        int background = rgb(image, 0);
-        return pixels(image, region)
-                .map(pixel -> rgb(image, pixel))
+        int background = colors(drawing, EVERYWHERE).findFirst().orElseThrow();
+        return colors(drawing, region)
                 .filter(rgb -> rgb != background)
                 .mapToDouble(rgb -> CieLab.ofSrgb(rgb).chroma())
                 .average()
                 .orElse(0);
     }
 
-    private static double chromaOfLight(Figure.Drawing drawing) {
-        BufferedImage image = image(drawing.file());
-        double colored = pixels(image, (x, y) -> true)
-                .map(pixel -> rgb(image, pixel))
-                .mapToDouble(rgb -> luminance(rgb) * CieLab.ofSrgb(rgb).chroma())
-                .sum();
-        return colored / light(drawing, (x, y) -> true);
-    }
-
     /** Returns the variety of hues, 1 - |mean of (a, b)| / mean chroma in CIELAB: 0 for a single hue, 1 for evenly spread ones. */
-    private static double varietyOfHues(BufferedImage image) {
-        double a = 0;
-        double b = 0;
-        double chroma = 0;
-        for (int pixel = 0; pixel < image.getWidth() * image.getHeight(); pixel++) {
-            CieLab color = CieLab.ofSrgb(rgb(image, pixel));
-            a += color.a();
-            b += color.b();
-            chroma += color.chroma();
-        }
-        return 1 - Math.hypot(a, b) / chroma;
+    private static double varietyOfHues(Figure.Drawing drawing) {
+        double a = sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).a());
+        double b = sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).b());
+        return 1
+                - Math.hypot(a, b)
+                        / sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).chroma());
     }
 
     private static double light(Figure.Drawing drawing, Region region) {
-        BufferedImage image = image(drawing.file());
-        return pixels(image, region)
-                .mapToDouble(pixel -> luminance(rgb(image, pixel)))
-                .sum();
+        return sum(drawing, region, Measure::luminance);
+    }
+
+    private static double sum(Figure.Drawing drawing, Region region, IntToDoubleFunction quantity) {
+        return colors(drawing, region).mapToDouble(quantity).sum();
     }
 
     private static double luminance(int rgb) {
@@ -184,18 +175,17 @@ enum Measure {
                 + 0.0722 * Srgb.linear(rgb & 0xff);
     }
 
-    private static IntStream pixels(BufferedImage image, Region region) {
+    /** Returns the colors 0xRRGGBB of a region's pixels, row by row. */
+    private static IntStream colors(Figure.Drawing drawing, Region region) {
+        BufferedImage image = image(drawing.file());
         int width = image.getWidth();
         int height = image.getHeight();
-        return IntStream.range(0, width * height).filter(pixel -> {
-            int column = pixel % width;
-            int row = pixel / width;
-            return region.contains(2 * (column + 0.5) / width - 1, 1 - 2 * (row + 0.5) / height);
-        });
-    }
-
-    private static int rgb(BufferedImage image, int pixel) {
-        return image.getRGB(pixel % image.getWidth(), pixel / image.getWidth()) & 0xffffff;
+        return IntStream.range(0, width * height)
+                .filter(pixel -> {
+                    int row = pixel / width;
+                    return region.contains(2 * (pixel % width + 0.5) / width - 1, 1 - 2 * (row + 0.5) / height);
+                })
+                .map(pixel -> image.getRGB(pixel % width, pixel / width) & 0xffffff);
     }
 
     static double error(Figure.Drawing drawing, Figure.Drawing base) {
