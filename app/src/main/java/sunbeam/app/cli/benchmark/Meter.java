@@ -26,6 +26,7 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.plan.Roughness;
+import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.ValueKind;
@@ -95,15 +96,10 @@ record Meter(RenderContext context, int size, Direction light) {
                     .map(views -> Comparison.relative(views.compare(context, method, drawn)))
                     .orElseGet(ErrorStatistics::of);
             try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, drawn, size)) {
+                String patch = setup.patch().name();
+                double frame = frameSeconds(renderer);
                 return new Measurement(
-                        setup.patch().name(),
-                        name,
-                        words(plan),
-                        making,
-                        tables.bytes(),
-                        frameSeconds(renderer),
-                        renderer.coveredPixels(),
-                        errors);
+                        patch, name, words(plan), making, tables.bytes(), frame, renderer.coveredPixels(), errors);
             }
         }
     }
@@ -136,13 +132,11 @@ record Meter(RenderContext context, int size, Direction light) {
     }
 
     private static String words(MethodPlan plan) {
-        return plan.fullSpectrumPlan()
-                .map(sums -> Text.format(
-                        "%s, %d %s terms",
-                        plan.summary(),
-                        sums.expansion().terms(),
-                        ValueKind.name(sums.expansion().kind())))
-                .orElseGet(plan::summary);
+        return plan.summary()
+                + plan.fullSpectrumPlan()
+                        .map(SpectrumPlan::expansion)
+                        .map(sum -> Text.format(", %d %s terms", sum.terms(), ValueKind.name(sum.kind())))
+                        .orElse("");
     }
 
     /** Random views of one light brighter than {@link Comparison#FLOOR}, with their exact colors: half uniform, half aimed at orders. */

@@ -47,7 +47,6 @@ import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.Average;
-import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.ValueKind;
@@ -137,18 +136,17 @@ public final class ColorCommand extends FileCommand {
         Path picture = output != null ? output : Path.of("color-" + names + ".png");
         FileGroup files = files(picture);
         files.checkWritable();
-        List<SurfaceColors> surfaces = new ArrayList<>();
         List<String> warnings = new ArrayList<>();
-        for (Patch patch : patches) {
-            surfaces.add(plan(patch, cie, choices, material, theta, warnings));
-        }
-        Map<String, Object> settings = new LinkedHashMap<>();
+        List<SurfaceColors> surfaces = patches.stream()
+                .map(patch -> plan(patch, cie, choices, material, theta, warnings))
+                .toList();
+        Map<String, Object> settings;
         List<ColorReport> reports;
         try (RenderContext context = RenderContext.offscreen()) {
             surfaces.forEach(surface -> surface.draw(context));
             double factor = factor(exposed, surfaces);
             DisplayTransform display = exposure.display(factor, choices);
-            describe(settings, surfaces.get(0).patch(), choices, material, display);
+            settings = describe(patches.get(0), choices, material, display);
             settings.put("renderer", context.info().renderer());
             ViewColor.Scale scale = new ViewColor.Scale(display, choices.get(TOLERANCE), cie);
             reports = surfaces.stream()
@@ -167,7 +165,12 @@ public final class ColorCommand extends FileCommand {
         fields.get(0).put("thumbnail_px", sheet.thumbnail());
         tree.put("surfaces", fields);
         tree.put("warnings", warnings);
-        write(files, tree, ColorReport.csv(reports), sheet.draw(), text(patches, settings));
+        Map<String, String> text = new LinkedHashMap<>();
+        text.put("Title", "Colors of " + joined(patches, Patch::name));
+        text.put("Patch", joined(patches, Patch::source));
+        settings.forEach((key, value) ->
+                text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
+        write(files, tree, ColorReport.csv(reports), sheet.draw(), text);
         return judged.code();
     }
 
@@ -177,27 +180,19 @@ public final class ColorCommand extends FileCommand {
         return new FileGroup(picture.resolveSibling(stem), List.of(ending, ".csv", ".json"), overwrite(output));
     }
 
-    private static Map<String, String> text(List<Patch> patches, Map<String, Object> settings) {
-        Map<String, String> text = new LinkedHashMap<>();
-        text.put("Title", "Colors of " + joined(patches, Patch::name));
-        text.put("Patch", joined(patches, Patch::source));
-        settings.forEach((key, value) ->
-                text.put(key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1), value.toString()));
-        return text;
-    }
-
     private static String joined(List<Patch> patches, Function<Patch, String> words) {
         return patches.stream().map(words).collect(Collectors.joining("; "));
     }
 
-    private void describe(
-            Map<String, Object> settings,
-            Patch patch,
-            Choices choices,
-            RefractiveIndex material,
-            DisplayTransform display) {
+    private Map<String, Object> describe(
+            Patch patch, Choices choices, RefractiveIndex material, DisplayTransform display) {
         Choices seen = ScanLimit.of(choices, patch).choices();
-        settings.put("light", light());
+        Map<String, Object> settings = new LinkedHashMap<>();
+        settings.put(
+                "light",
+                light.choices().has(LightOptions.PHI_I)
+                        ? light.describe()
+                        : "theta " + light.written(LightOptions.THETA_I) + " degrees, phi that of each strip's plane");
         settings.put("angle_step_deg", angles.step());
         settings.put("patch_turned_deg", Math.toDegrees(turn.choices().get(ROTATE_PATCH)));
         settings.put("method", seen.get(METHOD).label());
@@ -207,6 +202,7 @@ public final class ColorCommand extends FileCommand {
         settings.put("tone", ValueKind.name(display.tone()));
         settings.put("primaries", ValueKind.name(display.primaries()));
         settings.put("tolerance", choices.get(TOLERANCE));
+        return settings;
     }
 
     private ExitCode judge(List<ColorReport> reports, PrintWriter err) {
@@ -231,14 +227,8 @@ public final class ColorCommand extends FileCommand {
             limit.line().ifPresent(line -> own.add(line.in(OptionOrigin.INSTANCE)));
             PrintWriter err = err();
             DiffractionSetup setup = new DiffractionSetup(patch, environment(), err).withLight(spectrum);
-            SurfaceColors surface = new SurfaceColors(
-                    setup,
-                    Methods.of(limit.choices()),
-                    material,
-                    turn.choices().over(light.choices()),
-                    GaussianArea.of(limit.choices()).window(),
-                    theta,
-                    angles);
+            Choices turned = turn.choices().over(light.choices());
+            SurfaceColors surface = new SurfaceColors(setup, limit.choices(), material, turned, theta, angles);
             surface.energy().flatMap(EnergyBalance::warning).ifPresent(own::add);
             progress.step(1);
             if (methodOptions.explains()) {
@@ -271,11 +261,5 @@ public final class ColorCommand extends FileCommand {
                 .mapToDouble(picture -> Math.log(exposed.applyAsDouble(List.of(picture))))
                 .average()
                 .orElseThrow());
-    }
-
-    private String light() {
-        return light.choices().has(LightOptions.PHI_I)
-                ? light.describe()
-                : "theta " + light.written(LightOptions.THETA_I) + " degrees, phi that of each strip's plane";
     }
 }

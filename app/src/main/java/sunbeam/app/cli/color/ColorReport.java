@@ -2,6 +2,8 @@ package sunbeam.app.cli.color;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,7 +25,6 @@ import sunbeam.precompute.units.Decimals;
  *
  * @param verdict verdict on the colors that the heights allow; its sentence says why there are none
  * @param colored whether the surface has a color of its own, outside its gloss
- * @param azimuthDegrees azimuth of the plane along, degrees
  * @param coherenceLength coherence length of the light, meters, as far as the scan's size allows it
  * @param colors colors by ascending viewing angle, those of strip along first, then those across
  * @param spectrum spectrum of the purest color, or without one in the mirror direction
@@ -33,7 +34,6 @@ record ColorReport(
         GratingPeriod period,
         Verdict verdict,
         boolean colored,
-        double azimuthDegrees,
         double coherenceLength,
         String plan,
         List<ViewColor> colors,
@@ -43,15 +43,19 @@ record ColorReport(
     private static final double BLACK = 1e-9;
 
     /**
-     * Relative radiance by wavelength from 380 to 780 nm in steps of 1 nm, and the band that makes the color, meters: half of the light
+     * Relative radiance at {@link #nanometers}, and the band that makes the color, meters: half of the light
      * lies within it, a quarter below and a quarter above. Unlike a width at half maximum, it hardly changes with a single bright grain of
      * speckle.
      */
-    record Spectrum(ViewColor.View view, double[] nanometers, double[] radiances, double from, double to) {
+    record Spectrum(ViewColor.View view, double[] radiances, double from, double to) {
         private static final int FIRST = 380;
         private static final int STEPS = 400;
         // Evaluations per nanometer: light as coherent as sunlight has orders 4 nm wide.
         private static final int PER_NANOMETER = 4;
+
+        static double[] nanometers() {
+            return IntStream.rangeClosed(FIRST, FIRST + STEPS).asDoubleStream().toArray();
+        }
 
         static double[] fineWavelengths() {
             return IntStream.rangeClosed(0, STEPS * PER_NANOMETER)
@@ -68,7 +72,6 @@ record ColorReport(
             }
             return new Spectrum(
                     view,
-                    IntStream.rangeClosed(FIRST, FIRST + STEPS).asDoubleStream().toArray(),
                     IntStream.rangeClosed(0, STEPS)
                             .mapToDouble(nanometer -> fine[nanometer * PER_NANOMETER])
                             .toArray(),
@@ -80,12 +83,10 @@ record ColorReport(
             return to - from;
         }
 
-        Map<String, Object> band() {
-            Map<String, Object> values = new LinkedHashMap<>();
-            values.put("width_m", width());
-            values.put("quarter_m", from);
-            values.put("three_quarters_m", to);
-            return values;
+        void putBand(Map<String, Object> fields) {
+            fields.put("width_m", width());
+            fields.put("quarter_m", from);
+            fields.put("three_quarters_m", to);
         }
 
         Map<String, Object> fields() {
@@ -93,10 +94,10 @@ record ColorReport(
             values.put("strip", view.strip());
             values.put("theta_i_deg", view.thetaIDegrees());
             values.put("theta_r_deg", view.thetaRDegrees());
-            values.putAll(band());
+            putBand(values);
             values.put(
                     "wavelength_m",
-                    Arrays.stream(nanometers).map(length -> length / 1e9).toArray());
+                    Arrays.stream(nanometers()).map(length -> length / 1e9).toArray());
             values.put("relative_radiance", radiances);
             return values;
         }
@@ -134,12 +135,12 @@ record ColorReport(
         Map<String, Object> fields = ReportFields.of(patch, period, verdict);
         fields.put("theta_i_deg", colors.get(0).view().thetaIDegrees());
         fields.put("has_color", colored);
-        fields.put("plane_azimuth_deg", azimuthDegrees);
+        fields.put("plane_azimuth_deg", colors.get(0).view().phiDegrees());
         fields.put("coherence_length_m", coherenceLength);
         fields.put("plan", plan);
         fields.put("model", ModelError.of(patch.scan()).describe());
         Optional<Map<String, Object>> values = purest.map(ViewColor::fields);
-        values.ifPresent(found -> found.putAll(spectrum.band()));
+        values.ifPresent(spectrum::putBand);
         fields.put("purest", values.orElse(null));
         fields.put("colors", colors.stream().map(ViewColor::fields).toList());
         fields.put("spectrum", spectrum.fields());
@@ -150,21 +151,16 @@ record ColorReport(
     static AtomicFile.StreamContent csv(List<ColorReport> reports) {
         List<Map<String, Object>> rows = new ArrayList<>();
         for (ColorReport report : reports) {
-            double black = BLACK
-                    * report.colors.stream()
-                            .mapToDouble(color -> color.xyz()[1])
-                            .max()
-                            .orElse(0);
+            ViewColor brightest = Collections.max(report.colors, Comparator.comparingDouble(color -> color.xyz()[1]));
             for (ViewColor color : report.colors) {
                 Map<String, Object> cells = new LinkedHashMap<>(Map.of("patch", report.patch.name()));
-                boolean hueless = color.xyz()[1] < black;
+                boolean hueless = color.xyz()[1] < BLACK * brightest.xyz()[1];
                 color.fields().forEach((name, value) -> {
                     if (name.equals("dominant_m")) {
                         cells.put("dominant_nm", cell(value == null || hueless ? null : 1e9 * (Double) value));
-                    } else if (name.equals("purity") && hueless) {
-                        cells.put(name, "");
                     } else {
-                        cells.put(name.replaceFirst("^(phi|phi_i|theta_i|theta_r)_deg$", "$1"), cell(value));
+                        String column = name.replaceFirst("^(phi|phi_i|theta_i|theta_r)_deg$", "$1");
+                        cells.put(column, cell(name.equals("purity") && hueless ? null : value));
                     }
                 });
                 rows.add(cells);

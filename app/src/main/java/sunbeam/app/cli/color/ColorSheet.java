@@ -5,7 +5,6 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -88,10 +87,11 @@ final class ColorSheet {
                         + angle(color.view().thetaRDegrees()) + " "
                         + color.view().strip())
                 .orElse("");
-        double first = report.colors().get(0).view().phiIDegrees();
-        boolean isFixed =
-                report.colors().stream().allMatch(color -> color.view().phiIDegrees() == first);
-        String light = isFixed ? angle(first) : "that of the strip";
+        double[] azimuths = report.colors().stream()
+                .mapToDouble(color -> color.view().phiIDegrees())
+                .distinct()
+                .toArray();
+        String light = azimuths.length == 1 ? angle(azimuths[0]) : "that of the strip";
         return Text.format(
                 "light (yellow) at %s, azimuth %s; mirror direction (white)%s; coherence length %s",
                 angle(theta(report)), light, purest, Lengths.rounded(report.coherenceLength(), 3));
@@ -121,7 +121,13 @@ final class ColorSheet {
         int middle = GAP + STRIP / 2;
         graphics.setColor(mark);
         graphics.fillRect(LEFT - 11, GAP, 7, STRIP);
-        cells(graphics, colors);
+        double width = angleOf(1) - first;
+        for (ViewColor color : colors) {
+            int from = x(color.view().thetaRDegrees() - width / 2);
+            int to = x(color.view().thetaRDegrees() + width / 2);
+            graphics.setColor(new Color(color.rgb()));
+            graphics.fillRect(from, GAP, to - from, STRIP);
+        }
         marks(graphics, report, colors.get(0).view(), middle);
         graphics.setColor(Sheet.INK);
         graphics.drawString(colors.get(0).view().strip(), 12, middle - 4);
@@ -132,17 +138,6 @@ final class ColorSheet {
             graphics.drawLine(x, GAP + STRIP, x, GAP + STRIP + 4);
             String label = angle(degrees);
             graphics.drawString(label, x - graphics.getFontMetrics().stringWidth(label) / 2, GAP + STRIP + 18);
-        }
-    }
-
-    private void cells(Graphics2D graphics, List<ViewColor> colors) {
-        double step =
-                colors.get(1).view().thetaRDegrees() - colors.get(0).view().thetaRDegrees();
-        for (ViewColor color : colors) {
-            int from = x(color.view().thetaRDegrees() - step / 2);
-            int to = x(color.view().thetaRDegrees() + step / 2);
-            graphics.setColor(new Color(color.rgb()));
-            graphics.fillRect(from, GAP, to - from, STRIP);
         }
     }
 
@@ -182,10 +177,10 @@ final class ColorSheet {
     }
 
     private BufferedImage chromaticities() {
-        List<Chromaticity> locus = new ArrayList<>(IntStream.rangeClosed(380, 700)
+        // Closed by the line of purples.
+        List<Chromaticity> locus = IntStream.concat(IntStream.rangeClosed(380, 700), IntStream.of(380))
                 .mapToObj(nanometer -> Chromaticity.ofWavelength(cie, nanometer * 1e-9))
-                .toList());
-        locus.add(locus.get(0));
+                .toList();
         Plot plot =
                 Plot.linear("Chromaticity" + ofOne(ViewColor.View::strip), "x (CIE 1931)", "y", WIDTH / 2, PLOT_HEIGHT);
         plot.legendBelow().equalScales(TICK).outline("spectral colors", xs(locus), ys(locus));
@@ -226,7 +221,13 @@ final class ColorSheet {
         Plot plot = Plot.linear(title, "wavelength / nm", radiance, WIDTH / 2, PLOT_HEIGHT);
         plot.legendBelow().fromZero();
         for (int i = 0; i < reports.size(); i++) {
-            add(plot, names.get(i), reports.get(i).spectrum(), i);
+            ColorReport.Spectrum spectrum = reports.get(i).spectrum();
+            double most = Arrays.stream(spectrum.radiances()).reduce(Double.MIN_NORMAL, Math::max);
+            double[] shares = Arrays.stream(spectrum.radiances())
+                    .map(value -> value / most)
+                    .toArray();
+            String name = names.get(i) + " " + place(spectrum.view());
+            plot.line(name, ColorReport.Spectrum.nanometers(), shares, i);
         }
         return plot.draw();
     }
@@ -237,14 +238,5 @@ final class ColorSheet {
 
     private static String place(ViewColor.View view) {
         return view.strip() + " at " + angle(view.thetaRDegrees());
-    }
-
-    private static void add(Plot plot, String name, ColorReport.Spectrum spectrum, int color) {
-        double largest = Math.max(
-                Double.MIN_NORMAL, Arrays.stream(spectrum.radiances()).max().orElseThrow());
-        double[] shares = Arrays.stream(spectrum.radiances())
-                .map(value -> value / largest)
-                .toArray();
-        plot.line(name + " " + place(spectrum.view()), spectrum.nanometers(), shares, color);
     }
 }

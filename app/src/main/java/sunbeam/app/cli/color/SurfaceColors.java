@@ -24,12 +24,14 @@ import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.ReflectionPart;
 import sunbeam.precompute.method.Method;
 import sunbeam.precompute.method.MethodPlan;
+import sunbeam.precompute.method.Methods;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.RefractiveIndex;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
@@ -64,7 +66,7 @@ final class SurfaceColors {
     private final Optional<Double> lightAzimuthDegrees;
     private final double theta;
     private final List<ViewColor.View> views = new ArrayList<>();
-    private final List<double[]> colors = new ArrayList<>();
+    private final double[][] colors;
     private final CoherenceWindow window;
     private final int directions;
     private final double angleStep;
@@ -78,14 +80,8 @@ final class SurfaceColors {
      * @param theta angle of the light to the normal, degrees
      */
     SurfaceColors(
-            DiffractionSetup setup,
-            Method method,
-            RefractiveIndex index,
-            Choices light,
-            CoherenceWindow window,
-            double theta,
-            Range angles) {
-        this.window = window;
+            DiffractionSetup setup, Choices choices, RefractiveIndex index, Choices light, double theta, Range angles) {
+        window = GaussianArea.of(choices).window();
         angleStep = angles.step();
         directions =
                 (int) Math.ceil(Math.toRadians(angles.step()) / (STEP * SHORTEST_WAVELENGTH * window.sigmaFrequency()));
@@ -96,7 +92,7 @@ final class SurfaceColors {
                     angles.count(), directions, Lengths.rounded(window.coherenceLength(), 3)));
         }
         this.setup = setup;
-        this.method = method;
+        method = Methods.of(choices);
         this.index = index;
         this.theta = theta;
         turn = light.get(ROTATE_PATCH);
@@ -108,6 +104,7 @@ final class SurfaceColors {
                 views.add(view(along, degrees));
             }
         }
+        colors = new double[views.size()][3];
         VisibleRange range = VisibleRange.of(
                 views.stream().flatMap(view -> view.pairs().stream()).toList());
         parts = ReflectionPart.of(index, setup.cie()).stream()
@@ -144,13 +141,12 @@ final class SurfaceColors {
         List<DirectionPair> pairs =
                 views.stream().flatMap(view -> view.pairs().stream()).toList();
         List<Query> queries = pairs.stream().map(pair -> new Query(pair, 0)).toList();
-        views.forEach(view -> colors.add(new double[3]));
         for (Part part : parts) {
             List<float[]> powers = evaluate(context, part.plan, MethodUse.COLOR, queries);
             for (int i = 0; i < queries.size(); i++) {
                 double gain = part.reflection.gain(pairs.get(i)) / directions;
                 for (int c = 0; c < 3; c++) {
-                    colors.get(i / directions)[c] += gain * powers.get(i)[c];
+                    colors[i / directions][c] += gain * powers.get(i)[c];
                 }
             }
         }
@@ -197,14 +193,14 @@ final class SurfaceColors {
 
     private List<double[]> outsideGloss() {
         return IntStream.range(0, views.size())
-                .filter(i -> isColor(views.get(i), colors.get(i)))
-                .mapToObj(colors::get)
+                .filter(i -> isColor(views.get(i), colors[i]))
+                .mapToObj(i -> colors[i])
                 .toList();
     }
 
     /** Returns the colors that set the exposure: those outside the gloss, or all if the surface has no color. */
     LinearPicture meteredColors() {
-        List<double[]> some = isColored() ? outsideGloss() : colors;
+        List<double[]> some = isColored() ? outsideGloss() : List.of(colors);
         float[] xyz = new float[3 * some.size()];
         for (int i = 0; i < xyz.length; i++) {
             xyz[i] = (float) some.get(i / 3)[i % 3];
@@ -214,46 +210,35 @@ final class SurfaceColors {
 
     /** Returns the verdict for this light if it lies in the viewing planes, else for light along the normal. */
     private Verdict verdict() {
-        return Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
+        Verdict verdict = Verdict.of(patch(), period, lightAzimuthDegrees.isEmpty() ? theta : 0);
+        String blurred = Text.format(
+                "No color can be told: light that is coherent over only %s, as far as the scan or the light reaches,"
+                        + " blurs every order into the gloss",
+                Lengths.rounded(window.coherenceLength(), 3));
+        return verdict.hasColor() && outsideGloss().isEmpty()
+                ? new Verdict(verdict.code(), blurred, verdict.firstOrders())
+                : verdict;
     }
 
     boolean isColored() {
-        return whyColorless().isEmpty();
-    }
-
-    private Optional<String> whyColorless() {
-        if (!verdict().hasColor()) {
-            return Optional.of(verdict().sentence());
-        }
-        if (outsideGloss().isEmpty()) {
-            return Optional.of(Text.format(
-                    "No color can be told: light that is coherent over only %s, as far as the scan or the light"
-                            + " reaches, blurs every order into the gloss",
-                    Lengths.rounded(window.coherenceLength(), 3)));
-        }
-        return Optional.empty();
+        return verdict().hasColor() && !outsideGloss().isEmpty();
     }
 
     ColorReport report(RenderContext context, ViewColor.Scale scale) {
-        Optional<String> without = whyColorless();
-        Verdict verdict = verdict();
+        boolean colored = isColored();
         List<ViewColor> seen = IntStream.range(0, views.size())
-                .mapToObj(i -> ViewColor.of(views.get(i), colors.get(i), scale))
+                .mapToObj(i -> ViewColor.of(views.get(i), colors[i], scale))
                 .toList();
-        Optional<ViewColor> purest = without.isPresent()
-                ? Optional.empty()
-                : ViewColor.purest(
-                        seen.stream()
-                                .filter(color -> isColor(color.view(), color.xyz()))
-                                .toList(),
-                        this::mayBePurest);
+        List<ViewColor> outside = seen.stream()
+                .filter(color -> colored && isColor(color.view(), color.xyz()))
+                .toList();
+        Optional<ViewColor> purest = ViewColor.purest(outside, this::mayBePurest);
         ViewColor.View chosen = purest.map(ViewColor::view).orElseGet(() -> view(true, -theta));
         return new ColorReport(
                 patch(),
                 period,
-                new Verdict(verdict.code(), without.orElse(verdict.sentence()), verdict.firstOrders()),
-                without.isEmpty(),
-                azimuthDegrees,
+                verdict(),
+                colored,
                 window.coherenceLength(),
                 plan().summary(),
                 seen,

@@ -70,15 +70,11 @@ record ViewColor(
     static ViewColor of(View view, double[] xyz, Scale scale) {
         double exposure = scale.display().exposure();
         double[] exposed = {exposure * xyz[0], exposure * xyz[1], exposure * xyz[2]};
+        int rgb = scale.display().rgb(xyz);
         Chromaticity chromaticity = Chromaticity.of(xyz);
-        return new ViewColor(
-                view,
-                xyz,
-                scale.display().rgb(xyz),
-                chromaticity,
-                chromaticity.hue(scale.cie()),
-                lab(exposed),
-                uncertainty(exposed, 3 * scale.tolerance()));
+        Chromaticity.Hue hue = chromaticity.hue(scale.cie());
+        double uncertainty = uncertainty(exposed, 3 * scale.tolerance());
+        return new ViewColor(view, xyz, rgb, chromaticity, hue, lab(exposed), uncertainty);
     }
 
     /**
@@ -147,11 +143,7 @@ record ViewColor(
         if (Double.isNaN(wavelength)) {
             return "no hue";
         }
-        return Text.format(
-                wavelength > 0
-                        ? "dominant wavelength %.0f nm, purity %.2f"
-                        : "purple, complement of %.0f nm, purity %.2f",
-                Math.abs(wavelength),
-                hue.purity());
+        String kind = wavelength > 0 ? "dominant wavelength" : "purple, complement of";
+        return Text.format("%s %.0f nm, purity %.2f", kind, Math.abs(wavelength), hue.purity());
     }
 }

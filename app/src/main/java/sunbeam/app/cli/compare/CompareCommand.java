@@ -39,6 +39,7 @@ import sunbeam.app.scene.SceneWriter;
 import sunbeam.app.scene.Scenes;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
+import sunbeam.app.terminal.ProgressDisplay;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.color.DisplayTransform;
 import sunbeam.precompute.color.DisplayTransform.Tone;
@@ -132,15 +133,10 @@ public final class CompareCommand extends FileCommand {
         BufferedImage sheet = sheet(linear.picture(), picture, comparison, scene.get(SceneSettings.BACKGROUND));
         String sizes = Quoted.oneLine(photo.getFileName().toString()) + ", " + photograph.width() + "x"
                 + photograph.height() + (drawn.width() == photograph.width() ? "" : " reduced to " + drawn);
-        Map<String, String> text = Map.of(
-                "Title",
-                "Photograph and scene",
-                "Photograph",
-                sizes,
-                "Scene",
-                SceneWriter.caption(scene),
-                "Comparison",
-                String.join("\n", comparison.lines()));
+        String caption = SceneWriter.caption(scene);
+        String lines = String.join("\n", comparison.lines());
+        Map<String, String> text =
+                Map.of("Title", "Photograph and scene", "Photograph", sizes, "Scene", caption, "Comparison", lines);
         Path written = PngWriter.write(target, overwrite(output), sheet, text);
         Map<String, Object> values = new LinkedHashMap<>(Map.of("photograph", sizes));
         values.putAll(comparison.values());
@@ -156,17 +152,12 @@ public final class CompareCommand extends FileCommand {
     }
 
     private ScenePicture draw(SceneLoader loader, Scene scene, PictureSize size) {
+        ProgressDisplay display = environment().progress();
         PixelSamples samples = PixelSamples.of(scene.method(), size.width(), size.height());
         try (LoadingScene loading = new LoadingScene(loader, scene);
                 RenderContext context = loading.offscreen();
                 FrameSequence frames = new FrameSequence(
-                        context,
-                        loading.upload(context),
-                        size,
-                        samples,
-                        new Overlays(),
-                        null,
-                        environment().progress())) {
+                        context, loading.upload(context), size, samples, new Overlays(), null, display)) {
             err().println("plan: " + frames.parts().get(0).method().summary());
             return frames.light(scene);
         }
@@ -230,35 +221,21 @@ public final class CompareCommand extends FileCommand {
             // The heat map's rows begin at the bottom.
             System.arraycopy(comparison.differences(), (rows.length - 1 - row) * columns, rows[row], 0, columns);
         }
-        HeatMap.Values values = new HeatMap.Values(
-                rows,
-                new double[] {0, columns},
-                new double[] {0, rows.length},
-                new HeatMap.Colors(
-                        "CIEDE2000", 0, Math.max(LEAST_SCALE, comparison.high()), Plot.Scale.LINEAR, ColorMap.VIRIDIS),
-                HeatMap.Reduction.MIDDLE);
-        return new HeatMap(
-                        new HeatMap.Frame(
-                                "Difference, to its 95th percentile",
-                                "column",
-                                "row from below",
-                                PANEL + MARGIN,
-                                height,
-                                true),
-                        values)
-                .draw();
+        String title = "Difference, to its 95th percentile";
+        HeatMap.Frame frame = new HeatMap.Frame(title, "column", "row from below", PANEL + MARGIN, height, true);
+        double high = Math.max(LEAST_SCALE, comparison.high());
+        HeatMap.Colors colors = new HeatMap.Colors("CIEDE2000", 0, high, Plot.Scale.LINEAR, ColorMap.VIRIDIS);
+        double[] across = {0, columns};
+        double[] up = {0, rows.length};
+        return new HeatMap(frame, new HeatMap.Values(rows, across, up, colors, HeatMap.Reduction.MIDDLE)).draw();
     }
 
     private static BufferedImage hues(PhotoComparison.HueComparison hue, int height) {
         double[] degrees = IntStream.range(0, hue.first().length)
                 .mapToDouble(step -> PhotoComparison.HueComparison.STEP_DEGREES * (step + 0.5))
                 .toArray();
-        return Plot.linear(
-                        "Hues of colored pixels",
-                        "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)",
-                        "share of pixels per 10 degrees",
-                        PANEL + MARGIN,
-                        height)
+        String x = "hue h* / degrees (0 red, 90 yellow, 180 green, 270 blue)";
+        return Plot.linear("Hues of colored pixels", x, "share of pixels per 10 degrees", PANEL + MARGIN, height)
                 .legendBelow()
                 .line("photograph", degrees, hue.first())
                 .line("scene", degrees, hue.second())

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
 import sunbeam.app.render.PixelPicture.LitPixels;
@@ -60,24 +61,23 @@ record PhotoComparison(
                             ? "the scene's mesh covers no opaque pixel of the photograph; change the scene's camera, or the mask"
                             : "the photograph is clipped wherever the mesh is; take one of shorter exposure");
         }
-        double[] photoY =
-                Arrays.stream(fitted).mapToDouble(pixel -> seen[4 * pixel + 1]).toArray();
-        double[] sceneY =
-                Arrays.stream(fitted).mapToDouble(pixel -> drawn[4 * pixel + 1]).toArray();
+        double[] photoY = luminances(seen, fitted);
+        double[] sceneY = luminances(drawn, fitted);
         double exposure = given.orElseGet(() -> exposure(sceneY, photoY));
         boolean isBlack = Arrays.stream(photoY).noneMatch(y -> y > DARKEST);
         if (isBlack || !(exposure > 0) || !Double.isFinite(exposure)) {
             throw new InputException(
                     "photograph or scene is black where the mesh is; change the scene's light or weights");
         }
-        CieLab[] photoColors = colors(seen, covered, 1);
-        CieLab[] sceneColors = colors(drawn, covered, exposure);
+        List<CieLab> photoColors = colors(seen, covered, 1);
+        List<CieLab> sceneColors = colors(drawn, covered, exposure);
         double[] differences = new double[photo.clipped().length];
         Arrays.fill(differences, Double.NaN);
-        IntStream.range(0, covered.length)
-                .forEach(i -> differences[covered[i]] = photoColors[i].difference(sceneColors[i]));
-        double[] compared =
-                Arrays.stream(covered).mapToDouble(pixel -> differences[pixel]).toArray();
+        double[] compared = new double[covered.length];
+        for (int i = 0; i < covered.length; i++) {
+            compared[i] = photoColors.get(i).difference(sceneColors.get(i));
+            differences[covered[i]] = compared[i];
+        }
         return new PhotoComparison(
                 exposure,
                 covered.length,
@@ -86,7 +86,7 @@ record PhotoComparison(
                 Quantiles.of(compared, 0.5),
                 Quantiles.of(compared, 0.95),
                 fitted.length < 2 ? Double.NaN : new PearsonsCorrelation().correlation(photoY, sceneY),
-                HueComparison.of(List.of(colors(seen, fitted, 1)), List.of(colors(drawn, fitted, exposure))),
+                HueComparison.of(colors(seen, fitted, 1), colors(drawn, fitted, exposure)),
                 LitPixels.of(scene, display(exposure)));
     }
 
@@ -104,10 +104,10 @@ record PhotoComparison(
                 squares += weights[i] * x[i] * x[i];
             }
             factor = products / squares;
-            double[] errors = new double[x.length];
-            for (int i = 0; i < x.length; i++) {
-                errors[i] = Math.abs(y[i] - factor * x[i]);
-            }
+            double fitted = factor;
+            double[] errors = IntStream.range(0, x.length)
+                    .mapToDouble(i -> Math.abs(y[i] - fitted * x[i]))
+                    .toArray();
             double limit = HUBER * DEVIATION * Quantiles.of(errors, 0.5);
             Arrays.setAll(weights, i -> errors[i] > limit ? limit / errors[i] : 1);
             if (limit == 0 || Math.abs(factor - before) <= 1e-9 * factor) {
@@ -121,7 +121,11 @@ record PhotoComparison(
         return new DisplayTransform(exposure, DisplayTransform.Tone.CLIP);
     }
 
-    private static CieLab[] colors(float[] rgba, int[] pixels, double exposure) {
+    private static double[] luminances(float[] rgba, int[] pixels) {
+        return Arrays.stream(pixels).mapToDouble(pixel -> rgba[4 * pixel + 1]).toArray();
+    }
+
+    private static List<CieLab> colors(float[] rgba, int[] pixels, double exposure) {
         DisplayTransform display = display(exposure);
         return Arrays.stream(pixels)
                 .parallel()
@@ -131,7 +135,7 @@ record PhotoComparison(
                     double[] xyz = Srgb.xyz(light[0], light[1], light[2]);
                     return CieLab.ofXyz(xyz[0], xyz[1], xyz[2]);
                 })
-                .toArray(CieLab[]::new);
+                .toList();
     }
 
     List<String> lines() {
@@ -181,21 +185,14 @@ record PhotoComparison(
             int[] colored = IntStream.range(0, first.size())
                     .filter(i -> isColored(first.get(i)) && isColored(second.get(i)))
                     .toArray();
-            double[] one =
-                    IntStream.of(colored).mapToDouble(i -> hue(first.get(i))).toArray();
-            double[] other =
-                    IntStream.of(colored).mapToDouble(i -> hue(second.get(i))).toArray();
-            double[] turns = IntStream.range(0, colored.length)
-                    .mapToDouble(i -> other[i] - one[i])
-                    .toArray();
-            double oneMean = mean(one);
-            double otherMean = mean(other);
+            double oneMean = mean(colored, i -> hue(first.get(i)));
+            double otherMean = mean(colored, i -> hue(second.get(i)));
             double products = 0;
             double oneSquares = 0;
             double otherSquares = 0;
-            for (int i = 0; i < colored.length; i++) {
-                double a = Math.sin(one[i] - oneMean);
-                double b = Math.sin(other[i] - otherMean);
+            for (int i : colored) {
+                double a = Math.sin(hue(first.get(i)) - oneMean);
+                double b = Math.sin(hue(second.get(i)) - otherMean);
                 products += a * b;
                 oneSquares += a * a;
                 otherSquares += b * b;
@@ -203,7 +200,7 @@ record PhotoComparison(
             return new HueComparison(
                     colored.length,
                     products / Math.sqrt(oneSquares * otherSquares),
-                    Math.toDegrees(mean(turns)),
+                    Math.toDegrees(mean(colored, i -> hue(second.get(i)) - hue(first.get(i)))),
                     histogram(first),
                     histogram(second));
         }
@@ -216,14 +213,14 @@ record PhotoComparison(
             return Math.atan2(color.b(), color.a());
         }
 
-        private static double mean(double[] angles) {
+        private static double mean(int[] colors, IntToDoubleFunction angle) {
             double x = 0;
             double y = 0;
-            for (double angle : angles) {
-                x += Math.cos(angle);
-                y += Math.sin(angle);
+            for (int color : colors) {
+                x += Math.cos(angle.applyAsDouble(color));
+                y += Math.sin(angle.applyAsDouble(color));
             }
-            return angles.length == 0 ? Double.NaN : Math.atan2(y, x);
+            return colors.length == 0 ? Double.NaN : Math.atan2(y, x);
         }
 
         private static double[] histogram(List<CieLab> colors) {

@@ -43,13 +43,10 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
             return switch (stream.readUnsignedShort()) {
                 case 0xffd8 ->
-                    new PhotoTags(
-                            orientation(JpegMetadataReader.readMetadata(file.toFile(), List.of(new ExifReader()))),
-                            Optional.empty(),
-                            false);
+                    withoutProfile(JpegMetadataReader.readMetadata(file.toFile(), List.of(new ExifReader())));
                 case 0x8950 -> ofPng(file, chunks(stream));
                 case 0x4949, 0x4d4d -> ofTiff(TiffMetadataReader.readMetadata(file.toFile()));
-                default -> new PhotoTags(1, Optional.empty(), false);
+                default -> withoutProfile(new Metadata());
             };
         } catch (InputException refused) {
             throw refused;
@@ -58,6 +55,10 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
             throw new InputException(
                     "photograph " + file + " has damaged Exif data or a damaged profile; export it again", damaged);
         }
+    }
+
+    private static PhotoTags withoutProfile(Metadata metadata) {
+        return new PhotoTags(orientation(metadata), Optional.empty(), false);
     }
 
     private static PhotoTags ofTiff(Metadata metadata) {
@@ -102,10 +103,9 @@ record PhotoTags(int orientation, Optional<ICC_Profile> profile, boolean hasProf
         if (chunks.containsKey("eXIf")) {
             new ExifReader().extract(new ByteArrayReader(chunks.get("eXIf")), metadata);
         }
-        return new PhotoTags(
-                orientation(metadata),
-                profile == null ? Optional.empty() : Optional.of(inflatedProfile(profile)),
-                profile != null);
+        return profile == null
+                ? withoutProfile(metadata)
+                : new PhotoTags(orientation(metadata), Optional.of(inflatedProfile(profile)), true);
     }
 
     private static InputException otherColors(Path file, String how) {

@@ -88,7 +88,10 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
         double scaleX = (double) picture.width() / width();
         double scaleY = (double) picture.height() / height();
         double alpha = alpha(samples, at);
-        boolean isClipped = isClipped(samples, at);
+        boolean isClipped = false;
+        for (int i = at; i < at + colors.channels(); i++) {
+            isClipped |= samples[i] == colors.white();
+        }
         for (int toY = (int) (y * scaleY); toY < picture.height() && toY < (y + 1) * scaleY; toY++) {
             for (int toX = (int) (x * scaleX); toX < picture.width() && toX < (x + 1) * scaleX; toX++) {
                 double area = overlap(x * scaleX, scaleX, toX) * overlap(y * scaleY, scaleY, toY);
@@ -109,19 +112,8 @@ record Photograph(Raster raster, boolean hasAlpha, Colors colors, int orientatio
 
     private double alpha(int[] samples, int at) {
         int channels = colors.channels();
-        return hasAlpha
-                ? samples[at + channels]
-                        / (Math.scalb(1.0, raster.getSampleModel().getSampleSize(channels)) - 1)
-                : 1;
-    }
-
-    private boolean isClipped(int[] samples, int at) {
-        for (int i = at; i < at + colors.channels(); i++) {
-            if (samples[i] == colors.white()) {
-                return true;
-            }
-        }
-        return false;
+        int bits = raster.getSampleModel().getSampleSize(hasAlpha ? channels : 0);
+        return hasAlpha ? samples[at + channels] / (Math.scalb(1.0, bits) - 1) : 1;
     }
 
     /**

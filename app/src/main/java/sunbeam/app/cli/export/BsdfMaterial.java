@@ -2,13 +2,11 @@ package sunbeam.app.cli.export;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import sunbeam.app.terminal.ProgressDisplay;
-import sunbeam.precompute.analysis.EnergyDivisor;
 import sunbeam.precompute.color.WavelengthBand;
+import sunbeam.precompute.color.WavelengthBand.SpectralBands;
 import sunbeam.precompute.colortable.ColorTable;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.Direction;
@@ -38,22 +36,17 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
      */
     record Slice(float[] density, float[] spectra, float[] luminance) {}
 
-    /** @param divisor divisor of radiance by first direction and wavelength, if energy is conserved */
-    static BsdfMaterial of(
-            Shape shape,
-            ColorGrid grid,
-            List<ColorGrid> bands,
-            ProgressDisplay display,
-            Optional<EnergyDivisor> divisor) {
-        HalfVectors.Density azimuths = azimuths(grid, shape.rows());
+    static BsdfMaterial of(Shape shape, List<ColorGrid> bands, TableMetadata metadata) {
+        HalfVectors.Density azimuths = azimuths(metadata.grid(), shape.rows());
         List<Integer> numbers = IntStream.range(0, shape.slices()).boxed().toList();
-        List<Slice> slices = display.map("Directions", numbers, number -> {
+        List<Slice> slices = metadata.setup().progress().map("Directions", numbers, number -> {
             double phi = shape.phi(number / shape.thetas());
             double theta = shape.theta(number % shape.thetas());
             HalfVectors map = HalfVectors.of(azimuths, phi, theta, shape.columns());
             Direction first = Direction.ofDegrees(Math.toDegrees(theta), Math.toDegrees(phi));
             double[] shares = DoubleStream.of(shape.bands().nanometers())
-                    .map(nm -> divisor.map(found -> 1 / found.at(first, nm * NANOMETER))
+                    .map(nm -> metadata.divisor()
+                            .map(found -> 1 / found.at(first, nm * NANOMETER))
                             .orElse(1.0))
                     .toArray();
             return new SliceBaker(shape, map, phi, theta, bands, shares).bake();
@@ -195,8 +188,7 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
      * angles to the normal, from 0 to {@code largest}, radians; the side of the unit square that holds the second direction; azimuths
      * (rows) and angles (columns) of the half vector in the density of {@link HalfVectors}.
      */
-    record Shape(
-            int phis, int thetas, double largest, int side, int rows, int columns, WavelengthBand.SpectralBands bands) {
+    record Shape(int phis, int thetas, double largest, int side, int rows, int columns, SpectralBands bands) {
         // Largest angle of the first direction to the normal: beyond it the division by its cosine is unstable.
         private static final double LARGEST_ANGLE = Math.toRadians(88);
         private static final int LEAST_COLUMNS = 48;
@@ -222,14 +214,11 @@ record BsdfMaterial(Shape shape, HalfVectors.Density azimuths, List<Slice> slice
             int bands = count > 0
                     ? count
                     : Math.max(2, Math.min(1 + (int) (width / 2), 1 + (int) Math.ceil(width / bandStep)));
-            return new Shape(
-                    1 + (int) Math.ceil(2 * Math.PI / direction),
-                    1 + (int) Math.ceil(largest / direction),
-                    largest,
-                    side,
-                    1 + (int) Math.ceil(2 * Math.PI / (ROW_STEP * step)),
-                    Math.max(LEAST_COLUMNS, side),
-                    new WavelengthBand.SpectralBands(range, bands));
+            int phis = 1 + (int) Math.ceil(2 * Math.PI / direction);
+            int thetas = 1 + (int) Math.ceil(largest / direction);
+            int rows = 1 + (int) Math.ceil(2 * Math.PI / (ROW_STEP * step));
+            int columns = Math.max(LEAST_COLUMNS, side);
+            return new Shape(phis, thetas, largest, side, rows, columns, new SpectralBands(range, bands));
         }
 
         int slices() {

@@ -57,20 +57,13 @@ record BsdfTable(WavelengthBand range, int bandCount) implements TableWriter {
     @Override
     public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         BsdfMaterial.Shape shape = shape(grid.shape());
-        BsdfMaterial material = BsdfMaterial.of(
-                shape, grid, baker.bands(grid, shape.bands()), metadata.setup().progress(), metadata.divisor());
+        BsdfMaterial material = BsdfMaterial.of(shape, baker.bands(grid, shape.bands()), metadata);
         ErrorStatistics errors = errors(material, grid, metadata);
+        int side = shape.side();
         String note = Text.format(
                 "%d x %d first directions, %d x %d second, %d bands; error of power as it is read, where it exceeds %.0e: beside"
                         + " the reference at %s %s",
-                shape.phis(),
-                shape.thetas(),
-                shape.side(),
-                shape.side(),
-                shape.bands().count(),
-                LEAST_POWER,
-                errors.pairs(),
-                errors);
+                shape.phis(), shape.thetas(), side, side, shape.bands().count(), LEAST_POWER, errors.pairs(), errors);
         AtomicFile.StreamContent content = stream -> write(stream, fields(material, metadata, note));
         return new Output(Map.of(".bsdf", content), List.of(note), errors);
     }

@@ -126,12 +126,7 @@ final class GridBaker {
 
     /** Returns the baker of a level; its direct sums over wavelengths serve to measure a grid's error. */
     ColorBaker baker(CieTable functions, ColorTable.Level level) {
-        return new RadialBaker(
-                spectrum,
-                functions,
-                level.area(),
-                level.design(),
-                TableSpace.AllLights.REACH,
-                level.area().equals(plan.table().area()));
+        boolean isFinest = level.area().equals(plan.table().area());
+        return new RadialBaker(spectrum, functions, level.area(), level.design(), TableSpace.AllLights.REACH, isFinest);
     }
 }

@@ -69,11 +69,9 @@ record GridShape(Axis u, Axis v, Axis depth, double largestAngle) {
         double least = REACH * Math.cos(largestAngle);
         int slices = Math.max(TableDesign.TAPS, 1 + (int) Math.ceil((REACH - least) / sliceStep));
         Axis depth = new Axis(least, (REACH - least) / (slices - 1), slices);
-        return new GridShape(
-                Axis.covering(box.left, box.right, step),
-                Axis.covering(box.bottom, box.top, step),
-                depth,
-                largestAngle);
+        Axis u = Axis.covering(box.left, box.right, step);
+        Axis v = Axis.covering(box.bottom, box.top, step);
+        return new GridShape(u, v, depth, largestAngle);
     }
 
     /** Standard deviation in (u, v) of a sharp order seen under a window. */

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.zip.ZipOutputStream;
@@ -69,7 +70,10 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
     public Output output(ColorGrid grid, GridBaker baker, TableMetadata metadata) {
         String json = JsonOption.text(description(metadata));
         GridShape shape = grid.shape();
+        Optional<float[]> divisors =
+                metadata.divisor().map(found -> divisors(found, metadata.setup().cie()));
         float[] colors = colors(shape, isSpectral() ? baker.bands(grid, bands) : List.of(grid));
+        int[] lengths = {shape.depth().count(), shape.v().count(), shape.u().count(), count()};
         AtomicFile.StreamContent content = stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
@@ -79,19 +83,11 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
                 axis(zip, "v", shape.v(), 1);
                 axis(zip, "w", shape.depth(), -1);
                 zip.putNextEntry(NpyWriter.entry("C.npy"));
-                NpyWriter.write(
-                        zip,
-                        colors,
-                        shape.depth().count(),
-                        shape.v().count(),
-                        shape.u().count(),
-                        count());
+                NpyWriter.write(zip, colors, lengths);
                 zip.closeEntry();
-                if (metadata.divisor().isPresent()) {
+                if (divisors.isPresent()) {
                     zip.putNextEntry(NpyWriter.entry("divisor.npy"));
-                    float[] divisors =
-                            divisors(metadata.divisor().get(), metadata.setup().cie());
-                    NpyWriter.write(zip, divisors, count(), LIGHTS, LIGHTS);
+                    NpyWriter.write(zip, divisors.get(), count(), LIGHTS, LIGHTS);
                     zip.closeEntry();
                 }
             }

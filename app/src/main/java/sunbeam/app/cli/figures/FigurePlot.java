@@ -118,12 +118,8 @@ enum FigurePlot {
         double wavelength = 500e-9;
         double[] millimeters =
                 IntStream.rangeClosed(-500, 500).mapToDouble(i -> 0.01 * i).toArray();
-        Plot plot = Plot.linear(
-                "Slits 30 um wide, 150 um apart, 500 nm, screen at 0.5 m",
-                "place on the screen / mm",
-                "relative intensity",
-                WIDTH,
-                HEIGHT);
+        String title = "Slits 30 um wide, 150 um apart, 500 nm, screen at 0.5 m";
+        Plot plot = Plot.linear(title, "place on the screen / mm", "relative intensity", WIDTH, HEIGHT);
         for (int count : new int[] {1, 2, 3, 7}) {
             for (boolean parallel : count == 7 ? new boolean[] {false, true} : new boolean[] {false}) {
                 double[] intensities = map(millimeters, millimeter -> {
@@ -165,8 +161,8 @@ enum FigurePlot {
     private static Plot errors(List<Figure.Drawing> results) {
         List<Figure.Drawing> compared = results.subList(1, results.size());
         double[] terms = new double[compared.size()];
+        double[] values = new double[compared.size()];
         Arrays.setAll(terms, i -> Double.parseDouble(compared.get(i).picture().name()));
-        double[] values = new double[terms.length];
         Arrays.setAll(values, i -> Measure.error(compared.get(i), results.get(0)));
         Plot.Axis errors = Plot.Axis.logarithmic(Measure.ERROR.toString());
         return new Plot(new Plot.Frame("Taylor terms", Plot.Axis.linear("terms"), errors, WIDTH, HEIGHT))

@@ -106,11 +106,7 @@ enum Measure {
             case CHROMA_IN_THE_MIDDLE -> chroma(drawing, (x, y) -> Math.hypot(x, y) < NEAR);
             case CHROMA_ON_THE_RIGHT -> chroma(drawing, (x, y) -> x > NEAR);
             case CHROMA_OF_THE_LIGHT ->
-                sum(
-                                drawing,
-                                EVERYWHERE,
-                                rgb -> luminance(rgb) * CieLab.ofSrgb(rgb).chroma())
-                        / light(drawing, EVERYWHERE);
+                sum(drawing, EVERYWHERE, rgb -> luminance(rgb) * chroma(rgb)) / light(drawing, EVERYWHERE);
             case VARIETY_OF_HUES -> varietyOfHues(drawing);
             case LIGHT_ON_THE_LEFT ->
                 light(drawing, (x, y) -> x < -NEAR) / light(drawing, (x, y) -> Math.abs(x) > NEAR);
@@ -147,7 +143,7 @@ enum Measure {
         int background = colors(drawing, EVERYWHERE).findFirst().orElseThrow();
         return colors(drawing, region)
                 .filter(rgb -> rgb != background)
-                .mapToDouble(rgb -> CieLab.ofSrgb(rgb).chroma())
+                .mapToDouble(Measure::chroma)
                 .average()
                 .orElse(0);
     }
@@ -156,9 +152,7 @@ enum Measure {
     private static double varietyOfHues(Figure.Drawing drawing) {
         double a = sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).a());
         double b = sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).b());
-        return 1
-                - Math.hypot(a, b)
-                        / sum(drawing, EVERYWHERE, rgb -> CieLab.ofSrgb(rgb).chroma());
+        return 1 - Math.hypot(a, b) / sum(drawing, EVERYWHERE, Measure::chroma);
     }
 
     private static double light(Figure.Drawing drawing, Region region) {
@@ -167,6 +161,10 @@ enum Measure {
 
     private static double sum(Figure.Drawing drawing, Region region, IntToDoubleFunction quantity) {
         return colors(drawing, region).mapToDouble(quantity).sum();
+    }
+
+    private static double chroma(int rgb) {
+        return CieLab.ofSrgb(rgb).chroma();
     }
 
     private static double luminance(int rgb) {

@@ -57,7 +57,6 @@ class ColorSheetTest {
                 GratingPeriod.of(patch),
                 new Verdict(Verdict.Code.SURE_GRATING, "orange", List.of()),
                 true,
-                0,
                 65e-6,
                 "a plan",
                 colors,
