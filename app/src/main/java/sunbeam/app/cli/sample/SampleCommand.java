@@ -4,10 +4,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -41,7 +40,9 @@ import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.setting.Choices;
+import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.spectrum.PowerSpectrum;
+import sunbeam.precompute.text.Text;
 
 /** Command {@code sunbeam sample}: writes random rows of light, view and color. */
 @Command(
@@ -60,6 +61,7 @@ public final class SampleCommand extends FileCommand {
     private static final int HEAP_DIVISOR = 2;
     // Copies of all rows that are in memory at once: the HDF5 library takes arrays of arrays, and copies them.
     private static final int HDF5_COPIES = 3;
+    private static final Pattern HDF5 = Pattern.compile("\\.(h5|hdf5|he5)$", Pattern.CASE_INSENSITIVE);
 
     @Mixin
     private final PatchOptions patchOptions = PatchOptions.ofArgument();
@@ -112,7 +114,7 @@ public final class SampleCommand extends FileCommand {
 
         @Override
         public String toString() {
-            return name().toLowerCase(Locale.ROOT);
+            return ValueKind.name(this);
         }
     }
 
@@ -129,7 +131,8 @@ public final class SampleCommand extends FileCommand {
             LightTable.requireNone(asked, LightSettings.ALL);
         }
         TaskPart part = TaskPart.parse(task);
-        boolean hdf5 = isHdf5();
+        Ending.ROWS.require("--output", output);
+        boolean hdf5 = HDF5.matcher(output.toString()).find();
         int rows = rows(part);
         AtomicFile.checkWritable(output, overwrite());
         requireRoom(rows, hdf5);
@@ -168,13 +171,6 @@ public final class SampleCommand extends FileCommand {
         json.print(out, made, List.of(output));
         return CertifyOption.judge(certificate, plan.plan(), choices, json.text(out), err())
                 .code();
-    }
-
-    private boolean isHdf5() {
-        String name = output.toString().toLowerCase(Locale.ROOT);
-        boolean hdf5 = Stream.of(".h5", ".hdf5", ".he5").anyMatch(name::endsWith);
-        Ending.ROWS.require("--output", output);
-        return hdf5;
     }
 
     private int rows(TaskPart part) {
@@ -217,23 +213,20 @@ public final class SampleCommand extends FileCommand {
         fields.put("first_row", part.first(count));
         fields.put("background_share", PairDensity.BACKGROUND);
         fields.put("directions", "unit vectors to light and viewer; x tangent, y bitangent, z normal");
-        boolean colors = channels == RowKind.XYZ;
-        if (colors) {
+        String density = "probability by solid angles of light and view%s: the mean of f / density estimates the"
+                + " integral of f over both hemispheres%s";
+        if (channels == RowKind.XYZ) {
+            String light = setup.cie().description();
             fields.put(
                     "xyz",
-                    "X, Y, Z of diffracted power in " + setup.cie().description()
-                            + "; a flat mirror in specular direction has Y = 1");
+                    "X, Y, Z of diffracted power in " + light + "; a flat mirror in specular direction has Y = 1");
+            fields.put("density", Text.format(density, ", 1/sr^2", ""));
         } else {
             fields.put("wavelength", "nm, even in 380 to 780");
             fields.put("power", "1: a flat mirror in specular direction");
             fields.put("brdf", "1/sr, without mask; keratin's reflectance");
+            fields.put("density", Text.format(density, " and by wavelength, 1/(sr^2 nm)", " and 380 to 780 nm"));
         }
-        fields.put(
-                "density",
-                "probability by solid angles of light and view"
-                        + (colors ? ", 1/sr^2" : " and by wavelength, 1/(sr^2 nm)")
-                        + ": the mean of f / density estimates the integral of f over both hemispheres"
-                        + (colors ? "" : " and 380 to 780 nm"));
         return fields;
     }
 

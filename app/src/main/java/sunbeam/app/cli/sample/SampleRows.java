@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.zip.Deflater;
 import java.util.zip.ZipOutputStream;
@@ -136,39 +135,32 @@ final class SampleRows {
 
     List<RowFile.Column> colorColumns() {
         return List.of(
-                directions("light", DirectionPair::wi),
-                directions("view", DirectionPair::wr),
+                column("light", CHANNELS, row -> xyz(row.pair().wi())),
+                column("view", CHANNELS, row -> xyz(row.pair().wr())),
                 new RowFile.Column("xyz", CHANNELS, this::fileXyz),
-                column("density", row -> density.at(row.pair())));
+                column("density", 1, row -> new double[] {density.at(row.pair())}));
     }
 
     List<RowFile.Column> spectralColumns(CoherenceWindow window) {
         double band = 1e9 * (CieTable.MAXIMUM_WAVELENGTH - CieTable.MINIMUM_WAVELENGTH);
         return List.of(
-                directions("light", DirectionPair::wi),
-                directions("view", DirectionPair::wr),
-                column("wavelength", row -> 1e9 * row.wavelength()),
-                column("power", row -> {
+                column("light", CHANNELS, row -> xyz(row.pair().wi())),
+                column("view", CHANNELS, row -> xyz(row.pair().wr())),
+                column("wavelength", 1, row -> new double[] {1e9 * row.wavelength()}),
+                column("power", 1, row -> {
                     token.step(1);
-                    return power(row);
+                    return new double[] {power(row)};
                 }),
-                column("brdf", row -> Gain.brdf(row.pair(), window, row.wavelength()) * power(row)),
-                column("density", row -> density.at(row.pair()) / band));
+                column("brdf", 1, row -> new double[] {Gain.brdf(row.pair(), window, row.wavelength()) * power(row)}),
+                column("density", 1, row -> new double[] {density.at(row.pair()) / band}));
     }
 
-    private RowFile.Column directions(String name, Function<DirectionPair, Direction> of) {
-        return new RowFile.Column(
-                name,
-                CHANNELS,
-                (first, count) -> values(first, count, CHANNELS, row -> {
-                    Direction direction = of.apply(row.pair());
-                    return new double[] {direction.x(), direction.y(), direction.z()};
-                }));
+    private static double[] xyz(Direction direction) {
+        return new double[] {direction.x(), direction.y(), direction.z()};
     }
 
-    private RowFile.Column column(String name, ToDoubleFunction<Row> value) {
-        return new RowFile.Column(
-                name, 1, (first, count) -> values(first, count, 1, row -> new double[] {value.applyAsDouble(row)}));
+    private RowFile.Column column(String name, int width, Function<Row, double[]> of) {
+        return new RowFile.Column(name, width, (first, count) -> values(first, count, width, of));
     }
 
     private float[] values(long first, int count, int width, Function<Row, double[]> of) {
