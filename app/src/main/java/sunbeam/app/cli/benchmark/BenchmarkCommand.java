@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -109,44 +110,31 @@ public final class BenchmarkCommand extends FileCommand {
         // All patches are read and checked first: measuring one takes minutes.
         List<Patch> patches = patchOptions.load(names.isEmpty() ? PATCHES : names, asked);
         try (RenderContext context = RenderContext.offscreen()) {
-            run(context, asked, patches);
+            Meter meter = new Meter(context, size, light.direction());
+            BenchmarkPage page = new BenchmarkPage(context.info().renderer(), light.describe(), size, samples);
+            print(page.introduction());
+            for (Patch patch : patches) {
+                List<String> remarks = new ArrayList<>();
+                print(page.add(methods(meter, patch, asked, remarks), remarks));
+            }
+            if (json.isGiven()) {
+                Map<String, Object> report = new LinkedHashMap<>();
+                report.put("renderer", context.info().renderer());
+                report.put("size", size);
+                report.put("measured", page.numbers());
+                JsonOption.print(out(), report);
+            }
+            if (output != null) {
+                page.write(output, overwrite());
+                out().println(output);
+            }
         }
         return ExitCode.OK.code();
     }
 
-    private void run(RenderContext context, Choices asked, List<Patch> patches) {
-        Meter meter = new Meter(context, size, light.direction());
-        BenchmarkPage page = new BenchmarkPage();
-        print(page.introduce(context.info().renderer(), light.describe(), size, samples));
-        List<Measurement> all = new ArrayList<>();
-        for (Patch patch : patches) {
-            List<String> remarks = new ArrayList<>();
-            List<Measurement> rows = methods(meter, patch, asked, remarks);
-            print(page.add(rows, remarks));
-            all.addAll(rows);
-        }
-        report(context, page, all.stream().map(Measurement::fields).toList());
-    }
-
-    private void report(RenderContext context, BenchmarkPage page, List<Map<String, Object>> measured) {
-        if (json.isGiven()) {
-            Map<String, Object> report = new LinkedHashMap<>();
-            report.put("renderer", context.info().renderer());
-            report.put("size", size);
-            report.put("measured", measured);
-            JsonOption.print(out(), report);
-        }
-        if (output != null) {
-            page.write(output, overwrite());
-            out().println(output);
-        }
-    }
-
     private void print(String words) {
-        if (!json.isGiven()) {
-            out().print(words);
-            out().flush();
-        }
+        json.text(out()).print(words);
+        out().flush();
     }
 
     /** Measures the thesis's shader, then the requested methods. If none is chosen, a failure of one becomes a remark. */
@@ -177,6 +165,9 @@ public final class BenchmarkCommand extends FileCommand {
     record Contender(String name, Method method) {
         static final Contender THESIS = new Contender("full, thesis", FullMethod.thesis());
 
+        private static final Map<MethodType, List<Double>> TOLERANCES =
+                Map.of(FullMethod.TYPE, List.of(1e-2, 1e-3, 1e-4), TableMethod.TYPE, List.of(1e-2, 1e-3));
+
         /** True if the user has chosen neither a method nor a setting that only some methods have. */
         static boolean isMethodOpen(Choices choices) {
             List<Setting<?>> common = Setting.union(List.of(TOLERANCE), GaussianArea.SETTINGS, LightSettings.ALL);
@@ -188,28 +179,16 @@ public final class BenchmarkCommand extends FileCommand {
             if (!isMethodOpen(choices)) {
                 return List.of(of(choices, Methods.of(choices)));
             }
-            List<Contender> all = new ArrayList<>();
-            for (MethodType type : Methods.ALL) {
-                if (type.equals(ReferenceMethod.TYPE)) {
-                    continue;
-                }
-                List<Double> tolerances = choices.has(TOLERANCE) ? List.of() : tolerances(type);
-                if (tolerances.isEmpty()) {
-                    all.add(of(choices, type.create(choices)));
-                }
-                for (double tolerance : tolerances) {
-                    Choices finer = choices.with(TOLERANCE, tolerance);
-                    all.add(of(finer, type.create(finer)));
-                }
-            }
-            return all;
+            return Methods.ALL.stream()
+                    .filter(type -> !type.equals(ReferenceMethod.TYPE))
+                    .flatMap(type -> variants(type, choices).map(one -> of(one, type.create(one))))
+                    .toList();
         }
 
-        private static List<Double> tolerances(MethodType type) {
-            if (type.equals(FullMethod.TYPE)) {
-                return List.of(1e-2, 1e-3, 1e-4);
-            }
-            return type.equals(TableMethod.TYPE) ? List.of(1e-2, 1e-3) : List.of();
+        private static Stream<Choices> variants(MethodType type, Choices choices) {
+            return choices.has(TOLERANCE) || !TOLERANCES.containsKey(type)
+                    ? Stream.of(choices)
+                    : TOLERANCES.get(type).stream().map(tolerance -> choices.with(TOLERANCE, tolerance));
         }
 
         private static Contender of(Choices choices, Method method) {
@@ -218,16 +197,13 @@ public final class BenchmarkCommand extends FileCommand {
             if (Preset.isThesis(choices)) {
                 name.append(", preset thesis");
             } else if (type.has(TOLERANCE)) {
-                name.append(", tolerance ").append(power(choices.get(TOLERANCE)));
+                String tolerance = Text.format("%.1e", choices.get(TOLERANCE));
+                name.append(", tolerance ").append(tolerance.replace(".0e", "e").replace("e-0", "e-"));
             }
             if (type.has(AVERAGE) && choices.get(AVERAGE) == Average.ENSEMBLE) {
                 name.append(", ensemble");
             }
             return new Contender(name.toString(), method);
-        }
-
-        private static String power(double tolerance) {
-            return Text.format("%.1e", tolerance).replace(".0e", "e").replace("e-0", "e-");
         }
     }
 }

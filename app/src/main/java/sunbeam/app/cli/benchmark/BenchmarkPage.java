@@ -26,7 +26,7 @@ final class BenchmarkPage {
     private static final double LEAST = 1e-9;
 
     private final List<Section> sections = new ArrayList<>();
-    private String introduction = "";
+    private final String introduction;
 
     private record Section(String text, List<Measurement> rows) {}
 
@@ -44,7 +44,7 @@ final class BenchmarkPage {
         return page.resolveSibling(name.substring(0, name.length() - ENDING.length()));
     }
 
-    String introduce(String renderer, String light, int size, int views) {
+    BenchmarkPage(String renderer, String light, int size, int views) {
         introduction = Text.format(
                 """
                 # Error and time
@@ -68,7 +68,17 @@ final class BenchmarkPage {
                 Meter.MOST_SECONDS,
                 views,
                 Comparison.FLOOR);
+    }
+
+    String introduction() {
         return introduction;
+    }
+
+    List<Map<String, Object>> numbers() {
+        return sections.stream()
+                .flatMap(section -> section.rows().stream())
+                .map(Measurement::fields)
+                .toList();
     }
 
     String add(List<Measurement> rows, List<String> remarks) {
@@ -82,10 +92,6 @@ final class BenchmarkPage {
         return text.toString();
     }
 
-    private static String perPixel(double microseconds) {
-        return microseconds < 1 ? Math.round(1e3 * microseconds) + " ns" : figures(microseconds) + " us";
-    }
-
     private static Map<String, String> cells(Measurement row, Measurement thesis) {
         ErrorStatistics errors = row.errors();
         Map<String, String> cells = new LinkedHashMap<>();
@@ -93,7 +99,8 @@ final class BenchmarkPage {
         cells.put("median", error(errors.median()));
         cells.put("95 %", error(errors.percentile95()));
         cells.put("views", Integer.toString(errors.count()));
-        cells.put("per pixel", perPixel(1e6 * row.secondsPerPixel()));
+        double time = 1e6 * row.secondsPerPixel();
+        cells.put("per pixel", time < 1 ? Math.round(1e3 * time) + " ns" : figures(time) + " us");
         cells.put("times faster", figures(thesis.secondsPerPixel() / row.secondsPerPixel()));
         cells.put("making / s", figures(row.makingSeconds()));
         cells.put("MB", figures(row.bytes() * 1e-6));
@@ -128,22 +135,19 @@ final class BenchmarkPage {
 
     /** Formats three digits, without an exponent unless the number is tiny. */
     private static String figures(double value) {
-        if (Double.isNaN(value)) {
-            return "";
-        }
-        return Text.format(value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g", value);
+        String pattern = value >= 1000 || value == Math.rint(value) ? "%.0f" : "%.3g";
+        return Double.isNaN(value) ? "" : Text.format(pattern, value);
     }
 
     void write(Path page, Overwrite overwrite) {
         Path folder = folder(page);
         OutputFolder.create(folder);
         StringBuilder text = new StringBuilder(introduction);
-        List<Map<String, Object>> numbers = new ArrayList<>();
         for (Section section : sections) {
             text.append(section.text());
-            section.rows().forEach(row -> numbers.add(row.fields()));
-            List<Measurement> drawn =
-                    section.rows().stream().filter(BenchmarkPage::isDrawn).toList();
+            List<Measurement> drawn = section.rows().stream()
+                    .filter(row -> Double.isFinite(row.errors().median()))
+                    .toList();
             if (!drawn.isEmpty()) {
                 String patch = drawn.get(0).patch();
                 String file = patch + "-methods.png";
@@ -151,13 +155,9 @@ final class BenchmarkPage {
                 text.append(Text.format("%n![error over time](%s/%s)%n", folder.getFileName(), file));
             }
         }
-        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers)));
+        AtomicFile.write(folder.resolve(NUMBERS), overwrite, AtomicFile.StreamContent.of(CsvWriter.text(numbers())));
         text.append(Text.format("%nAll numbers: [%s](%s/%s).%n", NUMBERS, folder.getFileName(), NUMBERS));
         AtomicFile.write(page, overwrite, AtomicFile.StreamContent.of(text));
-    }
-
-    private static boolean isDrawn(Measurement row) {
-        return row.errors().count() > 0 && Double.isFinite(row.errors().median());
     }
 
     private static Plot plot(String patch, List<Measurement> rows) {

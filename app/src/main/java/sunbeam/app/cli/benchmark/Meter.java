@@ -1,6 +1,7 @@
 package sunbeam.app.cli.benchmark;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -175,13 +176,11 @@ record Meter(RenderContext context, int size, Direction light) {
 
         private static Comparison comparison(float[] computed, View exact) {
             double gain = Gain.relativeRadiance(exact.query().pair());
-            double[] one = new double[3];
-            double[] other = new double[3];
-            for (int c = 0; c < 3; c++) {
-                one[c] = gain * computed[c];
-                other[c] = gain * exact.xyz()[c];
-            }
-            return new Comparison(one, other, gain);
+            return new Comparison(scaled(gain, Comparison.xyz(computed, 0)), scaled(gain, exact.xyz()), gain);
+        }
+
+        private static double[] scaled(double gain, double[] xyz) {
+            return Arrays.stream(xyz).map(value -> gain * value).toArray();
         }
 
         private List<View> draw(Method method) {
