@@ -70,13 +70,10 @@ record ColorReport(
             for (int i = 1; i < below.length; i++) {
                 below[i] = below[i - 1] + 0.5 * (fine[i - 1] + fine[i]);
             }
+            double[] radiances = new double[STEPS + 1];
+            Arrays.setAll(radiances, nanometer -> fine[nanometer * PER_NANOMETER]);
             return new Spectrum(
-                    view,
-                    IntStream.rangeClosed(0, STEPS)
-                            .mapToDouble(nanometer -> fine[nanometer * PER_NANOMETER])
-                            .toArray(),
-                    quantile(wavelengths, below, 0.25),
-                    quantile(wavelengths, below, 0.75));
+                    view, radiances, quantile(wavelengths, below, 0.25), quantile(wavelengths, below, 0.75));
         }
 
         double width() {

@@ -138,13 +138,14 @@ final class SurfaceColors {
     }
 
     void draw(RenderContext context) {
-        List<DirectionPair> pairs =
-                views.stream().flatMap(view -> view.pairs().stream()).toList();
-        List<Query> queries = pairs.stream().map(pair -> new Query(pair, 0)).toList();
+        List<Query> queries = views.stream()
+                .flatMap(view -> view.pairs().stream())
+                .map(pair -> new Query(pair, 0))
+                .toList();
         for (Part part : parts) {
             List<float[]> powers = evaluate(context, part.plan, MethodUse.COLOR, queries);
             for (int i = 0; i < queries.size(); i++) {
-                double gain = part.reflection.gain(pairs.get(i)) / directions;
+                double gain = part.reflection.gain(queries.get(i).pair()) / directions;
                 for (int c = 0; c < 3; c++) {
                     colors[i / directions][c] += gain * powers.get(i)[c];
                 }
@@ -234,16 +235,10 @@ final class SurfaceColors {
                 .toList();
         Optional<ViewColor> purest = ViewColor.purest(outside, this::mayBePurest);
         ViewColor.View chosen = purest.map(ViewColor::view).orElseGet(() -> view(true, -theta));
-        return new ColorReport(
-                patch(),
-                period,
-                verdict(),
-                colored,
-                window.coherenceLength(),
-                plan().summary(),
-                seen,
-                spectrum(context, chosen),
-                purest);
+        ColorReport.Spectrum spectrum = spectrum(context, chosen);
+        String plan = plan().summary();
+        double length = window.coherenceLength();
+        return new ColorReport(patch(), period, verdict(), colored, length, plan, seen, spectrum, purest);
     }
 
     private ColorReport.Spectrum spectrum(RenderContext context, ViewColor.View view) {

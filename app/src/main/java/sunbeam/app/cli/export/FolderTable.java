@@ -5,10 +5,11 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import sunbeam.app.cli.options.JsonOption;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.ExrFile;
@@ -46,15 +47,14 @@ record FolderTable(boolean isGlsl) implements TableWriter {
 
     @Override
     public ColorGrid asRead(ColorGrid grid) {
-        ColorGrid read = ColorGrid.empty(grid.level(), grid.shape());
         float scale = scale(grid);
-        for (int slice = 0; slice < read.roots().length; slice++) {
-            float[] roots = grid.roots()[slice];
+        float[][] read = Stream.of(grid.roots()).map(float[]::clone).toArray(float[][]::new);
+        for (float[] roots : read) {
             for (int i = 0; i < roots.length; i++) {
-                read.roots()[slice][i] = NumberFormat.ofHalf(NumberFormat.half(scale * roots[i])) / scale;
+                roots[i] = NumberFormat.ofHalf(NumberFormat.half(scale * roots[i])) / scale;
             }
         }
-        return read;
+        return new ColorGrid(grid.level(), grid.shape(), read);
     }
 
     private static float scale(ColorGrid grid) {
@@ -86,10 +86,9 @@ record FolderTable(boolean isGlsl) implements TableWriter {
         files.put(".md", AtomicFile.StreamContent.of(ShaderText.of(language + ".md", metadata, doublings)));
         files.put(".json", AtomicFile.StreamContent.of(json));
         if (isGlsl) {
-            List<short[]> levels = new ArrayList<>();
-            for (int level = 0; level <= doublings; level++) {
-                levels.add(halves(level == 0 ? grid : baker.coarser(grid, level), 4));
-            }
+            List<short[]> levels = IntStream.rangeClosed(0, doublings)
+                    .mapToObj(level -> halves(level == 0 ? grid : baker.coarser(grid, level), 4))
+                    .toList();
             files.put(".ktx2", stream -> new Ktx2File(columns, rows, slices, levels, json).write(stream));
             String page = ShaderText.read("example.html").replace("@EXPOSURE@", "" + (float) metadata.exposure());
             files.put(".html", AtomicFile.StreamContent.of(page));

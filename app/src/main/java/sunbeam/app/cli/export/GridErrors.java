@@ -50,11 +50,12 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
         ExactLight exact = setup.withLight(weights).exact(new ReferenceMethod(area));
         ColorBaker baker = gridBaker.baker(weights, read.level());
         DirectionSampler sampler = new DirectionSampler(setup.patch().heights(), area.window(), SEED);
-        List<DirectionPair> uniform = new ArrayList<>();
-        List<DirectionPair> aimed = new ArrayList<>();
-        List<Comparison> many = new ArrayList<>(compare(grid, baker, sampler::uniform, uniform));
-        many.addAll(compare(grid, baker, sampler::aimed, aimed));
-        List<DirectionPair> few = choose(aimed, uniform, exact::products, samples);
+        Map<DirectionPair, Comparison> uniform = compare(grid, baker, sampler::uniform);
+        Map<DirectionPair, Comparison> aimed = compare(grid, baker, sampler::aimed);
+        List<Comparison> many = new ArrayList<>(uniform.values());
+        many.addAll(aimed.values());
+        List<DirectionPair> few =
+                choose(List.copyOf(aimed.keySet()), List.copyOf(uniform.keySet()), exact::products, samples);
         List<Comparison> compared = setup.progress()
                 .map("Exact colors", few, pair -> comparison(grid, pair, exact.xyz(pair, Quadrature.INTEGRATED)));
         String quantity = isLight ? "X, Y, Z" : "three of " + weights.description();
@@ -72,24 +73,21 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
             inTurn.addAll(aimed.subList(Math.min(i, aimed.size()), Math.min(i + 1, aimed.size())));
             inTurn.addAll(uniform.subList(Math.min(i, uniform.size()), Math.min(i + 1, uniform.size())));
         }
-        if (count.isPresent()) {
-            return inTurn.stream().limit(count.get()).toList();
-        }
-        int chosen = 0;
+        List<DirectionPair> chosen = new ArrayList<>();
         double sum = 0;
-        for (DirectionPair pair : inTurn.subList(0, Math.min(REFERENCE_PAIRS, inTurn.size()))) {
+        int most = Math.min(inTurn.size(), count.orElse(REFERENCE_PAIRS));
+        for (DirectionPair pair : inTurn.subList(0, most)) {
             sum += products.applyAsDouble(pair);
-            if (chosen == 0 || sum <= MOST_PRODUCTS) {
-                chosen++;
+            if (count.isPresent() || chosen.isEmpty() || sum <= MOST_PRODUCTS) {
+                chosen.add(pair);
             }
         }
-        return inTurn.subList(0, chosen);
+        return chosen;
     }
 
-    /** Draws pairs until enough are bright, compares the grid with direct sums there, and adds the bright pairs to {@code compared}. */
-    private static List<Comparison> compare(
-            ColorGrid grid, ColorBaker baker, Supplier<Query> queries, List<DirectionPair> compared) {
-        List<Comparison> bright = new ArrayList<>();
+    /** Draws pairs until enough are bright, and compares the grid with direct sums there. */
+    private static Map<DirectionPair, Comparison> compare(ColorGrid grid, ColorBaker baker, Supplier<Query> queries) {
+        Map<DirectionPair, Comparison> bright = new LinkedHashMap<>();
         double lowest = Math.cos(grid.shape().largestAngle());
         for (int tried = 0; tried < MOST_TRIES && bright.size() < SUM_PAIRS / 2; tried += SUM_PAIRS / 2) {
             List<DirectionPair> pairs = Stream.generate(queries)
@@ -107,8 +105,7 @@ record GridErrors(String quantity, ErrorStatistics reference, ErrorStatistics su
             for (int i = 0; i < pairs.size() && bright.size() < SUM_PAIRS / 2; i++) {
                 Comparison one = comparison(grid, pairs.get(i), Comparison.xyz(xyz, i));
                 if (one.bright()) {
-                    bright.add(one);
-                    compared.add(pairs.get(i));
+                    bright.put(pairs.get(i), one);
                 }
             }
         }

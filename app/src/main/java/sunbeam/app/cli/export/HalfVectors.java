@@ -67,11 +67,8 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
         float[] density = new float[rows * columns];
         for (int row = 0; row < rows; row++) {
             double[] values = row(Math.cos(phi - azimuth(row, rows)), theta, columns);
-            double scale = azimuths.values()[row]
-                    * (rows - 1)
-                    / azimuths.total()
-                    * (columns - 1)
-                    / Density.of(values).total();
+            double total = Density.of(values).total();
+            double scale = azimuths.values()[row] * (rows - 1) / azimuths.total() * (columns - 1) / total;
             for (int column = 0; column < columns; column++) {
                 density[row * columns + column] = (float) (scale * values[column]);
             }
@@ -90,9 +87,8 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
 
     /** Returns the share of the square's columns for (u, v) that are not longer than {@code length}. */
     private static double share(double length) {
-        return length
-                * (1 - 0.5 * FEWER_OUTSIDE * length)
-                / (GridShape.REACH * (1 - 0.5 * FEWER_OUTSIDE * GridShape.REACH));
+        double whole = GridShape.REACH * (1 - 0.5 * FEWER_OUTSIDE * GridShape.REACH);
+        return length * (1 - 0.5 * FEWER_OUTSIDE * length) / whole;
     }
 
     /** @param cosine cosine of the azimuth from the first direction to the half vector */
@@ -109,12 +105,9 @@ record HalfVectors(Density azimuths, float[] density, int columns) {
             values[column] = (1 - FEWER_OUTSIDE * length) * cosOther * column;
             hidden = column + 1;
         }
-        double longest = along * (1 - Math.cos(2 * horizon)) + up * Math.sin(2 * horizon);
-        double seen = share(longest);
-        double sum = Density.of(values).total();
-        for (int column = 0; column < hidden; column++) {
-            values[column] *= seen / sum;
-        }
+        double seen = share(along * (1 - Math.cos(2 * horizon)) + up * Math.sin(2 * horizon));
+        double scale = seen / Density.of(values).total();
+        Arrays.setAll(values, column -> scale * values[column]);
         // The columns whose second direction is below the horizon take the rest, so that the others keep their share.
         if (hidden + 1 < columns) {
             Arrays.fill(values, hidden + 1, columns, (1 - seen) / (columns - hidden - 1.5));

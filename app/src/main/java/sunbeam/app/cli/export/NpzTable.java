@@ -1,9 +1,7 @@
 package sunbeam.app.cli.export;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -73,22 +71,24 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
         Optional<float[]> divisors =
                 metadata.divisor().map(found -> divisors(found, metadata.setup().cie()));
         float[] colors = colors(shape, isSpectral() ? baker.bands(grid, bands) : List.of(grid));
-        int[] lengths = {shape.depth().count(), shape.v().count(), shape.u().count(), count()};
         AtomicFile.StreamContent content = stream -> {
             try (ZipOutputStream zip = new ZipOutputStream(stream)) {
                 zip.setLevel(1);
                 zip.putNextEntry(NpyWriter.entry("metadata.json"));
                 zip.write(json.getBytes(StandardCharsets.UTF_8));
-                axis(zip, "u", shape.u(), 1);
-                axis(zip, "v", shape.v(), 1);
-                axis(zip, "w", shape.depth(), -1);
-                zip.putNextEntry(NpyWriter.entry("C.npy"));
-                NpyWriter.write(zip, colors, lengths);
-                zip.closeEntry();
+                put(zip, "u", values(shape.u(), 1), shape.u().count());
+                put(zip, "v", values(shape.v(), 1), shape.v().count());
+                put(zip, "w", values(shape.depth(), -1), shape.depth().count());
+                put(
+                        zip,
+                        "C",
+                        colors,
+                        shape.depth().count(),
+                        shape.v().count(),
+                        shape.u().count(),
+                        count());
                 if (divisors.isPresent()) {
-                    zip.putNextEntry(NpyWriter.entry("divisor.npy"));
-                    NpyWriter.write(zip, divisors.get(), count(), LIGHTS, LIGHTS);
-                    zip.closeEntry();
+                    put(zip, "divisor", divisors.get(), count(), LIGHTS, LIGHTS);
                 }
             }
         };
@@ -108,13 +108,17 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
         return fields;
     }
 
-    private static void axis(ZipOutputStream zip, String name, GridShape.Axis axis, int sign) throws IOException {
+    private static float[] values(GridShape.Axis axis, int sign) {
         float[] values = new float[axis.count()];
         for (int i = 0; i < values.length; i++) {
             values[i] = (float) (sign * axis.at(i));
         }
+        return values;
+    }
+
+    private static void put(ZipOutputStream zip, String name, float[] values, int... shape) throws IOException {
         zip.putNextEntry(NpyWriter.entry(name + ".npy"));
-        NpyWriter.write((OutputStream) zip, values, values.length);
+        NpyWriter.write(zip, values, shape);
     }
 
     private float[] colors(GridShape shape, List<ColorGrid> grids) {
@@ -125,25 +129,19 @@ record NpzTable(Channels channels, SpectralBands bands) implements TableWriter {
         int at = 0;
         for (int slice = 0; slice < slices; slice++) {
             for (int texel = 0; texel < texels; texel++) {
-                read(grids, slice, texel, values);
-                for (double value : values) {
+                for (int c = 0; c < values.length; c++) {
+                    ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);
+                    double root = grid.roots()[slice][ColorGrid.CHANNELS * texel + c % ColorGrid.CHANNELS];
+                    values[c] = grid.level().scale() * root * root;
+                }
+                for (int c = 0; c < values.length; c++) {
+                    boolean isRgb = channels == Channels.REC709;
+                    double value = isRgb ? Srgb.linear(c, values[0], values[1], values[2]) : values[c];
                     colors[at++] = rounded((float) value);
                 }
             }
         }
         return colors;
-    }
-
-    private void read(List<ColorGrid> grids, int slice, int texel, double[] values) {
-        for (int c = 0; c < values.length; c++) {
-            ColorGrid grid = grids.get(c / ColorGrid.CHANNELS);
-            double root = grid.roots()[slice][ColorGrid.CHANNELS * texel + c % ColorGrid.CHANNELS];
-            values[c] = grid.level().scale() * root * root;
-        }
-        if (channels == Channels.REC709) {
-            double[] xyz = values.clone();
-            Arrays.setAll(values, c -> Srgb.linear(c, xyz[0], xyz[1], xyz[2]));
-        }
     }
 
     /** Returns the divisor of each channel over y and x of the direction of light, -1 to 1; of colors, the mean by luminance. */

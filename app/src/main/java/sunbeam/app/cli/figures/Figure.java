@@ -21,7 +21,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
@@ -50,13 +51,14 @@ record Figure(
     // Image of one period with a ridge, whose share of the period is that of the thesis's slits: 30 of 150 um.
     private static final String SLITS = "slits.png";
     private static final int SLITS_SIDE = 50;
+    private static final Pattern NAME = Pattern.compile("\\{(\\w+)\\}");
     // Key of an angle in degrees by which the scene's light is turned counter-clockwise about the vertical.
     private static final String TURN = "turn";
     /**
      * Picture to draw for each patch; optional values are null.
      *
      * @param label words for the caption that distinguish the picture from the others of the figure
-     * @param command command line of this program. {patch}, {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
+     * @param command command line of this program. {blaze}, {elaphe} and {xenopeltis} stand for patches, {file} for the picture,
      *     {stem} for its name without the ending, {scene} for the scene's file, {size} for its size, {wavelengths} for those of a response,
      *     {slits} for {@link #SLITS}, {window} for a width whose orders are broader than pixels. A brdf-map without {file} draws
      *     a disc of the chosen size
@@ -232,11 +234,20 @@ record Figure(
         if (picture.plot() != null) {
             return new Drawing(number, patch, picture, file, List.of(), Optional.empty());
         }
-        String command =
-                picture.command().replace("{size}", sizes.scene()).replace("{wavelengths}", sizes.wavelengths());
-        List<String> words = new ArrayList<>(Stream.of(command.split(" ", -1))
-                .map(word -> expanded(word, patch, source, file, stem))
-                .toList());
+        UnaryOperator<String> values = name -> switch (name) {
+            case "file" -> file.toString();
+            case "stem" -> stem;
+            case "size" -> sizes.scene();
+            case "wavelengths" -> sizes.wavelengths();
+            case "window" -> patch.equals("blaze") ? "16um" : "65um";
+            case "scene" -> stem + SCENE;
+            case "slits" -> folder.resolve(SLITS).toString();
+            default -> source.apply(name);
+        };
+        List<String> words = new ArrayList<>();
+        for (String word : picture.command().split(" ", -1)) {
+            words.add(NAME.matcher(word).replaceAll(name -> Matcher.quoteReplacement(values.apply(name.group(1)))));
+        }
         if (!picture.command().startsWith("brdf-map") || picture.command().contains("{file}")) {
             return new Drawing(number, patch, picture, file, words, Optional.empty());
         }
@@ -248,20 +259,6 @@ record Figure(
         base.ifPresent(first -> words.addAll(List.of("--exposure", first.toString())));
         words.addAll(List.of("--patch", source.apply(patch), "--output", file.toString()));
         return new Drawing(number, patch, picture, file, words, base);
-    }
-
-    private static String expanded(String word, String patch, UnaryOperator<String> source, Path file, String stem) {
-        String expanded = word.replace("{file}", file.toString())
-                .replace("{stem}", stem)
-                .replace("{window}", patch.equals("blaze") ? "16um" : "65um")
-                .replace("{scene}", stem + SCENE)
-                .replace("{slits}", file.resolveSibling(SLITS).toString());
-        for (String name : List.of("patch", "blaze", "elaphe", "xenopeltis")) {
-            if (expanded.contains("{" + name + "}")) {
-                expanded = expanded.replace("{" + name + "}", source.apply(name.equals("patch") ? patch : name));
-            }
-        }
-        return expanded;
     }
 
     private String stem(String patch, Picture picture) {

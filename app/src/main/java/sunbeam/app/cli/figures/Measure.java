@@ -250,14 +250,14 @@ enum Measure {
         }
 
         Optional<Verdict> verdict(List<Figure.Drawing> drawings) {
-            List<Figure.Drawing> measured =
-                    of.stream().flatMap(name -> find(drawings, name).stream()).toList();
-            Optional<Figure.Drawing> base = to == null ? Optional.empty() : find(drawings, to);
-            if (measured.size() < of.size() || (to != null && base.isEmpty())) {
+            Figure.Drawing base = to == null ? null : find(drawings, to).orElse(null);
+            if (to != null && base == null) {
                 return Optional.empty();
             }
-            double[] values = IntStream.range(0, of.size())
-                    .mapToDouble(i -> measure.of(measured.get(i), pointer(of.get(i)), base.orElse(null)))
+            double[] values = of.stream()
+                    .mapToDouble(name -> find(drawings, name)
+                            .map(drawing -> measure.of(drawing, pointer(name), base))
+                            .orElse(Double.NaN))
                     .toArray();
             if (Arrays.stream(values).anyMatch(Double::isNaN)) {
                 return Optional.empty();
