@@ -61,8 +61,7 @@ public final class LineDrawings {
                 scene.view().camera().worldToCamera().transformDirection(along);
                 double fromX = x + 0.5;
                 double fromY = y + 0.5;
-                // At the pixel's point (X, Y, -1) of the picture's plane, a step of (a, b, c) moves it by (a + c X, b +
-                // c Y).
+                // At the point (X, Y, -1) of the picture's plane, a step of (a, b, c) moves it by (a + c X, b + c Y).
                 double right = along.x + along.z * perPixel * (fromX - 0.5 * width);
                 double up = along.y - along.z * perPixel * (fromY - 0.5 * height);
                 stroke(graphics, fromX, fromY, fromX + STROKE_LENGTH * right, fromY - STROKE_LENGTH * up);

@@ -62,15 +62,13 @@ record SceneBlocks(int width, int height, int blockWidth, int blockHeight) {
 
     List<Piece> split(Tile tile) {
         List<Piece> pieces = new ArrayList<>();
-        for (int top = tile.y() / blockHeight * blockHeight; top < tile.y() + tile.height(); top += blockHeight) {
-            for (int left = tile.x() / blockWidth * blockWidth; left < tile.x() + tile.width(); left += blockWidth) {
-                Tile block =
-                        new Tile(left, top, Math.min(blockWidth, width - left), Math.min(blockHeight, height - top));
-                int x0 = Math.max(tile.x(), left);
-                int y0 = Math.max(tile.y(), top);
-                int x1 = Math.min(tile.x() + tile.width(), left + block.width());
-                int y1 = Math.min(tile.y() + tile.height(), top + block.height());
-                Tile inBlock = new Tile(x0 - left, y0 - top, x1 - x0, y1 - y0);
+        for (Tile block : Tile.whole(width, height).divide(blockWidth, blockHeight)) {
+            int x0 = Math.max(tile.x(), block.x());
+            int y0 = Math.max(tile.y(), block.y());
+            int x1 = Math.min(tile.x() + tile.width(), block.x() + block.width());
+            int y1 = Math.min(tile.y() + tile.height(), block.y() + block.height());
+            if (x0 < x1 && y0 < y1) {
+                Tile inBlock = new Tile(x0 - block.x(), y0 - block.y(), x1 - x0, y1 - y0);
                 pieces.add(new Piece(block, inBlock, x0 - tile.x(), y0 - tile.y()));
             }
         }

@@ -25,7 +25,6 @@ import sunbeam.app.scene.texture.Body;
 import sunbeam.app.scene.texture.BodyTexture;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.work.BackgroundTask;
-import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.method.ColorTablePlan;
 import sunbeam.precompute.method.LevelBakers;
 import sunbeam.precompute.method.MethodPlan;
@@ -164,7 +163,7 @@ public final class SceneLoader {
                     "squared is for an index that is the same at all wavelengths; give once, or a number for ",
                     SceneSettings.INDEX);
         }
-        return ReflectanceComponent.of(scene.get(SceneSettings.INDEX).values(), light(scene)).stream()
+        return ReflectanceComponent.of(scene.get(SceneSettings.INDEX).values(), LightTable.of(method)).stream()
                 .map(Optional::of)
                 .toList();
     }
@@ -180,10 +179,6 @@ public final class SceneLoader {
                             AVERAGE,
                             "coherent has no color of a light with an angularDiameter; give ensemble, or method full");
         }
-    }
-
-    private static CieTable light(Scene scene) {
-        return LightTable.of(scene.method().choices());
     }
 
     private Mesh mesh(Scene scene) {
@@ -225,11 +220,11 @@ public final class SceneLoader {
             Patch patch,
             Optional<ReflectanceComponent> part,
             DoubleConsumer progress) {
-        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(light(scene));
+        Choices choices = scene.method().choices();
+        DiffractionSetup setup = new DiffractionSetup(patch, environment, warning).withLight(LightTable.of(choices));
         Surface surface = part.map(
                         found -> setup.surface().withLight(found.reflection().cie()))
                 .orElse(setup.surface());
-        Choices choices = scene.method().choices();
         MethodPlan planned =
                 choices.located(() -> scene.method().seeing(patch).method().plan(surface, VisibleRange.all()));
         requireEnsemble(scene);

@@ -169,13 +169,12 @@ public final class SceneSession implements AutoCloseable {
 
     /** Returns the table's errors at some samples of a picture; empty for methods without table. */
     public Optional<ErrorStatistics> tableErrors(Scene scene, int width, int height, PixelSamples samples) {
-        if (virtualTexture().isEmpty()) {
-            return Optional.empty();
-        }
-        virtualTexture().get().clearFeedback();
-        addFeedback(parts(scene, width, height, samples), () -> false);
-        virtualTexture().get().bakeFeedback();
-        return virtualTexture().map(VirtualTexture::errors);
+        return virtualTexture().map(tiles -> {
+            tiles.clearFeedback();
+            addFeedback(parts(scene, width, height, samples), () -> false);
+            tiles.bakeFeedback();
+            return tiles.errors();
+        });
     }
 
     public Optional<VirtualTexture> virtualTexture() {

@@ -15,7 +15,6 @@ import jrtr.scene.PlacedMesh;
 import jrtr.scene.View;
 import jrtr.scene.View.Camera;
 import org.joml.Matrix4f;
-import org.joml.Quaternionf;
 import org.joml.Quaternionfc;
 import org.joml.Vector3f;
 import org.joml.Vector3fc;
@@ -57,7 +56,7 @@ final class Shadows implements AutoCloseable {
     /** Draws the map unless it is up to date; moving pictures have a coarser one. */
     void draw(VertexBuffer mesh, boolean closed, Quaternionfc orientation, Vector3fc towards, boolean moves) {
         side = moves ? MOVING_SIDE : SIDE;
-        Key key = new Key(mesh, new Quaternionf(orientation), new Vector3f(towards));
+        Key key = new Key(mesh, orientation, towards);
         placeLight(mesh, towards);
         if (key.equals(shown.get(side))) {
             return;

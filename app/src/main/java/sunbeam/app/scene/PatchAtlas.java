@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.IntStream;
+import java.util.stream.Collectors;
 import sunbeam.app.scene.texture.Body;
 import sunbeam.precompute.patch.PatchRequest;
 
@@ -47,15 +47,10 @@ public record PatchAtlas(String map, List<Region> regions) {
     }
 
     public Set<Integer> colors() {
-        Set<Integer> colors = new TreeSet<>();
-        regions.forEach(region -> colors.add(region.color().rgb()));
-        return colors;
+        return regions.stream().map(region -> region.color().rgb()).collect(Collectors.toCollection(TreeSet::new));
     }
 
     public int region(int rgb) {
-        return IntStream.range(0, regions.size())
-                .filter(i -> regions.get(i).color().rgb() == rgb)
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no region has the color " + new SceneColor(rgb)));
+        return regions.stream().map(region -> region.color().rgb()).toList().indexOf(rgb);
     }
 }

@@ -94,9 +94,9 @@ public final class SceneWriter {
                 ? own.with(SceneSettings.INDEX, SkinIndex.of(toWrittenName.apply(index.file())))
                 : own;
         for (Setting<?> setting : SceneSettings.OF_ROOT) {
-            boolean isOmitted =
-                    OMITTED_IF_STANDARD.contains(setting) && own.find(setting).equals(setting.standard());
-            JsonObject.write(json, isOmitted ? Choices.none() : own.only(List.of(setting)));
+            if (!OMITTED_IF_STANDARD.contains(setting) || !own.find(setting).equals(setting.standard())) {
+                JsonObject.write(json, own.only(List.of(setting)));
+            }
         }
         PatchAtlas patches = scene.patches();
         if (patches.isOne()) {
@@ -137,11 +137,10 @@ public final class SceneWriter {
         json.writeStartObject();
         direction("direction", light.towards());
         Choices choices = Choices.none().with(SceneSettings.INTENSITY, light.intensity());
-        JsonObject.write(
-                json,
-                light.angularDiameter() > 0
-                        ? choices.with(SceneSettings.ANGULAR_DIAMETER, light.angularDiameter())
-                        : choices);
+        if (light.angularDiameter() > 0) {
+            choices = choices.with(SceneSettings.ANGULAR_DIAMETER, light.angularDiameter());
+        }
+        JsonObject.write(json, choices);
         json.writeEndObject();
     }
 

@@ -69,14 +69,14 @@ final class GltfAccessors {
 
     /** Returns at most three times {@link RawMesh.Builder#MOST_ELEMENTS}, the corners of as many triangles. */
     int count(Integer index) {
-        Integer count = accessor(index).getCount();
+        Integer count = entry(gltf.getAccessors(), index, "accessor").getCount();
         String most = "; 1 to " + MOST_ELEMENTS + " can be used, so simplify the mesh";
         refuseIf(count == null || count > MOST_ELEMENTS, index, "has " + count + " elements" + most);
         return count;
     }
 
     double[] read(Integer index, int components) throws IOException {
-        Accessor accessor = accessor(index);
+        Accessor accessor = entry(gltf.getAccessors(), index, "accessor");
         Integer known = COMPONENTS.getOrDefault(String.valueOf(accessor.getType()), 0);
         refuseIf(known != components, index, "has not " + components + " numbers each; export it again");
         int count = count(index);
@@ -147,10 +147,6 @@ final class GltfAccessors {
         return numbers;
     }
 
-    private Accessor accessor(Integer index) {
-        return entry(gltf.getAccessors(), index, "accessor");
-    }
-
     private static void refuseIf(boolean condition, Integer index, String what) {
         InputException.refuseIf(condition, "accessor " + index + " " + what);
     }
@@ -169,10 +165,10 @@ final class GltfAccessors {
         ByteBuffer buffer = buffer(view.getBuffer());
         long offset = view.getByteOffset() == null ? 0 : view.getByteOffset();
         long length = view.getByteLength() == null ? -1 : view.getByteLength();
-        if (offset < 0 || length < 1 || offset + length > buffer.limit()) {
-            throw new InputException("a buffer view has " + length + " bytes from " + offset + " on in a buffer of "
-                    + buffer.limit() + "; copy it again with its files");
-        }
+        InputException.refuseIf(
+                offset < 0 || length < 1 || offset + length > buffer.limit(),
+                "a buffer view has " + length + " bytes from " + offset + " on in a buffer of " + buffer.limit()
+                        + "; copy it again with its files");
         return GltfDocument.slice(buffer, (int) offset, (int) length);
     }
 

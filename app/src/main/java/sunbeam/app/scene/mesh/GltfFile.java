@@ -237,9 +237,9 @@ final class GltfFile {
         private static final String TRANSFORM = "KHR_texture_transform";
 
         static TextureCoordinates of(GlTF gltf, MeshPrimitive primitive) {
-            List<Material> materials = gltf.getMaterials();
+            List<Material> materials = Objects.requireNonNullElse(gltf.getMaterials(), List.of());
             Integer index = primitive.getMaterial();
-            boolean hasMaterial = index != null && materials != null && index >= 0 && index < materials.size();
+            boolean hasMaterial = index != null && index >= 0 && index < materials.size();
             TextureInfo texture = hasMaterial ? firstTexture(materials.get(index)) : null;
             int set = texture == null || texture.getTexCoord() == null ? 0 : texture.getTexCoord();
             Map<String, Object> extensions = texture == null ? null : texture.getExtensions();

@@ -105,19 +105,15 @@ public record Mesh(
             }
             for (int row = 0; row < rows; row++) {
                 for (int column = 0; column < columns; column++) {
-                    if (differ(points[row][column], points[row][column + 1])) {
+                    if (points[row][column].distanceSquared(points[row][column + 1]) > 0) {
                         mesh.triangle(vertices[row][column], vertices[row][column + 1], vertices[row + 1][column + 1]);
                     }
-                    if (differ(points[row + 1][column], points[row + 1][column + 1])) {
+                    if (points[row + 1][column].distanceSquared(points[row + 1][column + 1]) > 0) {
                         mesh.triangle(vertices[row][column], vertices[row + 1][column + 1], vertices[row + 1][column]);
                     }
                 }
             }
             return mesh.build(closed);
-        }
-
-        private static boolean differ(Vector3dc one, Vector3dc other) {
-            return one.distanceSquared(other) > 0;
         }
 
         Mesh build(boolean closed) {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -37,6 +38,7 @@ public record MeshSource(String name, Unit unit) {
     // larger one has more than a centimeter per pixel, most likely in a wrong unit.
     private static final double LEAST = 100e-6;
     private static final double MOST = 10;
+    private static final Pattern ENDING = Pattern.compile("(?i)\\.(obj|ply|glb|gltf)$");
     private static final int HEAD_BYTES = 64;
     private static final long MOST_BYTES = 1L << 29;
 
@@ -54,40 +56,8 @@ public record MeshSource(String name, Unit unit) {
         }
     }
 
-    /** Format of files; OBJ has no signature. */
-    @SuppressWarnings("ImmutableEnumChecker") // readers have no state, lists do not change
-    private enum Format {
-        PLY(PlyFile::read, "ply"),
-        GLTF(GltfFile::read, "glb", "gltf"),
-        OBJ(ObjFile::read, "obj");
-
-        private final Reader reader;
-        private final List<String> endings;
-
-        Format(Reader reader, String... endings) {
-            this.reader = reader;
-            this.endings = List.of(endings);
-        }
-
-        static Format of(String head) {
-            if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
-                return PLY;
-            }
-            return head.startsWith(GltfDocument.MAGIC) || head.strip().startsWith("{") ? GLTF : OBJ;
-        }
-    }
-
-    /** Throws an {@link InputException} for damaged files; the message does not name the file. */
-    private interface Reader {
-        RawMesh read(Path file) throws IOException;
-    }
-
     /** Mesh with a line for each kind of data that the reader dropped, moved or computed. */
-    public record Loaded(Mesh mesh, List<String> warnings) {
-        public Loaded {
-            warnings = List.copyOf(warnings);
-        }
-    }
+    public record Loaded(Mesh mesh, List<String> warnings) {}
 
     public static MeshSource of(String name) {
         return new MeshSource(name, Unit.M);
@@ -95,10 +65,7 @@ public record MeshSource(String name, Unit unit) {
 
     /** True if the file has a mesh's ending. */
     public static boolean isFile(Path file) {
-        String name = file.toString().toLowerCase(Locale.ROOT);
-        return Stream.of(Format.values())
-                .flatMap(format -> format.endings.stream())
-                .anyMatch(ending -> name.endsWith("." + ending));
+        return ENDING.matcher(file.toString()).find();
     }
 
     /** Throws InputException if there is no such mesh, or the file cannot be used. */
@@ -122,6 +89,17 @@ public record MeshSource(String name, Unit unit) {
         }
     }
 
+    /** Throws an {@link InputException} for damaged files; the message does not name the file. */
+    private static RawMesh parse(Path file) throws IOException {
+        String head = head(file);
+        if (head.startsWith("ply\n") || head.startsWith("ply\r")) {
+            return PlyFile.read(file);
+        }
+        boolean isGltf = head.startsWith(GltfDocument.MAGIC) || head.strip().startsWith("{");
+        // OBJ has no signature.
+        return isGltf ? GltfFile.read(file) : ObjFile.read(file);
+    }
+
     static void requireSize(Path file) throws IOException {
         long bytes = Files.size(file);
         String most = " bytes; at most " + MOST_BYTES + " can be used, so simplify the mesh";
@@ -133,7 +111,7 @@ public record MeshSource(String name, Unit unit) {
         InputException.requireRegular(file);
         RawMesh raw = InputException.naming(file, () -> {
                     requireSize(file);
-                    return Format.of(head(file)).reader.read(file);
+                    return parse(file);
                 })
                 .scaled(unit.meters);
         List<String> warnings = new ArrayList<>();

@@ -24,8 +24,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         Checksum checksum = new Checksum().add(mesh.positions()).add(mesh.normals());
         String name = "sky over mesh " + checksum.add(mesh.indices()).hex();
         int size = Float.BYTES * (mesh.vertices() + GROUND_SIDE * GROUND_SIDE);
-        byte[] bytes =
-                cache.get(name, size, () -> new DepthMaps(mesh).visibility().toBytes(size));
+        byte[] bytes = cache.get(name, size, () -> new DepthMaps(mesh).shares.toBytes(size));
         FloatBuffer all = ByteBuffer.wrap(bytes).asFloatBuffer();
         SkyVisibility visibility = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
         all.get(visibility.ofVertices).get(visibility.ofGround);
@@ -61,8 +60,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
         private final Vector3d middle;
         private final double radius;
         private final double groundHeight;
-        private final float[] vertexShares;
-        private final float[] groundShares = new float[GROUND_SIDE * GROUND_SIDE];
+        private final SkyVisibility shares;
 
         DepthMaps(Mesh mesh) {
             BoundingSphere bounds = mesh.toVertexData().bounds();
@@ -70,7 +68,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             this.middle = new Vector3d(bounds.center());
             this.radius = bounds.radius();
             this.groundHeight = ground(mesh);
-            this.vertexShares = new float[mesh.vertices()];
+            this.shares = new SkyVisibility(new float[mesh.vertices()], new float[GROUND_SIDE * GROUND_SIDE]);
             int directions = mesh.triangles() > MANY_TRIANGLES ? FEW_DIRECTIONS : DIRECTIONS;
             float[] cosineSums = new float[mesh.vertices()];
             double sum = 0;
@@ -84,7 +82,7 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                     // Rounded sums of floats depend on the order.
                     .forEachOrdered(map -> map.addVisibility(cosineSums, zSum));
             for (int i = 0; i < cosineSums.length; i++) {
-                vertexShares[i] = cosineSums[i] > 0 ? vertexShares[i] / cosineSums[i] : 0;
+                shares.ofVertices[i] = cosineSums[i] > 0 ? shares.ofVertices[i] / cosineSums[i] : 0;
             }
         }
 
@@ -92,10 +90,6 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
             double z = (number + 0.5) / count;
             double across = Math.sqrt(1 - z * z);
             return new Vector3d(across * Math.cos(GOLDEN_ANGLE * number), across * Math.sin(GOLDEN_ANGLE * number), z);
-        }
-
-        SkyVisibility visibility() {
-            return new SkyVisibility(vertexShares, groundShares);
         }
 
         /** Depth map; depth grows towards the sky, in meters from the middle. */
@@ -169,17 +163,17 @@ public record SkyVisibility(float[] ofVertices, float[] ofGround) {
                     float cosine = (float) Math.max(0, normal.dot(direction));
                     cosineSums[i] += cosine;
                     if (cosine > 0 && sees(Mesh.vector(mesh.positions(), i).fma(MARGIN * radius, normal))) {
-                        vertexShares[i] += cosine;
+                        shares.ofVertices[i] += cosine;
                     }
                 }
                 int side = GROUND_SIDE;
                 double step = 2 * GROUND_REACH * radius / side;
-                for (int i = 0; i < groundShares.length; i++) {
+                for (int i = 0; i < shares.ofGround.length; i++) {
                     int row = i / side;
                     double x = middle.x + step * (i % side + 0.5 - side / 2.0);
                     double y = middle.y + step * (row + 0.5 - side / 2.0);
                     if (sees(new Vector3d(x, y, groundHeight))) {
-                        groundShares[i] += (float) (direction.z / zSum);
+                        shares.ofGround[i] += (float) (direction.z / zSum);
                     }
                 }
             }
