@@ -6,6 +6,7 @@ import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
 import sunbeam.precompute.color.WavelengthNodes;
+import sunbeam.precompute.spectrum.PowerSpectrum;
 
 /**
  * Evaluates colors along a ray of (u, v) at equal steps of ln |(u, v)|, in several slices of w, by the log-polar convolution: a wavelength
@@ -18,45 +19,35 @@ final class LogPolarConvolution {
 
     private final int count;
     private final AverageProjection interpolation;
-    private final RayBatch.Knots knots;
+    private final WindowedSpectrum.Knots knots;
     private final int padded;
     private final int terms;
     private final int slices;
+    private final int stride;
     // [pair][term]. A pair is two real results of one complex transform: X and Y of a slice, or Z of two slices.
     private final double[][][][] kernels;
 
-    @FunctionalInterface
-    interface Coefficients {
-        /** Returns one coefficient per term, for a wavelength in meters and |w|. */
-        double[] at(double wavelength, double depth);
-    }
-
     /**
-     * Positions begin at ln |(u, v)| {@code first}, {@code stride} wavelength steps apart; wavelengths have equal steps of ln lambda; depths are
-     * |w| of the slices.
+     * Positions begin at ln |(u, v)| {@code first}; their wavelengths have equal steps of ln lambda; depths are |w| of the slices.
      */
-    LogPolarConvolution(
-            double first,
-            int count,
-            int stride,
-            WavelengthNodes wavelengths,
-            double[] depths,
-            Coefficients coefficients) {
+    LogPolarConvolution(double first, LogRadialBand.Positions positions, double[] depths, PowerSpectrum spectrum) {
+        WavelengthNodes wavelengths = positions.wavelengths();
         int nodes = wavelengths.count();
-        this.count = count;
-        this.interpolation = new AverageProjection(stride, nodes);
+        this.count = positions.count();
+        this.interpolation = new AverageProjection(positions.stride(), nodes);
         this.slices = depths.length;
-        int length = length(count, stride, nodes);
-        this.padded = padded(length);
+        this.stride = spectrum.stride();
+        int length = positions.length();
+        this.padded = Math.max(2, Integer.highestOneBit(length - 1) << 1);
         double shortest = Math.log(wavelengths.wavelengths()[0]);
         double step = (Math.log(wavelengths.wavelengths()[nodes - 1]) - shortest) / (nodes - 1);
         // A kernel's last coefficient belongs to the frequency of the first position at the longest wavelength.
-        double lowest = first - shortest - (interpolation.firstMiddle() + (interpolation.knots() - 1) * stride) * step;
-        this.knots = new RayBatch.Knots(lowest, stride * step, length);
+        double lowest = first - shortest - interpolation.lastMiddle() * step;
+        this.knots = new WindowedSpectrum.Knots(lowest, positions.stride() * step, length);
         double[][][] atNodes = new double[slices][nodes][];
         for (int slice = 0; slice < slices; slice++) {
             for (int i = 0; i < nodes; i++) {
-                atNodes[slice][i] = coefficients.at(wavelengths.wavelengths()[i], depths[slice]);
+                atNodes[slice][i] = spectrum.coefficients(wavelengths.wavelengths()[i], depths[slice]);
             }
         }
         // An even number, padded by zeros as those of PowerSpectrum: terms are transformed and multiplied in pairs.
@@ -65,12 +56,10 @@ final class LogPolarConvolution {
         for (int pair = 0; pair < pairs(); pair++) {
             int[] results = results(pair);
             for (int m = 0; m < terms; m++) {
-                double[][] kernel = new double[2][];
-                for (int i = 0; i < 2; i++) {
-                    kernel[i] = kernel(results[i], m, atNodes, wavelengths);
-                }
-                FastFourierTransformer.transformInPlace(kernel, DftNormalization.STANDARD, TransformType.FORWARD);
-                kernels[pair][m] = kernel;
+                kernels[pair][m] = new double[][] {
+                    kernel(results[0], m, atNodes, wavelengths), kernel(results[1], m, atNodes, wavelengths)
+                };
+                transform(kernels[pair][m], TransformType.FORWARD);
             }
         }
     }
@@ -80,8 +69,8 @@ final class LogPolarConvolution {
         return count + AverageProjection.knots(stride, nodes) - 1;
     }
 
-    static int padded(int length) {
-        return Math.max(2, Integer.highestOneBit(length - 1) << 1);
+    private static void transform(double[][] complex, TransformType direction) {
+        FastFourierTransformer.transformInPlace(complex, DftNormalization.STANDARD, direction);
     }
 
     private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
@@ -110,38 +99,24 @@ final class LogPolarConvolution {
         return new int[] {COLORS * slice + 2, COLORS * (slice + 1) + 2};
     }
 
-    int count() {
-        return count;
-    }
-
-    RayBatch.Knots knots() {
+    WindowedSpectrum.Knots knots() {
         return knots;
     }
 
-    Line line(int stride) {
-        return new Line(stride);
-    }
-
     final class Line {
-        private final int stride;
-        private final double[] averages;
+        private final double[] averages = new double[stride * knots.count()];
         private final double[][] transformed = new double[2][padded];
         private final double[][][] spectra = new double[terms][2][padded];
         private final double[][] sum = new double[2][padded];
 
-        private Line(int stride) {
-            this.stride = stride;
-            this.averages = new double[stride * knots.count()];
-        }
-
         /** @param target output, {@code [slice * 3 + color][first + position]} */
-        void colors(RayBatch batch, double angle, float[][] target, int first) {
+        void colors(WindowedSpectrum.RayBatch batch, double angle, float[][] target, int first) {
             batch.averages(angle, averages);
             transformTerms();
             for (int pair = 0; pair < pairs(); pair++) {
                 int[] results = results(pair);
                 multiply(kernels[pair]);
-                FastFourierTransformer.transformInPlace(sum, DftNormalization.STANDARD, TransformType.INVERSE);
+                transform(sum, TransformType.INVERSE);
                 put(sum[0], target[results[0]], first);
                 if (results[1] < target.length) {
                     put(sum[1], target[results[1]], first);
@@ -151,7 +126,7 @@ final class LogPolarConvolution {
 
         private void put(double[] from, float[] to, int first) {
             for (int i = 0; i < count; i++) {
-                to[first + i] = (float) from[interpolation.knots() - 1 + i];
+                to[first + i] = (float) from[interpolation.knots - 1 + i];
             }
         }
 
@@ -163,7 +138,7 @@ final class LogPolarConvolution {
                         transformed[i][knot] = averages[knot * stride + m + i];
                     }
                 }
-                FastFourierTransformer.transformInPlace(transformed, DftNormalization.STANDARD, TransformType.FORWARD);
+                transform(transformed, TransformType.FORWARD);
                 double[] re = transformed[0];
                 double[] im = transformed[1];
                 for (int k = 0; k < padded; k++) {
@@ -271,13 +246,9 @@ final class LogPolarConvolution {
             return (length - 1) / stride + POINTS;
         }
 
-        int knots() {
-            return knots;
-        }
-
-        /** Returns the index at the center of the first average, which lies before the sequence. */
-        int firstMiddle() {
-            return -BEFORE * stride;
+        /** Returns the index at the center of the last average; that of the first lies before the sequence. */
+        int lastMiddle() {
+            return (knots - 1 - BEFORE) * stride;
         }
 
         double[] coefficients(double[] sequence) {

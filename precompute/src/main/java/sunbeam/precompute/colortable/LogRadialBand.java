@@ -6,7 +6,7 @@ import sunbeam.precompute.color.WavelengthNodes;
 import sunbeam.precompute.numerics.SplineFilter;
 
 /** Rays of one octave of |(u, v)|, divided into sectors, and the positions on them. Immutable. */
-record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions positions, double positionStep) {
+record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions positions) {
     private static final int COLORS = 3;
     private static final int MARGIN = QuinticSpline.MARGIN;
     // Most rays that share one blurred spectrum; their working set fits a core's cache.
@@ -41,7 +41,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         double widest = cie.isSmooth() ? Math.max(widestStep, widerStep) : WIDEST_ON_FLANKS * orderWidth;
         Positions positions = Positions.widest(cie, widest, Math.min(step / high, WIDEST_STEP));
         int sectors = 2 * Math.max(1, rays / RAYS_PER_SECTOR_PAIR);
-        return new LogRadialBand(high / 2, rays, sectors, positions, positions.step());
+        return new LogRadialBand(high / 2, rays, sectors, positions);
     }
 
     /** Steps along a ray: {@code stride} wavelength steps each; a ray of the octave covers this range of ln |f|. */
@@ -85,13 +85,9 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
             return 2 * MARGIN + 2 + (int) Math.ceil(Math.log(2) / step());
         }
 
-        private int length() {
+        int length() {
             return LogPolarConvolution.length(count(), stride, wavelengths.count());
         }
-    }
-
-    private double start() {
-        return Math.log(low) - MARGIN * positionStep;
     }
 
     /** Returns the number of rays for {@code sectors()}. */
@@ -106,37 +102,21 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
 
     int sector(double u, double v) {
         int ray = Math.min(rays - 1, (int) ray(u, v));
-        int at = (int) ((long) ray * sectors / rays);
-        while (firstRay(at + 1) <= ray) {
-            at++;
-        }
-        while (firstRay(at) > ray) {
-            at--;
-        }
-        return at;
-    }
-
-    Tile tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
-        return new Tile(sector, powers, slices);
+        // The last sector whose first ray is not beyond this one.
+        return (int) (((ray + 1L) * sectors - 1) / rays);
     }
 
     final class Tile {
         private final WindowedSpectrum powers;
         private final DepthInterpolation slices;
-        private final LogPolarConvolution convolution;
+        private final double step = positions.step();
+        private final double start = Math.log(low) - MARGIN * step;
         private final int firstRay;
         private final int tileRays;
 
-        private Tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
+        Tile(int sector, WindowedSpectrum powers, DepthInterpolation slices) {
             this.powers = powers;
             this.slices = slices;
-            this.convolution = new LogPolarConvolution(
-                    start(),
-                    positions.count(),
-                    positions.stride(),
-                    positions.wavelengths(),
-                    slices.depths(),
-                    powers::coefficients);
             this.firstRay = firstRay(sector) - MARGIN;
             this.tileRays = firstRay(sector + 1) + MARGIN + 1 - firstRay;
         }
@@ -171,7 +151,7 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         }
 
         private int locate(double u, double v, double[] alongRay, double[] acrossRays) {
-            double place = (Math.log(Math.sqrt(u * u + v * v)) - start()) / positionStep;
+            double place = (Math.log(Math.sqrt(u * u + v * v)) - start) / step;
             double ray = ray(u, v) - firstRay;
             // Both numbers are positive, so that a cast rounds down.
             int along = (int) place;
@@ -181,25 +161,15 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
             return (along - 2) * tileRays + across - 2;
         }
 
-        /** Sums six values per row, unrolled: the C1 compiler does not unroll, and this runs millions of times. */
         private double interpolated(float[] plane, int corner, double[] inRow, double[] acrossRows) {
-            double first = inRow[0];
-            double second = inRow[1];
-            double third = inRow[2];
-            double fourth = inRow[3];
-            double fifth = inRow[4];
-            double sixth = inRow[5];
             double sum = 0;
-            int at = corner;
             for (int row = 0; row < QuinticSpline.TAPS; row++) {
-                sum += acrossRows[row]
-                        * (first * plane[at]
-                                + second * plane[at + 1]
-                                + third * plane[at + 2]
-                                + fourth * plane[at + 3]
-                                + fifth * plane[at + 4]
-                                + sixth * plane[at + 5]);
-                at += tileRays;
+                int at = corner + row * tileRays;
+                double ofRow = 0;
+                for (int tap = 0; tap < QuinticSpline.TAPS; tap++) {
+                    ofRow += inRow[tap] * plane[at + tap];
+                }
+                sum += acrossRows[row] * ofRow;
             }
             return sum;
         }
@@ -207,11 +177,14 @@ record LogRadialBand(double low, int rays, int sectors, LogRadialBand.Positions 
         /** Returns spline coefficients of sqrt(X), sqrt(Y), sqrt(Z), {@code [slice * 3 + color][position * tileRays + ray]}. */
         private float[][] planes(ColorBaker.Token token) {
             float[][] planes = new float[COLORS * slices.depths().length][tileRays * positions.count()];
-            LogPolarConvolution.Line line = convolution.line(powers.stride());
+            LogPolarConvolution convolution =
+                    new LogPolarConvolution(start, positions, slices.depths(), powers.bins());
+            LogPolarConvolution.Line line = convolution.new Line();
             int next;
             for (int i = 0; i < tileRays; i = next) {
                 next = endOfBatch(i);
-                RayBatch batch = powers.batch(angle(i), angle(next - 1), convolution.knots());
+                WindowedSpectrum.RayBatch batch =
+                        powers.new RayBatch(angle(i), angle(next - 1), convolution.knots());
                 for (int ray = i; ray < next; ray++) {
                     line.colors(batch, angle(ray), planes, ray * positions.count());
                     token.step(0);

@@ -57,7 +57,7 @@ public final class RadialBaker implements ColorBaker {
             TableDesign design,
             double farthest,
             boolean includeFaintTails) {
-        this.powers = new WindowedSpectrum(
+        this.powers = WindowedSpectrum.of(
                 spectrum, area.window(), includeFaintTails ? FINE_REACH : COARSE_REACH, !includeFaintTails);
         this.sliceStep = design.sliceStep();
         double sigma = area.window().sigmaFrequency();
@@ -97,32 +97,28 @@ public final class RadialBaker implements ColorBaker {
     }
 
     private float[] bake(float[] uvw, Function<float[], DepthInterpolation> slices, ColorBaker.Token token) {
-        int[] tiles = IntStream.range(0, uvw.length / COLORS)
+        // Tile number and sample, sorted: a run of samples for each tile.
+        long[] byTile = IntStream.range(0, uvw.length / COLORS)
                 .parallel()
-                .map(sample -> tile(uvw[COLORS * sample], uvw[COLORS * sample + 1]))
+                .mapToLong(i -> (long) tile(uvw[COLORS * i], uvw[COLORS * i + 1]) << Integer.SIZE | i)
+                .sorted()
                 .toArray();
-        int middle = firstTiles[bands.size()];
-        int[] ends = new int[middle + 1];
-        for (int tile : tiles) {
-            ends[tile]++;
-        }
-        Arrays.parallelPrefix(ends, Integer::sum);
-        int[] begins = ends.clone();
-        int[] order = new int[tiles.length];
-        for (int sample = tiles.length - 1; sample >= 0; sample--) {
-            order[--begins[tiles[sample]]] = sample;
-        }
+        int[] begins = IntStream.rangeClosed(0, byTile.length)
+                .filter(i -> i == 0
+                        || i == byTile.length
+                        || byTile[i] >>> Integer.SIZE != byTile[i - 1] >>> Integer.SIZE)
+                .toArray();
         float[] xyz = new float[uvw.length];
-        int[] filled = IntStream.rangeClosed(0, middle)
-                .filter(tile -> begins[tile] < ends[tile])
-                .toArray();
-        runAll(filled, tile -> {
-            int[] samples = Arrays.copyOfRange(order, begins[tile], ends[tile]);
+        runAll(begins.length - 1, run -> {
+            int[] samples = Arrays.stream(byTile, begins[run], begins[run + 1])
+                    .mapToInt(i -> (int) i)
+                    .toArray();
             float[] tileUvw = new float[COLORS * samples.length];
             for (int i = 0; i < samples.length; i++) {
                 System.arraycopy(uvw, COLORS * samples[i], tileUvw, COLORS * i, COLORS);
             }
-            float[] colors = tile == middle
+            int tile = (int) (byTile[begins[run]] >>> Integer.SIZE);
+            float[] colors = tile == firstTiles[bands.size()]
                     ? direct.bake(tileUvw, ColorBaker.Token.NONE)
                     : tile(tile, slices.apply(tileUvw)).bake(tileUvw, token);
             for (int i = 0; i < samples.length; i++) {
@@ -138,18 +134,18 @@ public final class RadialBaker implements ColorBaker {
         while (number >= firstTiles[band + 1]) {
             band++;
         }
-        return bands.get(band).tile(number - firstTiles[band], powers, slices);
+        return bands.get(band).new Tile(number - firstTiles[band], powers, slices);
     }
 
     /** If a task fails, waits for the running ones and throws the failure. */
-    private static void runAll(int[] tiles, IntConsumer work) {
+    private static void runAll(int count, IntConsumer work) {
         AtomicReference<RuntimeException> failure = new AtomicReference<>();
-        // One task per tile, outer bands first: they take longest.
-        ForkJoinTask.invokeAll(IntStream.of(tiles)
-                .mapToObj(tile -> ForkJoinTask.adapt(() -> {
+        // Outer bands come first: they take longest.
+        ForkJoinTask.invokeAll(IntStream.range(0, count)
+                .mapToObj(number -> ForkJoinTask.adapt(() -> {
                     try {
                         if (failure.get() == null) {
-                            work.accept(tile);
+                            work.accept(number);
                         }
                     } catch (RuntimeException problem) {
                         failure.compareAndSet(null, problem);
@@ -199,11 +195,24 @@ public final class RadialBaker implements ColorBaker {
                 int first = columns[column];
                 double radius = Math.hypot(uvw[COLORS * first], uvw[COLORS * first + 1]);
                 WavelengthNodes wavelengths = wavelengths(halvings(WIDEST_STEP, orderStep / radius));
-                double[][] terms = terms(wavelengths.wavelengths(), uvw[COLORS * first], uvw[COLORS * first + 1]);
-                for (int sample = first; sample < columns[column + 1]; sample++) {
-                    put(wavelengths, terms, Math.abs(uvw[COLORS * sample + 2]), xyz, COLORS * sample);
+                int end = columns[column + 1];
+                double[] sums = new double[COLORS * (end - first)];
+                WindowedSpectrum.Sums terms = powers.new Sums();
+                for (int i = 0; i < wavelengths.count(); i++) {
+                    double wavelength = wavelengths.wavelengths()[i];
+                    double[] atWavelength =
+                            terms.at(uvw[COLORS * first] / wavelength, uvw[COLORS * first + 1] / wavelength);
+                    for (int sample = first; sample < end; sample++) {
+                        double power = power(atWavelength, wavelength, Math.abs(uvw[COLORS * sample + 2]));
+                        for (int c = 0; c < COLORS; c++) {
+                            sums[COLORS * (sample - first) + c] += power * wavelengths.weights()[i][c];
+                        }
+                    }
                 }
-                token.step(columns[column + 1] - first);
+                for (int i = 0; i < sums.length; i++) {
+                    xyz[COLORS * first + i] = (float) Math.max(0, sums[i]);
+                }
+                token.step(end - first);
             });
             return xyz;
         }
@@ -233,30 +242,8 @@ public final class RadialBaker implements ColorBaker {
             return known;
         }
 
-        private double[][] terms(double[] wavelengths, double u, double v) {
-            double[][] terms = new double[wavelengths.length][];
-            WindowedSpectrum.Sums sums = powers.sums();
-            for (int i = 0; i < wavelengths.length; i++) {
-                terms[i] = sums.at(u / wavelengths[i], v / wavelengths[i]).clone();
-            }
-            return terms;
-        }
-
-        private void put(WavelengthNodes nodes, double[][] terms, double depth, float[] xyz, int at) {
-            double[] sum = new double[COLORS];
-            for (int i = 0; i < terms.length; i++) {
-                double power = power(terms[i], nodes.wavelengths()[i], depth);
-                for (int c = 0; c < COLORS; c++) {
-                    sum[c] += power * nodes.weights()[i][c];
-                }
-            }
-            for (int c = 0; c < COLORS; c++) {
-                xyz[at + c] = (float) Math.max(0, sum[c]);
-            }
-        }
-
         private double power(double[] terms, double wavelength, double depth) {
-            double[] coefficients = powers.coefficients(wavelength, depth);
+            double[] coefficients = powers.bins().coefficients(wavelength, depth);
             double power = 0;
             for (int m = 0; m < coefficients.length; m++) {
                 power += coefficients[m] * terms[m];
@@ -266,7 +253,7 @@ public final class RadialBaker implements ColorBaker {
 
         /** The truncated sum may be slightly negative in dark directions, hence the clamp. */
         double power(double u, double v, double w, double wavelength) {
-            return Math.max(0, power(powers.sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
+            return Math.max(0, power(powers.new Sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
         }
     }
 }
