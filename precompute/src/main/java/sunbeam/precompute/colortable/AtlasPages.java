@@ -26,8 +26,7 @@ public final class AtlasPages {
 
     private final List<TileGrid> grids;
     private final NumberFormat format;
-    private final int slices;
-    private final int columns;
+    private final TileGrid finest;
     // Direct buffers, which the garbage collector does not move.
     private final List<ByteBuffer> layers = new ArrayList<>();
     private final float[][] pageTable;
@@ -36,9 +35,8 @@ public final class AtlasPages {
     public AtlasPages(List<TileGrid> grids, NumberFormat format) {
         this.grids = List.copyOf(grids);
         this.format = format;
-        this.slices = grids.get(0).slices();
-        this.columns = grids.get(0).columns();
-        this.pageTable = new float[grids.size() * slices][2 * grids.get(0).perSlice()];
+        this.finest = grids.get(0);
+        this.pageTable = new float[grids.size() * finest.slices()][2 * finest.perSlice()];
         // The shader samples a page even if no tile is needed.
         layers.add(newLayer());
     }
@@ -75,9 +73,9 @@ public final class AtlasPages {
         }
         pages++;
         TileGrid grid = grids.get(level);
-        int slice = level * slices + tile / grid.perSlice();
+        int slice = level * finest.slices() + tile / grid.perSlice();
         pageTable[slice][indexInTable(grid, tile)] = pages;
-        if (slice > level * slices) {
+        if (tile >= grid.perSlice()) {
             pageTable[slice - 1][indexInTable(grid, tile) + 1] = pages;
         }
         return layer;
@@ -95,15 +93,19 @@ public final class AtlasPages {
 
     private int indexInTable(TileGrid grid, int tile) {
         int inSlice = tile % grid.perSlice();
-        return 2 * (inSlice / grid.columns() * columns + inSlice % grid.columns());
+        return 2 * (inSlice / grid.columns() * finest.columns() + inSlice % grid.columns());
     }
 
-    public float coefficient(int level, int tile, int index) {
+    private float coefficient(int level, int tile, int index) {
         TileGrid grid = grids.get(level);
-        int page = (int) pageTable[level * slices + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
+        int page = (int) pageTable[level * finest.slices() + tile / grid.perSlice()][indexInTable(grid, tile)] - 1;
         int row = CHANNELS * PAGE_SIDE;
         int number = begin(page, index / row) / format.bytes() + index % row;
         return format.decoded(layers.get(page / PER_LAYER), number);
+    }
+
+    public TableLookUp lookUp() {
+        return new TableLookUp(grids, format, this::coefficient);
     }
 
     public List<ByteBuffer> layers() {
@@ -114,9 +116,17 @@ public final class AtlasPages {
         return pageTable;
     }
 
+    TileGrid finest() {
+        return finest;
+    }
+
+    /** Returns the factor of the coefficients' squares that gives power. */
+    double scale() {
+        return Math.pow(format.scale(), -2);
+    }
+
     void putInto(ShaderTables.Builder tables) {
         tables.array(new TableArray(texels(pages), layer -> format.floats(layers.get(layer))))
-                .array(new TableArray(
-                        grids.get(0).tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
+                .array(new TableArray(finest.tileList(grids.size()), layer -> FloatBuffer.wrap(pageTable[layer])));
     }
 }

@@ -81,13 +81,14 @@ public record ColorTable(
     public static ColorTable within(
             double tolerance, GaussianArea area, double relief, boolean ordersIsolated, double slopeDeviation) {
         boolean coherent = area.average() == Average.COHERENT;
+        double widestSigma = coherent ? 0 : WIDEST_SIGMA;
         boolean coarse = tolerance >= LINES_TOLERANCE && !coherent;
         boolean lines = coarse && !ordersIsolated;
         List<Level> levels = new ArrayList<>();
         double pointSigma = sigma(area.window());
         boolean hasSlopes = slopeDeviation > 0;
         double finest = Math.max(pointSigma, SHALLOWEST * slopeDeviation) / pointSigma;
-        for (double widening = finest; widening == finest || pointSigma * widening <= WIDEST_SIGMA; widening *= RATIO) {
+        for (double widening = finest; widening == finest || pointSigma * widening <= widestSigma; widening *= RATIO) {
             GaussianArea wider = area.with(new CoherenceWindow(area.window().sigmaMeters() / widening));
             TableDesign design = TableDesign.within(tolerance, wider, relief);
             if (coarse) {
@@ -103,9 +104,6 @@ public record ColorTable(
             if (lines) {
                 TableDesign linear = new TableDesign(LINES_STEP * design.step(), design.slices());
                 levels.add(new Level(wider, scale, linear, Interpolation.SHIFTED_LINES, isFinest));
-            }
-            if (coherent) {
-                break;
             }
         }
         NumberFormat numbers = tolerance < HALF_TOLERANCE ? NumberFormat.FLOAT : NumberFormat.HALF;

@@ -9,7 +9,6 @@ import java.util.stream.IntStream;
 record DepthInterpolation(double[] depths, int taps, double[] denominators) {
     private static final int TAPS = 6;
     private static final int COORDINATES = 3;
-    private static final double DEEPEST = 2;
     /** Periods of the fastest wave along w in one slice step of the color table (TableDesign). */
     private static final double PERIODS_PER_STEP = 0.06;
 
@@ -17,16 +16,10 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
     private static final double ERROR = 5e-5;
 
     private DepthInterpolation(double[] depths, int taps) {
+        this(depths, taps, new double[taps]);
         // Equally spaced slices have the same denominators for each first tap.
-        this(
-                depths,
-                taps,
-                IntStream.range(0, taps)
-                        .mapToDouble(slice -> IntStream.range(0, taps)
-                                .filter(other -> other != slice)
-                                .mapToDouble(other -> depths[slice] - depths[other])
-                                .reduce(1, (product, factor) -> product * factor))
-                        .toArray());
+        Arrays.fill(denominators, 1);
+        Arrays.setAll(denominators, tap -> weight(depths[tap], 0, tap));
     }
 
     /**
@@ -72,7 +65,7 @@ record DepthInterpolation(double[] depths, int taps, double[] denominators) {
 
     /** Returns slices with which a sample's color does not depend on its batch. */
     static DepthInterpolation fixed(double widestStep) {
-        return equallySpaced(0, DEEPEST, widestStep);
+        return equallySpaced(0, ColorTable.DEEPEST, widestStep);
     }
 
     private static DepthInterpolation equallySpaced(double lowest, double range, double widestStep) {

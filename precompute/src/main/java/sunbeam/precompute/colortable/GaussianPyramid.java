@@ -58,29 +58,23 @@ public final class GaussianPyramid {
     /** Windows have sigma_f from {@code narrowest} to {@code widest}; sums under that at a point are not divided; cycles per meter. */
     GaussianPyramid(PowerSpectrum bins, double pointSigmaFrequency, double narrowest, double widest, double farthest) {
         this.stride = bins.stride();
-        Plane first = Plane.empty(narrowest, farthest, stride);
-        double share = Math.pow(pointSigmaFrequency / narrowest, 2);
         float[] powers = new float[bins.powers().length];
         for (int i = 0; i < powers.length; i++) {
             powers[i] = (float) bins.powers()[i];
         }
-        sum(powers, bins.x(), bins.y(), narrowest, first, share);
-        planes.add(first);
-        while (planes.size() < TAPS || planes.get(planes.size() - 1).sigmaFrequency < widest) {
-            Plane before = planes.get(planes.size() - 1);
-            planes.add(wider(before, farthest));
+        Plane plane = Plane.empty(narrowest, farthest, stride);
+        sum(powers, bins.x(), bins.y(), narrowest, plane, Math.pow(pointSigmaFrequency / narrowest, 2));
+        planes.add(plane);
+        while (planes.size() < TAPS || plane.sigmaFrequency < widest) {
+            Plane before = plane;
+            plane = Plane.empty(RATIO * before.sigmaFrequency, farthest, stride);
+            double blur = before.sigmaFrequency * Math.sqrt(RATIO * RATIO - 1);
+            Axis nodes = new Axis(1 / before.spacing, -before.half, before.side());
+            sum(before.powers, nodes, nodes, blur, plane, Math.pow(before.spacing / blur, 2) / Math.PI);
             before.prefilter(stride);
+            planes.add(plane);
         }
-        planes.get(planes.size() - 1).prefilter(stride);
-    }
-
-    private Plane wider(Plane before, double farthest) {
-        Plane next = Plane.empty(RATIO * before.sigmaFrequency, farthest, stride);
-        double blur = before.sigmaFrequency * Math.sqrt(RATIO * RATIO - 1);
-        Axis nodes = new Axis(1 / before.spacing, -before.half, before.side());
-        double share = Math.pow(before.spacing / blur, 2) / Math.PI;
-        sum(before.powers, nodes, nodes, blur, next, share);
-        return next;
+        plane.prefilter(stride);
     }
 
     private void sum(float[] from, Axis alongX, Axis alongY, double sigmaFrequency, Plane to, double share) {
@@ -98,32 +92,30 @@ public final class GaussianPyramid {
         });
     }
 
+    /** Adds the weighted runs of {@code length} values, from {@code first} on, to those at {@code at}: four runs at a time. */
     private static void sum(
             float[] from, int first, int length, GaussianWeights runs, double share, float[] to, int at) {
         double[] weights = runs.weights();
         int run = 0;
-        for (; run + TAPS <= runs.count(); run += TAPS) {
+        int first0 = first;
+        for (; run + TAPS <= runs.count(); run += TAPS, first0 += TAPS * length) {
             float w0 = (float) (share * weights[run]);
             float w1 = (float) (share * weights[run + 1]);
             float w2 = (float) (share * weights[run + 2]);
             float w3 = (float) (share * weights[run + 3]);
-            add(from, first + run * length, length, w0, w1, w2, w3, to, at);
-        }
-        for (; run < runs.count(); run++) {
-            float weight = (float) (share * weights[run]);
+            int first1 = first0 + length;
+            int first2 = first1 + length;
+            int first3 = first2 + length;
             for (int i = 0; i < length; i++) {
-                to[at + i] += weight * from[first + run * length + i];
+                to[at + i] +=
+                        w0 * from[first0 + i] + w1 * from[first1 + i] + w2 * from[first2 + i] + w3 * from[first3 + i];
             }
         }
-    }
-
-    private static void add(
-            float[] from, int first, int length, float w0, float w1, float w2, float w3, float[] to, int at) {
-        int second = first + length;
-        int third = second + length;
-        int fourth = third + length;
-        for (int i = 0; i < length; i++) {
-            to[at + i] += w0 * from[first + i] + w1 * from[second + i] + w2 * from[third + i] + w3 * from[fourth + i];
+        for (; run < runs.count(); run++, first0 += length) {
+            float weight = (float) (share * weights[run]);
+            for (int i = 0; i < length; i++) {
+                to[at + i] += weight * from[first0 + i];
+            }
         }
     }
 

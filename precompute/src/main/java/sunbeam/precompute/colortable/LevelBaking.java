@@ -5,7 +5,6 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.IntStream;
 
 /**
@@ -130,20 +129,11 @@ public final class LevelBaking {
     }
 
     private Map<Integer, BitSet> missingTexels(BitSet tiles) {
-        Map<Integer, BitSet> missingTexels = new TreeMap<>();
-        tiles.stream().forEach(tile -> {
-            int[] place = grid.place(tile);
-            for (int row = -1; row <= 1; row++) {
-                for (int column = -1; column <= 1; column++) {
-                    int neighbor = tile + row * grid.columns() + column;
-                    mark(
-                            missingTexels.computeIfAbsent(neighbor, number -> new BitSet(SIDE * SIDE)),
-                            place[0] + column,
-                            place[1] + row,
-                            place);
-                }
-            }
-        });
+        Map<Integer, BitSet> missingTexels = new HashMap<>();
+        tiles.stream()
+                .forEach(reader -> forEachRun(reader, (tile, texel, length, input) -> missingTexels
+                        .computeIfAbsent(tile, number -> new BitSet(SIDE * SIDE))
+                        .set(texel, texel + length)));
         missingTexels.forEach((tile, texels) -> {
             if (samples.containsKey(tile)) {
                 texels.andNot(samples.get(tile).known);
@@ -152,24 +142,34 @@ public final class LevelBaking {
         return missingTexels;
     }
 
-    private void mark(BitSet texels, int column, int row, int[] reader) {
-        int left = Math.max(0, firstInput(reader[0]) - column * SIDE);
-        int right = Math.min(SIDE, firstInput(reader[0]) + inputSide - column * SIDE);
-        int top = Math.max(0, firstInput(reader[1]) - row * SIDE);
-        int bottom = Math.min(SIDE, firstInput(reader[1]) + inputSide - row * SIDE);
-        for (int y = top; y < bottom; y++) {
-            texels.set(y * SIDE + left, y * SIDE + right);
+    /** Texels of one row of a tile, which another tile's prefilter reads to its texels from {@code input} on. */
+    private interface RunVisitor {
+        void visit(int tile, int texel, int length, int input);
+    }
+
+    private void forEachRun(int reader, RunVisitor visitor) {
+        int[] place = grid.place(reader);
+        int left = place[0] * SIDE - 1 - MARGIN;
+        int top = place[1] * SIDE - 1 - MARGIN;
+        for (int row = 0; row < inputSide; row++) {
+            int length;
+            for (int column = 0; column < inputSide; column += length) {
+                int inTile = (left + column) % SIDE;
+                length = Math.min(SIDE - inTile, inputSide - column);
+                int tileInSlice = (top + row) / SIDE * grid.columns() + (left + column) / SIDE;
+                int tile = place[2] * grid.perSlice() + tileInSlice;
+                visitor.visit(tile, (top + row) % SIDE * SIDE + inTile, length, row * inputSide + column);
+            }
         }
     }
 
-    private static int firstInput(int tile) {
-        return tile * SIDE - 1 - MARGIN;
-    }
-
     private byte[] coefficients(int tile) {
-        int[] place = grid.place(tile);
+        float[] rows = new float[inputSide * inputSide * COLORS];
+        forEachRun(
+                tile,
+                (from, texel, length, input) -> System.arraycopy(
+                        samples.get(from).roots, COLORS * texel, rows, COLORS * input, COLORS * length));
         // The filter runs along all lines at once.
-        float[] rows = prefilterInput(place);
         interpolation.toCoefficients(rows, inputSide, inputSide * COLORS);
         float[] transposed = storedRowsTransposed(rows);
         interpolation.toCoefficients(transposed, inputSide, STORED_SIDE * COLORS);
@@ -179,27 +179,6 @@ public final class LevelBaking {
             System.arraycopy(transposed, COLORS * from, stored, CHANNELS * texel, COLORS);
         }
         return numbers.encoded(stored);
-    }
-
-    private float[] prefilterInput(int[] place) {
-        float[] plane = new float[inputSide * inputSide * COLORS];
-        int top = firstInput(place[1]);
-        int left = firstInput(place[0]);
-        for (int row = 0; row < inputSide; row++) {
-            int run;
-            for (int column = 0; column < inputSide; column += run) {
-                int inTile = (left + column) % SIDE;
-                run = Math.min(SIDE - inTile, inputSide - column);
-                int tileInSlice = (top + row) / SIDE * grid.columns() + (left + column) / SIDE;
-                System.arraycopy(
-                        samples.get(place[2] * grid.perSlice() + tileInSlice).roots,
-                        COLORS * ((top + row) % SIDE * SIDE + inTile),
-                        plane,
-                        COLORS * (row * inputSide + column),
-                        COLORS * run);
-            }
-        }
-        return plane;
     }
 
     private float[] storedRowsTransposed(float[] plane) {

@@ -2,6 +2,7 @@ package sunbeam.precompute.colortable;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.atomic.AtomicReference;
@@ -157,6 +158,16 @@ public final class RadialBaker implements ColorBaker {
         }
     }
 
+    /** Returns a value of a concurrent map, made on first use; two threads may make the same one, neither waits. */
+    static <K, V> V known(Map<K, V> values, K key, Function<K, V> maker) {
+        V value = values.get(key);
+        if (value == null) {
+            value = maker.apply(key);
+            values.put(key, value);
+        }
+        return value;
+    }
+
     private int tile(double u, double v) {
         double radius = Math.sqrt(u * u + v * v);
         int band = 0;
@@ -179,7 +190,7 @@ public final class RadialBaker implements ColorBaker {
         private final CieTable cie;
         private final double orderStep;
         // The key is the number of halvings of WIDEST_STEP.
-        private final ConcurrentHashMap<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
+        private final Map<Integer, WavelengthNodes> nodes = new ConcurrentHashMap<>();
 
         DirectBaker(WindowedSpectrum powers, CieTable cie, double sigmaFrequency) {
             this.powers = powers;
@@ -194,7 +205,10 @@ public final class RadialBaker implements ColorBaker {
             IntStream.range(0, columns.length - 1).parallel().forEach(column -> {
                 int first = columns[column];
                 double radius = Math.hypot(uvw[COLORS * first], uvw[COLORS * first + 1]);
-                WavelengthNodes wavelengths = wavelengths(halvings(WIDEST_STEP, orderStep / radius));
+                WavelengthNodes wavelengths = known(
+                        nodes,
+                        halvings(WIDEST_STEP, orderStep / radius),
+                        halvings -> WavelengthNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings), 0));
                 int end = columns[column + 1];
                 double[] sums = new double[COLORS * (end - first)];
                 WindowedSpectrum.Sums terms = powers.new Sums();
@@ -230,16 +244,6 @@ public final class RadialBaker implements ColorBaker {
 
         static int halvings(double widest, double step) {
             return step >= widest ? 0 : (int) Math.ceil(Math.log(widest / step) / Math.log(2));
-        }
-
-        private WavelengthNodes wavelengths(int halvings) {
-            WavelengthNodes known = nodes.get(halvings);
-            if (known == null) {
-                // Two threads may compute the same nodes; neither waits.
-                known = WavelengthNodes.logarithmic(cie, WIDEST_STEP / (1 << halvings), 0);
-                nodes.put(halvings, known);
-            }
-            return known;
         }
 
         private double power(double[] terms, double wavelength, double depth) {

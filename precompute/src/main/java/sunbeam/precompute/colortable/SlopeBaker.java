@@ -58,14 +58,7 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
                 while (end < columns[column + 1] && halvings(uvw, end) == halvings) {
                     end++;
                 }
-                // Two threads may compute the same nodes or slice; neither waits.
-                Nodes ofStep = nodes.get(halvings);
-                if (ofStep == null) {
-                    double step = WIDEST_STEP / (1 << halvings);
-                    ofStep = new Nodes(WavelengthNodes.logarithmic(cie, step, LEAST_WEIGHT), new ConcurrentHashMap<>());
-                    nodes.put(halvings, ofStep);
-                }
-                bake(ofStep, uvw, first, end, xyz);
+                bake(RadialBaker.known(nodes, halvings, this::nodes), uvw, first, end, xyz);
             }
             token.step(columns[column + 1] - columns[column]);
         });
@@ -79,6 +72,11 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
         double shortest = CieTable.MINIMUM_WAVELENGTH;
         double order = sigmaFrequency(table, level, depth, shortest) * shortest / radius;
         return RadialBaker.DirectBaker.halvings(WIDEST_STEP, ORDER_STEP * order);
+    }
+
+    private Nodes nodes(int halvings) {
+        double step = WIDEST_STEP / (1 << halvings);
+        return new Nodes(WavelengthNodes.logarithmic(cie, step, LEAST_WEIGHT), new ConcurrentHashMap<>());
     }
 
     private Slice slice(WavelengthNodes nodes, double depth) {
@@ -102,11 +100,7 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
         Slice[] slices = new Slice[to - from];
         for (int i = 0; i < slices.length; i++) {
             double depth = Math.abs(uvw[COLORS * (from + i) + 2]);
-            slices[i] = nodes.slices.get(depth);
-            if (slices[i] == null) {
-                slices[i] = slice(nodes.wavelengths, depth);
-                nodes.slices.put(depth, slices[i]);
-            }
+            slices[i] = RadialBaker.known(nodes.slices, depth, key -> slice(nodes.wavelengths, key));
         }
         double[] sums = new double[COLORS * slices.length];
         float[] terms = new float[pyramid.count() * pyramid.stride()];
@@ -121,7 +115,12 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
             }
             pyramid.at(uvw[COLORS * from] / wavelength, uvw[COLORS * from + 1] / wavelength, first, end, terms);
             for (int j = 0; j < slices.length; j++) {
-                double power = power(slices[j].factors[i], terms, (slices[j].planes[i] - first) * pyramid.stride());
+                float[] factors = slices[j].factors[i];
+                int ofSlice = (slices[j].planes[i] - first) * pyramid.stride();
+                double power = 0;
+                for (int m = 0; m < factors.length; m++) {
+                    power += factors[m] * terms[ofSlice + m];
+                }
                 for (int c = 0; c < COLORS; c++) {
                     sums[COLORS * j + c] += power * weights[c];
                 }
@@ -130,13 +129,5 @@ public record SlopeBaker(PowerSpectrum spectrum, CieTable cie, GaussianPyramid p
         for (int i = 0; i < sums.length; i++) {
             xyz[COLORS * from + i] = (float) Math.max(0, sums[i]);
         }
-    }
-
-    private static double power(float[] factors, float[] terms, int first) {
-        double power = 0;
-        for (int i = 0; i < factors.length; i++) {
-            power += factors[i] * terms[first + i];
-        }
-        return power;
     }
 }

@@ -29,12 +29,6 @@ public record TableDesign(double step, int slices) {
     // under long windows these are filled, since each wavelength has them elsewhere.
     private static final double COHERENT_ORDER = 0.15;
 
-    public TableDesign {
-        if (!(step > 0) || slices < TAPS) {
-            throw new IllegalArgumentException("step " + step + ", " + slices + " slices");
-        }
-    }
-
     /** Returns the coarsest design that keeps a tolerance under a window, for an effective relief in meters ({@link #depth}). */
     public static TableDesign within(double tolerance, GaussianArea area, double relief) {
         double ratio = tolerance / TOLERANCE;
@@ -42,7 +36,7 @@ public record TableDesign(double step, int slices) {
         double zeros = area.average() == Average.COHERENT ? Math.min(1, Math.pow(length, COHERENT_ORDER)) : 1;
         double step = STEP * Math.pow(ratio, 1 / STEP_ORDER) / length * zeros;
         double sliceStep = SLICE_STEP * Math.pow(ratio, 1 / SLICE_ORDER) * Math.min(1, RELIEF / relief);
-        return new TableDesign(step, Math.max(TAPS, 1 + (int) Math.ceil(2 / sliceStep)));
+        return new TableDesign(step, Math.max(TAPS, 1 + (int) Math.ceil(ColorTable.DEEPEST / sliceStep)));
     }
 
     /** Returns the relief, in meters, of a mostly flat surface whose colors vary as fast along w. */
@@ -56,6 +50,6 @@ public record TableDesign(double step, int slices) {
     }
 
     public double sliceStep() {
-        return 2.0 / (slices - 1);
+        return ColorTable.DEEPEST / (slices - 1);
     }
 }

@@ -88,11 +88,8 @@ public record TablePoints(VisibleRange visible) {
         Sha256 hash = new Sha256();
         ByteBuffer bytes = ByteBuffer.allocate(3 * Double.BYTES);
         for (DirectionPair pair : visible.pairs()) {
-            bytes.clear();
-            hash.add(bytes.putDouble(pair.u())
-                    .putDouble(pair.v())
-                    .putDouble(pair.w())
-                    .flip());
+            bytes.clear().putDouble(pair.u()).putDouble(pair.v()).putDouble(pair.w());
+            hash.add(bytes.flip());
         }
         return light().map(Direction::toString).orElseGet(hash::hex);
     }

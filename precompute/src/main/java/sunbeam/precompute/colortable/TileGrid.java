@@ -158,8 +158,6 @@ public record TileGrid(
     public static final class Feedback {
         private final TileGrid grid;
         private final BitSet tiles;
-        private final int columns;
-        private final int rows;
         private final double firstX;
         private final double firstY;
         private final double perStep;
@@ -176,9 +174,7 @@ public record TileGrid(
         public Feedback(TileGrid grid, BitSet tiles) {
             this.grid = grid;
             this.tiles = tiles;
-            // Copies of the grid's values, for speed: pictures mark some ten million look-ups.
-            this.columns = grid.columns();
-            this.rows = grid.rows();
+            // Derived once, for speed: pictures mark some ten million look-ups.
             this.perStep = 1 / grid.design().step();
             this.firstX = grid.firstX() * perStep;
             this.firstY = grid.firstY() * perStep;
@@ -192,10 +188,10 @@ public record TileGrid(
             double slicePosition = -w * perSliceStep;
             int newFirstSlice = grid.firstSlice(slicePosition - ROUNDING);
             int newEndSlice = grid.firstSlice(slicePosition + ROUNDING) + TableDesign.TAPS;
-            int newLeft = tile(x - ROUNDING, columns);
-            int newRight = tile(x + ROUNDING, columns);
-            int newTop = tile(y - ROUNDING, rows);
-            int newBottom = tile(y + ROUNDING, rows);
+            int newLeft = tile(x - ROUNDING, grid.columns);
+            int newRight = tile(x + ROUNDING, grid.columns);
+            int newTop = tile(y - ROUNDING, grid.rows);
+            int newBottom = tile(y + ROUNDING, grid.rows);
             if (newFirstSlice == firstSlice
                     && newEndSlice == endSlice
                     && newLeft == left
@@ -213,7 +209,7 @@ public record TileGrid(
             for (int row = top; row <= bottom; row++) {
                 for (int column = left; column <= right; column++) {
                     for (int slice = firstSlice; slice < endSlice; slice++) {
-                        tiles.set((slice * rows + row) * columns + column);
+                        tiles.set((slice * grid.rows + row) * grid.columns + column);
                     }
                 }
             }

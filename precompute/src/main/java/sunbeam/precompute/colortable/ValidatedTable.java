@@ -24,7 +24,7 @@ import sunbeam.precompute.text.Text;
  * laws of {@link TableDesign} are too coarse for some surfaces: under a coherent average the stored square roots have kinks along lines
  * between the tails of sharp orders.
  */
-public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pages, ErrorStatistics errors) {
+public record ValidatedTable(AtlasPages pages, ErrorStatistics errors) {
     // Errors fall with the fourth to sixth power of the step, more slowly at kinks.
     private static final double ORDER = 4;
     private static final double SMALLEST_FACTOR = 0.5;
@@ -60,10 +60,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             LongFunction<ColorBaker.Token> tokens) {
         TileGrid grid = TileGrid.of(levels.levels().get(0));
         BitSet tiles = points.tiles(grid);
-        if (!cached.present(0, tiles).equals(tiles)) {
-            return Optional.empty();
-        }
-        Map<Integer, byte[]> read = cached.read(0, tiles);
+        Map<Integer, byte[]> read = cached.present(0, tiles).equals(tiles) ? cached.read(0, tiles) : Map.of();
         if (read.size() < tiles.cardinality()) {
             return Optional.empty();
         }
@@ -72,20 +69,15 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
         List<DirectionPair> samples = points.samples();
         try (ColorBaker baker = bakers.apply(grid.design());
                 ColorBaker.Token token = tokens.apply(samples.size())) {
-            ValidatedTable table = of(grid, levels.numbers(), pages, baker, token, samples);
+            ValidatedTable table = of(pages, baker, token, samples);
             return Optional.of(table).filter(validated -> validated.excess(levels.tolerance()) <= 1);
         }
     }
 
     /** Compares a table with its source at the first samples, until {@link #ENOUGH} of them are bright. */
     private static ValidatedTable of(
-            TileGrid grid,
-            NumberFormat numbers,
-            AtlasPages pages,
-            ColorBaker baker,
-            ColorBaker.Token token,
-            List<DirectionPair> samples) {
-        TableLookUp table = new TableLookUp(List.of(grid), numbers, pages::coefficient);
+            AtlasPages pages, ColorBaker baker, ColorBaker.Token token, List<DirectionPair> samples) {
+        TableLookUp table = pages.lookUp();
         List<Comparison> bright = new ArrayList<>();
         for (int start = 0; start < samples.size() && bright.size() < ENOUGH; start += ENOUGH) {
             List<DirectionPair> batch = samples.subList(start, Math.min(samples.size(), start + ENOUGH));
@@ -105,7 +97,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
                 }
             }
         }
-        return new ValidatedTable(grid, numbers, pages, Comparison.relative(bright));
+        return new ValidatedTable(pages, Comparison.relative(bright));
     }
 
     private static ValidatedTable bake(
@@ -120,7 +112,7 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
                 ColorBaker.Token token = tokens.apply(baking.missing(tiles) + samples.size())) {
             Iterator<byte[]> coefficients = baking.bake(tiles, baker, token).iterator();
             tiles.stream().forEach(tile -> pages.add(0, tile, coefficients.next()));
-            return of(grid, NumberFormat.FLOAT, pages, baker, token, samples);
+            return of(pages, baker, token, samples);
         }
     }
 
@@ -149,31 +141,30 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
             if (excess <= 1) {
                 return table;
             }
+            boolean keeps = table.errors.keep(tolerance);
             if (!(excess < IMPROVEMENT * beforeThat) || Double.isInfinite(excess)) {
-                if (table.errors.keep(tolerance)) {
-                    diagnostics.note().accept("table: " + words + CLOSE + "; smaller steps do not help");
-                } else {
-                    diagnostics.shortfall().accept("table: " + words + "; smaller steps do not help");
-                }
+                Consumer<String> receiver = keeps ? diagnostics.note : diagnostics.shortfall;
+                receiver.accept("table: " + words + (keeps ? CLOSE : "") + "; smaller steps do not help");
                 return table;
             }
             double factor = Math.pow(excess, -1 / ORDER);
             next = next.scaled(Math.max(SMALLEST_FACTOR, Math.min(LARGEST_FACTOR, factor)));
             if (!room.test(points.memory(next))) {
-                if (!table.errors.keep(tolerance)) {
+                if (!keeps) {
                     refused.accept(next);
                 }
-                diagnostics.note().accept("table: " + words + CLOSE + "; memory does not suffice for smaller steps");
+                diagnostics.note.accept("table: " + words + CLOSE + "; memory does not suffice for smaller steps");
                 return table;
             }
-            diagnostics
-                    .note()
-                    .accept(Text.format(
-                            "table: %s, beyond or close to the limit; baked again in steps of %.2g",
-                            words, next.step()));
+            String again = "table: %s, beyond or close to the limit; baked again in steps of %.2g";
+            diagnostics.note.accept(Text.format(again, words, next.step()));
             beforeThat = before;
             before = excess;
         }
+    }
+
+    public TileGrid grid() {
+        return pages.finest();
     }
 
     /** Returns the largest ratio of an error to the allowed one; 0 without errors. */
@@ -188,8 +179,8 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
     }
 
     public String words(double tolerance) {
-        String steps = Text.format("steps of %.2g in (u, v)", grid.design().step())
-                + (grid.slices() > 1 ? ", " + grid.slices() + " slices in w" : "");
+        String steps = Text.format("steps of %.2g in (u, v)", grid().design().step())
+                + (grid().slices() > 1 ? ", " + grid().slices() + " slices in w" : "");
         return errors.count() == 0
                 ? steps + ", not checked: all directions are dark"
                 : Text.format(
@@ -206,13 +197,14 @@ public record ValidatedTable(TileGrid grid, NumberFormat numbers, AtlasPages pag
 
     public void putInto(ShaderTables.Builder tables) {
         pages.putInto(tables);
+        TileGrid grid = grid();
         AtlasPages.define(tables, grid)
                 .define("COLOR_FILTER", grid.interpolation().shaderFunction())
                 .define("COLOR_ONE_LIGHT", grid.space() instanceof TableSpace.OneLight ? 1 : 0)
                 .reals("colorOrigin", grid.firstX(), grid.firstY())
                 .reals("colorTexelsPerUnit", 1 / grid.design().step())
                 .reals("colorTilesAcross", grid.columns(), grid.rows())
-                .reals("colorScale", Math.pow(numbers.scale(), -2));
+                .reals("colorScale", pages.scale());
         if (grid.space() instanceof TableSpace.OneLight one) {
             Direction light = one.light();
             tables.reals("colorLight", light.x(), light.y(), light.z());

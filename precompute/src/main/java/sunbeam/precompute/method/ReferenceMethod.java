@@ -14,7 +14,7 @@ import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReplicaLight;
+import sunbeam.precompute.reference.ExactLight.ReplicaLight;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 import sunbeam.precompute.setting.SettingException;

@@ -8,12 +8,6 @@ public record CoherenceWindow(double sigmaMeters) {
     private static final double LONGEST_WAVELENGTH = 780e-9;
     private static final double LONGEST_WAVE = 5e-6;
 
-    public CoherenceWindow {
-        if (!(sigmaMeters > 0) || !Double.isFinite(sigmaMeters)) {
-            throw new IllegalArgumentException("sigma must be positive, got " + sigmaMeters + " m");
-        }
-    }
-
     public static CoherenceWindow ofCoherenceLength(double meters) {
         return new CoherenceWindow(meters / 4);
     }

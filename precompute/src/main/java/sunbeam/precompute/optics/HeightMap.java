@@ -11,26 +11,24 @@ import sunbeam.precompute.units.Lengths;
 /**
  * Heights in meters on a rectangular grid, seen from above: a scan, or one period of a surface. Column index grows with +x, row 0 is the
  * top (largest y). Immutable. Missing samples are NaN or infinite until they are filled.
+ *
+ * @param pitchX distance of neighboring columns in meters, positive and finite
+ * @param heights {@code rows * columns} heights in meters, row by row from the top; not copied, so that a large scan is not held twice:
+ *     neither the caller nor readers may change them
+ * @param derived values that are computed on first use
  */
-public final class HeightMap {
+public record HeightMap(
+        int columns, int rows, double pitchX, double pitchY, double[] heights, HeightMap.Derived derived) {
     private static final int HEIGHTS_PER_BLOCK = 8192;
 
-    private final int columns;
-    private final int rows;
-    private final double pitchX;
-    private final double pitchY;
-    private final double[] heights;
-    private volatile DoubleSummaryStatistics range;
-    private String digest;
+    /** Statistics of the samples that are not missing, and the digest. Concurrent threads may compute them twice with the same result. */
+    static final class Derived {
+        private volatile DoubleSummaryStatistics range;
+        private volatile String digest;
+    }
 
-    /**
-     * Creates a map; throws IllegalArgumentException if a size, pitch or the array's length does not fit.
-     *
-     * @param pitchX distance of neighboring columns in meters, positive and finite
-     * @param heights {@code rows * columns} heights in meters, row by row from the top; not copied, so that a large scan is not held twice:
-     *     the caller must not change them afterwards
-     */
-    public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+    /** Throws IllegalArgumentException if a size, pitch or the array's length does not fit. */
+    public HeightMap {
         if (columns < 1 || rows < 1) {
             throw new IllegalArgumentException("a height map needs samples, got " + columns + " x " + rows);
         }
@@ -40,17 +38,16 @@ public final class HeightMap {
         if (heights.length != (long) columns * rows) {
             throw new IllegalArgumentException("expected " + (long) columns * rows + " heights, got " + heights.length);
         }
-        this.columns = columns;
-        this.rows = rows;
-        this.pitchX = pitchX;
-        this.pitchY = pitchY;
-        this.heights = heights;
+    }
+
+    public HeightMap(int columns, int rows, double pitchX, double pitchY, double[] heights) {
+        this(columns, rows, pitchX, pitchY, heights, new Derived());
     }
 
     /** Returns this map with a known {@link #digest()}, since computing that of a large scan is slow. */
     public HeightMap withDigest(String known) {
         HeightMap same = with(heights);
-        same.digest = known;
+        same.derived.digest = known;
         return same;
     }
 
@@ -71,22 +68,6 @@ public final class HeightMap {
         return with(Arrays.stream(heights).map(function).toArray());
     }
 
-    public int columns() {
-        return columns;
-    }
-
-    public int rows() {
-        return rows;
-    }
-
-    public double pitchX() {
-        return pitchX;
-    }
-
-    public double pitchY() {
-        return pitchY;
-    }
-
     /** Returns the extent along x, meters: the period of a surface that repeats. */
     public double width() {
         return columns * pitchX;
@@ -99,11 +80,6 @@ public final class HeightMap {
     /** Returns the height in meters at a column (0 = left) and row (0 = top). */
     public double at(int column, int row) {
         return heights[row * columns + column];
-    }
-
-    /** Returns all heights in meters, row by row from the top: the map's own array, which callers must not change. */
-    public double[] heights() {
-        return heights;
     }
 
     /** Returns the lowest height in meters, ignoring missing samples; NaN when all are missing. */
@@ -123,22 +99,22 @@ public final class HeightMap {
         return range().getCount() == heights.length;
     }
 
-    /** Statistics of the samples that are not missing. Concurrent threads may compute them twice with the same result. */
     private DoubleSummaryStatistics range() {
-        DoubleSummaryStatistics known = range;
-        if (known == null) {
-            known = Arrays.stream(heights).filter(Double::isFinite).summaryStatistics();
-            range = known;
+        if (derived.range == null) {
+            derived.range = Arrays.stream(heights).filter(Double::isFinite).summaryStatistics();
         }
-        return known;
+        return derived.range;
     }
 
     /** Returns the SHA-256 of a tag, columns, rows (int), pitches and heights row by row (IEEE doubles), all big-endian, for cache keys. */
     public String digest() {
-        String known = digest;
-        if (known != null) {
-            return known;
+        if (derived.digest == null) {
+            derived.digest = sha256();
         }
+        return derived.digest;
+    }
+
+    private String sha256() {
         Sha256 sha = new Sha256();
         sha.add("sunbeam height map 1\n");
         ByteBuffer block = ByteBuffer.allocate(HEIGHTS_PER_BLOCK * Double.BYTES);
@@ -151,9 +127,7 @@ public final class HeightMap {
             block.putDouble(height);
         }
         sha.add(block.flip());
-        known = sha.hex();
-        digest = known;
-        return known;
+        return sha.hex();
     }
 
     /** Such as "512 x 256 samples, 20 um x 10 um". */

@@ -1,15 +1,9 @@
 package sunbeam.precompute.optics;
 
-/** Numbers of repetitions of a patch, at least 1, in an evenly lit rectangle with sharp edges. */
+/** Numbers of repetitions of a patch, 1 to {@link #MOST}, in an evenly lit rectangle with sharp edges. */
 public record Replicas(int alongX, int alongY) {
     /** With more, float32 does not resolve the orders. */
     public static final int MOST = 10_000;
-
-    public Replicas {
-        if (alongX < 1 || alongY < 1 || alongX > MOST || alongY > MOST) {
-            throw new IllegalArgumentException("replicas " + alongX + " x " + alongY + " are not in 1.." + MOST);
-        }
-    }
 
     /** Returns the numbers whose lengths come closest to the coherence length along each axis, for sides in meters. */
     public static Replicas filling(CoherenceWindow window, double width, double height) {

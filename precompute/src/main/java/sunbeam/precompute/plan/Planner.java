@@ -14,7 +14,7 @@ import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.plan.Sampling.BinSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling;
 import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
-import sunbeam.precompute.reference.WindowLight;
+import sunbeam.precompute.reference.ExactLight.WindowLight;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.HeightScale;

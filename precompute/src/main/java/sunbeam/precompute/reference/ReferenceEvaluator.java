@@ -1,7 +1,6 @@
 package sunbeam.precompute.reference;
 
 import java.util.Arrays;
-import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
@@ -29,7 +28,7 @@ public record ReferenceEvaluator(
 
     /** Throws IllegalArgumentException if samples are missing. */
     public ReferenceEvaluator(HeightMap map, CoherenceWindow window, WindowOrigin origin) {
-        this(new SurfaceSums(map), window, Axis.x(map, origin), Axis.y(map, origin));
+        this(SurfaceSums.of(map), window, Axis.x(map, origin), Axis.y(map, origin));
     }
 
     private ReferenceEvaluator(SurfaceSums surface, CoherenceWindow window, Axis x, Axis y) {
@@ -68,15 +67,8 @@ public record ReferenceEvaluator(
                 sums.power(1, AxisWeights.ofBin(0, axisX)));
     }
 
-    /** Returns sum g a exp(2 pi i (fx x + fy y)) / sum g for a complex function a of {@link #heights()}'s levels; fx, fy in 1 / m. */
-    public Complex windowed(double[] real, double[] imaginary, double fx, double fy) {
-        AxisWeights alongY = AxisWeights.ofWindow(fy, axisY, windowY);
-        SurfaceSums.Sums sums = surface.overRows(new double[][] {real, imaginary}, alongY);
-        return sums.sum(0, AxisWeights.ofWindow(fx, axisX, windowX));
-    }
-
     public Power powers(DirectionPair pair, double wavelength) {
-        double[][] phases = surface.phases(pair.w(), wavelength);
+        double[][] phases = phases(pair.w(), wavelength);
         return powers(phases[0], phases[1], pair.u() / wavelength, pair.v() / wavelength);
     }
 

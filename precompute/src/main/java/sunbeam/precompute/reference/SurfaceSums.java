@@ -1,21 +1,17 @@
 package sunbeam.precompute.reference;
 
 import java.util.Arrays;
-import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.UnitCircle;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
 
 /** Sums p = exp(i k w h), or another function of the height, over the rows of a patch: one sum per column and per set of row weights. */
-record SurfaceSums(HeightMap map, HeightLevels heights, boolean isTabulated) {
-    SurfaceSums(HeightMap map) {
-        this(map, HeightLevels.of(map));
-    }
-
-    /** Decides once: it takes as long as a sum over a small map. */
-    private SurfaceSums(HeightMap map, HeightLevels heights) {
-        this(map, heights, !heights.areTooManyToTabulate());
+record SurfaceSums(HeightLevels heights, boolean isTabulated) {
+    /** Decides once whether to tabulate p: that takes as long as a sum over a small map. */
+    static SurfaceSums of(HeightMap map) {
+        HeightLevels heights = HeightLevels.of(map);
+        return new SurfaceSums(heights, !heights.areTooManyToTabulate());
     }
 
     Sums overRows(double w, double wavelength, AxisWeights... alongY) {
@@ -26,6 +22,7 @@ record SurfaceSums(HeightMap map, HeightLevels heights, boolean isTabulated) {
     Sums overSamples(double w, double wavelength, AxisWeights... alongY) {
         double phasePerMeter = 2 * Math.PI / wavelength * w;
         double zero = phaseZero();
+        HeightMap map = heights.map();
         return overRows(
                 (row, real, imaginary) -> {
                     for (int column = 0; column < imaginary.length; column++) {
@@ -60,6 +57,7 @@ record SurfaceSums(HeightMap map, HeightLevels heights, boolean isTabulated) {
     }
 
     private Sums overRows(RowValues values, AxisWeights... alongY) {
+        HeightMap map = heights.map();
         Sums sums = new Sums(new double[alongY.length][map.columns()], new double[alongY.length][map.columns()]);
         double[] real = new double[map.columns()];
         double[] imaginary = new double[map.columns()];
@@ -102,11 +100,6 @@ record SurfaceSums(HeightMap map, HeightLevels heights, boolean isTabulated) {
         }
 
         double power(int weighting, AxisWeights alongX) {
-            Complex sum = sum(weighting, alongX);
-            return sum.getReal() * sum.getReal() + sum.getImaginary() * sum.getImaginary();
-        }
-
-        Complex sum(int weighting, AxisWeights alongX) {
             double sumReal = 0;
             double sumImaginary = 0;
             for (int i = 0; i < real[weighting].length; i++) {
@@ -115,7 +108,7 @@ record SurfaceSums(HeightMap map, HeightLevels heights, boolean isTabulated) {
                 sumReal += a * alongX.real()[i] - b * alongX.imaginary()[i];
                 sumImaginary += a * alongX.imaginary()[i] + b * alongX.real()[i];
             }
-            return new Complex(sumReal, sumImaginary);
+            return sumReal * sumReal + sumImaginary * sumImaginary;
         }
     }
 

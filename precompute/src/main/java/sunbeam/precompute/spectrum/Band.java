@@ -2,12 +2,6 @@ package sunbeam.precompute.spectrum;
 
 /** Consecutive DFT bins along one axis: indices first .. first + count - 1, which may be negative. Bin j has the frequency j / period. */
 public record Band(int first, int count) {
-    public Band {
-        if (count < 1) {
-            throw new IllegalArgumentException("empty band: " + count);
-        }
-    }
-
     public static Band of(int first, int last) {
         return new Band(first, last - first + 1);
     }

@@ -2,13 +2,6 @@ package sunbeam.precompute.spectrum;
 
 /** Vector of complex numbers, whose two arrays of equal length are not copied, since transforms work in place. */
 public record ComplexVector(double[] real, double[] imaginary) {
-    public ComplexVector {
-        if (real.length != imaginary.length) {
-            throw new IllegalArgumentException(
-                    "real and imaginary part differ in length: " + real.length + " and " + imaginary.length);
-        }
-    }
-
     public static ComplexVector zeros(int length) {
         return new ComplexVector(new double[length], new double[length]);
     }

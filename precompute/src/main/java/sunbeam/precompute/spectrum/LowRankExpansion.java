@@ -45,7 +45,7 @@ public record LowRankExpansion(
         double[][] functions = new double[terms][nodes.count()];
         for (int n = 0; n < terms; n++) {
             for (int q = 0; q < nodes.count(); q++) {
-                functions[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weight(q));
+                functions[n][q] = decomposition.getV().getEntry(q, n) / Math.sqrt(nodes.weights()[q]);
             }
         }
         double[][] series = chebyshevSeries(functions, nodes);
@@ -66,8 +66,8 @@ public record LowRankExpansion(
         double[][] matrix = new double[Math.max(2 * heights, nodes.count())][nodes.count()];
         for (int i = 0; i < heights; i++) {
             for (int q = 0; q < nodes.count(); q++) {
-                double factor = Math.sqrt(rule.shares()[i] * nodes.weight(q));
-                double phase = nodes.node(q) * rule.heights()[i];
+                double factor = Math.sqrt(rule.shares()[i] * nodes.weights()[q]);
+                double phase = nodes.phases()[q] * rule.heights()[i];
                 matrix[2 * i][q] = factor * Math.cos(phase);
                 matrix[2 * i + 1][q] = factor * Math.sin(phase);
             }
@@ -91,11 +91,11 @@ public record LowRankExpansion(
         int length = (int) Math.ceil(nodes.maximum() + 12 * Math.cbrt(nodes.maximum()) + 12);
         double[][] series = new double[functions.length][length];
         for (int q = 0; q < nodes.count(); q++) {
-            double[] coefficients = bessel(length, nodes.node(q));
+            double[] coefficients = bessel(length, nodes.phases()[q]);
             for (int k = 0; k < length; k++) {
                 // (-i)^k is 1, -i, -1, i.
                 double sign = k % 4 == 0 || k % 4 == 3 ? 1 : -1;
-                double bessel = sign * nodes.weight(q) * coefficients[k];
+                double bessel = sign * nodes.weights()[q] * coefficients[k];
                 for (int n = 0; n < functions.length; n++) {
                     series[n][k] += bessel * functions[n][q];
                 }
@@ -116,21 +116,20 @@ public record LowRankExpansion(
     }
 
     private static int significantLength(double[][] series) {
-        double largest = 0;
-        int length = 2;
-        for (double[] one : series) {
-            for (double coefficient : one) {
-                largest = Math.max(largest, Math.abs(coefficient));
-            }
-        }
-        for (double[] one : series) {
-            for (int k = length; k < one.length; k++) {
-                if (Math.abs(one[k]) > SMALLEST_SIGNIFICANT * largest) {
-                    length = k + 1;
-                }
-            }
+        double largest = Arrays.stream(series)
+                .flatMapToDouble(Arrays::stream)
+                .map(Math::abs)
+                .max()
+                .orElseThrow();
+        int length = series[0].length;
+        while (length > 2 && isNegligible(series, length - 1, SMALLEST_SIGNIFICANT * largest)) {
+            length--;
         }
         return length;
+    }
+
+    private static boolean isNegligible(double[][] series, int degree, double limit) {
+        return Arrays.stream(series).allMatch(one -> Math.abs(one[degree]) <= limit);
     }
 
     @Override
@@ -166,7 +165,7 @@ public record LowRankExpansion(
 
     @Override
     public double[] coefficients(double zeta) {
-        return nodes.interpolate(functions, terms, zeta);
+        return nodes.interpolate(functions, zeta);
     }
 
     @Override

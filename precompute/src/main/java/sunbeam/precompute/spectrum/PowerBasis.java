@@ -3,6 +3,7 @@ package sunbeam.precompute.spectrum;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.util.KthSelector;
@@ -22,21 +23,23 @@ final class PowerBasis {
     private static final long SEED = 20140507;
 
     private final PhaseNodes nodes;
+    private final PhaseOctaves octaves;
+    private final double[] weights;
     private final double[][] functions;
     private final double[][] projections;
 
     PowerBasis(FourierTable table, double tolerance) {
         Expansion expansion = table.expansion();
         nodes = PhaseNodes.of(expansion.minimumPhase(), expansion.maximumPhase(), PowerSpectrum.BANDWIDTH);
-        PhaseOctaves octaves = PhaseOctaves.of(nodes);
+        octaves = PhaseOctaves.of(nodes);
         BinPowers powers = new BinPowers(table, nodes);
         double[][] rows =
                 Arrays.stream(sample(powers, table.bins())).mapToObj(powers::at).toArray(double[][]::new);
         double[] mirror = mirror(table, powers);
-        double[] typical = typical(rows, octaves, mirror);
-        double[] weights = new double[nodes.count()];
-        Arrays.setAll(weights, q -> nodes.weight(q) / (typical[q] * typical[q]));
-        functions = basis(rows, mirror, weights, octaves, tolerance);
+        double[] typical = typical(rows, mirror);
+        weights = new double[nodes.count()];
+        Arrays.setAll(weights, q -> nodes.weights()[q] / (typical[q] * typical[q]));
+        functions = basis(rows, mirror, tolerance);
         double[][] weighted = new double[functions.length][nodes.count()];
         for (int n = 0; n < weighted.length; n++) {
             for (int q = 0; q < nodes.count(); q++) {
@@ -54,7 +57,7 @@ final class PowerBasis {
     }
 
     /** Mean power in the octave around each phase, over all rows but the mirror's, each scaled by its own mean. */
-    private double[] typical(double[][] rows, PhaseOctaves octaves, double[] mirror) {
+    private double[] typical(double[][] rows, double[] mirror) {
         double[] sums = new double[nodes.count()];
         for (double[] row : rows) {
             if (!Arrays.equals(row, mirror)) {
@@ -73,19 +76,18 @@ final class PowerBasis {
     private double mean(double[] row) {
         double mean = 0;
         for (int q = 0; q < row.length; q++) {
-            mean += nodes.weight(q) * row[q];
+            mean += nodes.weights()[q] * row[q];
         }
         return mean;
     }
 
-    private double[][] basis(
-            double[][] rows, double[] mirror, double[] weights, PhaseOctaves octaves, double tolerance) {
+    private double[][] basis(double[][] rows, double[] mirror, double tolerance) {
         double[] first = mirror.clone();
-        double length = Math.sqrt(product(mirror, mirror, weights));
+        double length = Math.sqrt(product(mirror, mirror));
         Arrays.setAll(first, q -> length > 0 ? mirror[q] / length : 0);
         double[][] left = new double[rows.length][nodes.count()];
         for (int i = 0; i < rows.length; i++) {
-            double share = product(rows[i], first, weights);
+            double share = product(rows[i], first);
             double mean = mean(rows[i]) + DARKEST;
             for (int q = 0; q < weights.length; q++) {
                 left[i][q] = (rows[i][q] - share * first[q]) / mean * Math.sqrt(weights[q]);
@@ -104,12 +106,12 @@ final class PowerBasis {
         }
         int[] functionsNeeded = IntStream.range(0, rows.length)
                 .parallel()
-                .map(i -> functionsNeeded(rows[i], all, weights, octaves, tolerance))
+                .map(i -> functionsNeeded(rows[i], all, tolerance))
                 .toArray();
         return Arrays.copyOf(all, basisSize(functionsNeeded, rows));
     }
 
-    private static double product(double[] a, double[] b, double[] weights) {
+    private double product(double[] a, double[] b) {
         double sum = 0;
         for (int q = 0; q < weights.length; q++) {
             sum += weights[q] * a[q] * b[q];
@@ -118,13 +120,12 @@ final class PowerBasis {
     }
 
     /** Fewest functions that approximate a row within the tolerance in every octave. */
-    private static int functionsNeeded(
-            double[] row, double[][] all, double[] weights, PhaseOctaves octaves, double tolerance) {
+    private int functionsNeeded(double[] row, double[][] all, double tolerance) {
         double[] allowed = octaves.means(squares(row));
         Arrays.setAll(allowed, q -> tolerance * tolerance * allowed[q] + DARKEST * DARKEST);
         double[] rest = row.clone();
         for (int n = 0; n < all.length; n++) {
-            double share = product(row, all[n], weights);
+            double share = product(row, all[n]);
             for (int q = 0; q < rest.length; q++) {
                 rest[q] -= share * all[n][q];
             }
@@ -172,7 +173,7 @@ final class PowerBasis {
                 nodes.minimum(),
                 nodes.maximum(),
                 PowerSpectrum.BANDWIDTH,
-                zeta -> nodes.interpolate(functions, functions.length, zeta));
+                zeta -> nodes.interpolate(functions, zeta));
     }
 
     double[][] projections() {
@@ -184,10 +185,10 @@ final class PowerBasis {
         static PhaseOctaves of(PhaseNodes nodes) {
             PhaseOctaves octaves = new PhaseOctaves(nodes, new int[nodes.count()], new int[nodes.count()]);
             for (int q = 0, low = 0, high = 0; q < nodes.count(); q++) {
-                while (nodes.node(low) * Math.sqrt(2) < nodes.node(q)) {
+                while (nodes.phases()[low] * Math.sqrt(2) < nodes.phases()[q]) {
                     low++;
                 }
-                while (high < nodes.count() && nodes.node(high) <= nodes.node(q) * Math.sqrt(2)) {
+                while (high < nodes.count() && nodes.phases()[high] <= nodes.phases()[q] * Math.sqrt(2)) {
                     high++;
                 }
                 octaves.first[q] = low;
@@ -200,12 +201,124 @@ final class PowerBasis {
             double[] sums = new double[values.length + 1];
             double[] weights = new double[values.length + 1];
             for (int q = 0; q < values.length; q++) {
-                sums[q + 1] = sums[q] + nodes.weight(q) * values[q];
-                weights[q + 1] = weights[q] + nodes.weight(q);
+                sums[q + 1] = sums[q] + nodes.weights()[q] * values[q];
+                weights[q + 1] = weights[q] + nodes.weights()[q];
             }
             double[] means = new double[values.length];
             Arrays.setAll(means, q -> (sums[end[q]] - sums[first[q]]) / (weights[end[q]] - weights[first[q]]));
             return means;
+        }
+    }
+
+    /** Powers |F_j|^2 of single DFT bins at nodes of the phase zeta. */
+    private static final class BinPowers {
+        private final FourierTable table;
+        private final Complex[] turns;
+        // [node][term]
+        private final double[][] coefficients;
+
+        BinPowers(FourierTable table, PhaseNodes nodes) {
+            this.table = table;
+            turns = new Complex[table.terms()];
+            Arrays.setAll(turns, table.expansion().kind()::turn);
+            coefficients = new double[nodes.count()][];
+            Arrays.setAll(coefficients, q -> table.expansion().coefficients(nodes.phases()[q]));
+        }
+
+        /** Returns real and imaginary parts of a bin's terms, each times its factor {@link Expansion.Kind#turn}. */
+        private double[] terms(int bin) {
+            double[] terms = new double[2 * turns.length];
+            for (int n = 0; n < turns.length; n++) {
+                double real = table.real()[n][bin];
+                double imaginary = table.imaginary()[n][bin];
+                terms[2 * n] = real * turns[n].getReal() - imaginary * turns[n].getImaginary();
+                terms[2 * n + 1] = real * turns[n].getImaginary() + imaginary * turns[n].getReal();
+            }
+            return terms;
+        }
+
+        double[] at(int bin) {
+            return powers(terms(bin));
+        }
+
+        private double[] powers(double[] terms) {
+            double[] powers = new double[coefficients.length];
+            Arrays.setAll(powers, q -> power(terms, coefficients[q]));
+            return powers;
+        }
+
+        /** Returns the mean power of a bin at three nodes, so that a zero at one of them does not hide it. */
+        double strength(int bin) {
+            int nodes = coefficients.length;
+            double[] terms = terms(bin);
+            return (power(terms, coefficients[nodes / 6])
+                            + power(terms, coefficients[nodes / 2])
+                            + power(terms, coefficients[5 * nodes / 6]))
+                    / 3;
+        }
+
+        /** Returns the inner products {@code [function][bin]} of all bins' powers with functions {@code [function][node]}. */
+        double[][] sums(double[][] functions) {
+            double[][] sums = new double[functions.length][table.bins()];
+            int pairs = turns.length * (turns.length + 1) / 2;
+            boolean fewTerms = pairs * (2 + functions.length) < coefficients.length * (2 * turns.length + functions.length);
+            double[][] weights = fewTerms ? pairWeights(functions, pairs) : functions;
+            IntStream.range(0, table.bins()).parallel().forEach(bin -> {
+                double[] terms = terms(bin);
+                double[] inputs = fewTerms ? products(terms, pairs) : powers(terms);
+                for (int n = 0; n < weights.length; n++) {
+                    sums[n][bin] = sum(weights[n], inputs);
+                }
+            });
+            return sums;
+        }
+
+        /** |sum_a c_a F_a|^2 = sum_ab c_a c_b Re(F_a F_b*), c real: returns the functions' products with c_a c_b, twice those for a != b. */
+        private double[][] pairWeights(double[][] functions, int pairs) {
+            double[][] weights = new double[functions.length][pairs];
+            for (int n = 0; n < functions.length; n++) {
+                for (int q = 0; q < coefficients.length; q++) {
+                    int pair = 0;
+                    for (int a = 0; a < turns.length; a++) {
+                        for (int b = a; b < turns.length; b++) {
+                            double twice = a == b ? 1 : 2;
+                            weights[n][pair++] += twice * functions[n][q] * coefficients[q][a] * coefficients[q][b];
+                        }
+                    }
+                }
+            }
+            return weights;
+        }
+
+        private static double[] products(double[] terms, int pairs) {
+            double[] products = new double[pairs];
+            int pair = 0;
+            for (int a = 0; a < terms.length; a += 2) {
+                double real = terms[a];
+                double imaginary = terms[a + 1];
+                for (int b = a; b < terms.length; b += 2) {
+                    products[pair++] = real * terms[b] + imaginary * terms[b + 1];
+                }
+            }
+            return products;
+        }
+
+        private static double sum(double[] weights, double[] values) {
+            double sum = 0;
+            for (int i = 0; i < values.length; i++) {
+                sum += weights[i] * values[i];
+            }
+            return sum;
+        }
+
+        private static double power(double[] terms, double[] factors) {
+            double real = 0;
+            double imaginary = 0;
+            for (int n = 0; n < factors.length; n++) {
+                real += factors[n] * terms[2 * n];
+                imaginary += factors[n] * terms[2 * n + 1];
+            }
+            return real * real + imaginary * imaginary;
         }
     }
 }

@@ -94,7 +94,7 @@ class ValidatedTableTest {
     void twoOfAHundredThatErrByMoreThanFiveMayAreTooMany() {
         for (double percentile98 : new double[] {2.9e-3, 3.1e-3}) {
             ErrorStatistics errors = new ErrorStatistics(2000, 1e-4, 1e-3, percentile98, 1, 1e-3);
-            boolean kept = new ValidatedTable(null, NumberFormat.FLOAT, null, errors).excess(1e-3) <= 1;
+            boolean kept = new ValidatedTable(null, errors).excess(1e-3) <= 1;
             assertThat(kept).isEqualTo(percentile98 < 3e-3);
         }
     }
@@ -132,8 +132,7 @@ class ValidatedTableTest {
     }
 
     private static double[] xyz(ValidatedTable made, DirectionPair pair) {
-        return new TableLookUp(List.of(made.grid()), made.numbers(), made.pages()::coefficient)
-                .xyz(0, pair.u(), pair.v(), pair.w());
+        return made.pages().lookUp().xyz(0, pair.u(), pair.v(), pair.w());
     }
 
     @Test

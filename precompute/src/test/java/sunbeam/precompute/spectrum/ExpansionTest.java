@@ -63,7 +63,7 @@ class ExpansionTest {
     private static double meanSquaredError(Expansion expansion, HeightMap map, double maximum) {
         PhaseNodes nodes = PhaseNodes.of(0, maximum, 2);
         double[][] coefficients = new double[nodes.count()][];
-        Arrays.setAll(coefficients, q -> expansion.coefficients(nodes.node(q)));
+        Arrays.setAll(coefficients, q -> expansion.coefficients(nodes.phases()[q]));
         return Arrays.stream(map.heights())
                 .map(expansion.scale()::scaled)
                 .parallel()
@@ -72,7 +72,7 @@ class ExpansionTest {
                     Arrays.setAll(basis, n -> new Complex(expansion.realBasis(n, s), expansion.imaginaryBasis(n, s)));
                     double sum = 0;
                     for (int q = 0; q < nodes.count(); q++) {
-                        sum += nodes.weight(q) * squaredError(nodes.node(q) * s, basis, coefficients[q]);
+                        sum += nodes.weights()[q] * squaredError(nodes.phases()[q] * s, basis, coefficients[q]);
                     }
                     return sum;
                 })

@@ -43,7 +43,7 @@ final class Residency implements AutoCloseable {
         this.grids = grids;
         this.format = table.numbers();
         this.pages = new AtlasPages(grids, format);
-        this.lookUp = new TableLookUp(grids, format, pages::coefficient);
+        this.lookUp = pages.lookUp();
         this.resident = TileSet.none(grids.size());
         // Even without tiles the shader samples a page: that of a mesh that faces away from the light.
         changed.set(0);

@@ -18,7 +18,7 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.reference.ExactLight;
 import sunbeam.precompute.reference.ExactLight.Quadrature;
-import sunbeam.precompute.reference.ReplicaLight;
+import sunbeam.precompute.reference.ExactLight.ReplicaLight;
 
 @NeedsDisplay
 class PqMethodTest {

@@ -155,13 +155,13 @@ class VirtualTextureTest {
                     .iterator();
             tiles.stream().forEach(tile -> cells.add(0, tile, made.next()));
             ShaderTables.Builder tables = new ShaderTables.Builder("table");
-            new ValidatedTable(grid, numbers, cells, ErrorStatistics.of()).putInto(tables);
+            new ValidatedTable(cells, ErrorStatistics.of()).putInto(tables);
             float[] places = places(1000);
             float[] shown;
             try (GpuBaker colors = GpuBaker.of(tables.build(1e-5, 0.1))) {
                 shown = colors.bake(places, ColorBaker.Token.NONE);
             }
-            TableLookUp table = new TableLookUp(List.of(grid), numbers, cells::coefficient);
+            TableLookUp table = cells.lookUp();
             for (int i = 0; i < shown.length; i += 3) {
                 double[] xyz = table.xyz(0, places[i], places[i + 1], places[i + 2]);
                 for (int c = 0; c < 3; c++) {
