@@ -54,10 +54,10 @@ final class LogPolarConvolution {
         this.terms = (atNodes[0][0].length + 1) / 2 * 2;
         this.kernels = new double[pairs()][terms][][];
         for (int pair = 0; pair < pairs(); pair++) {
-            int[] results = results(pair);
             for (int m = 0; m < terms; m++) {
                 kernels[pair][m] = new double[][] {
-                    kernel(results[0], m, atNodes, wavelengths), kernel(results[1], m, atNodes, wavelengths)
+                    kernel(target(2 * pair), m, atNodes, wavelengths),
+                    kernel(target(2 * pair + 1), m, atNodes, wavelengths)
                 };
                 transform(kernels[pair][m], TransformType.FORWARD);
             }
@@ -73,30 +73,27 @@ final class LogPolarConvolution {
         FastFourierTransformer.transformInPlace(complex, DftNormalization.STANDARD, direction);
     }
 
-    private double[] kernel(int result, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
-        int slice = result / COLORS;
+    private double[] kernel(int target, int term, double[][][] atNodes, WavelengthNodes wavelengths) {
+        int slice = target / COLORS;
         if (slice >= slices || term >= atNodes[slice][0].length) {
             return new double[padded];
         }
         double[] values = new double[wavelengths.count()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][result % COLORS];
+            values[i] = atNodes[slice][i][term] * wavelengths.weights()[i][target % COLORS];
         }
         return Arrays.copyOf(interpolation.coefficients(values), padded);
     }
 
-    /** Complex transforms: of X and Y of each slice, then of Z two by two. */
+    /** Complex transforms, each of two results: of X and Y of each slice, then of Z two by two. */
     private int pairs() {
-        return slices + (slices + 1) / 2;
+        return (COLORS * slices + 1) / 2;
     }
 
-    /** Returns the two results of a pair, as slice * 3 + color; the second may lie beyond the last slice. */
-    private int[] results(int pair) {
-        if (pair < slices) {
-            return new int[] {COLORS * pair, COLORS * pair + 1};
-        }
-        int slice = 2 * (pair - slices);
-        return new int[] {COLORS * slice + 2, COLORS * (slice + 1) + 2};
+    /** Returns slice * 3 + color of a result; the last pair's second one may lie beyond the last slice. */
+    private int target(int result) {
+        int ofZ = result - 2 * slices;
+        return ofZ < 0 ? COLORS * (result / 2) + result % 2 : COLORS * ofZ + 2;
     }
 
     WindowedSpectrum.Knots knots() {
@@ -109,24 +106,19 @@ final class LogPolarConvolution {
         private final double[][][] spectra = new double[terms][2][padded];
         private final double[][] sum = new double[2][padded];
 
-        /** @param target output, {@code [slice * 3 + color][first + position]} */
-        void colors(WindowedSpectrum.RayBatch batch, double angle, float[][] target, int first) {
+        /** @param output colors, {@code [slice * 3 + color][first + position]} */
+        void colors(WindowedSpectrum.RayBatch batch, double angle, float[][] output, int first) {
             batch.averages(angle, averages);
             transformTerms();
             for (int pair = 0; pair < pairs(); pair++) {
-                int[] results = results(pair);
                 multiply(kernels[pair]);
                 transform(sum, TransformType.INVERSE);
-                put(sum[0], target[results[0]], first);
-                if (results[1] < target.length) {
-                    put(sum[1], target[results[1]], first);
+                for (int i = 0; i < 2; i++) {
+                    int to = target(2 * pair + i);
+                    for (int position = 0; to < output.length && position < count; position++) {
+                        output[to][first + position] = (float) sum[i][interpolation.knots - 1 + position];
+                    }
                 }
-            }
-        }
-
-        private void put(double[] from, float[] to, int first) {
-            for (int i = 0; i < count; i++) {
-                to[first + i] = (float) from[interpolation.knots - 1 + i];
             }
         }
 
@@ -151,30 +143,26 @@ final class LogPolarConvolution {
             }
         }
 
+        /** Adds two products at once, which halves the memory traffic of the sums. */
         private void multiply(double[][][] kernel) {
-            Arrays.fill(sum[0], 0);
-            Arrays.fill(sum[1], 0);
+            double[] real = sum[0];
+            double[] imag = sum[1];
+            Arrays.fill(real, 0);
+            Arrays.fill(imag, 0);
             for (int m = 0; m < terms; m += 2) {
-                addProducts(spectra[m], kernel[m], spectra[m + 1], kernel[m + 1], sum);
+                double[] ar = spectra[m][0];
+                double[] ai = spectra[m][1];
+                double[] br = kernel[m][0];
+                double[] bi = kernel[m][1];
+                double[] cr = spectra[m + 1][0];
+                double[] ci = spectra[m + 1][1];
+                double[] dr = kernel[m + 1][0];
+                double[] di = kernel[m + 1][1];
+                for (int k = 0; k < padded; k++) {
+                    real[k] += ar[k] * br[k] - ai[k] * bi[k] + cr[k] * dr[k] - ci[k] * di[k];
+                    imag[k] += ar[k] * bi[k] + ai[k] * br[k] + cr[k] * di[k] + ci[k] * dr[k];
+                }
             }
-        }
-    }
-
-    /** Adds two products at once, which halves the memory traffic of the sums. */
-    private static void addProducts(double[][] a, double[][] b, double[][] c, double[][] d, double[][] sum) {
-        double[] ar = a[0];
-        double[] ai = a[1];
-        double[] br = b[0];
-        double[] bi = b[1];
-        double[] cr = c[0];
-        double[] ci = c[1];
-        double[] dr = d[0];
-        double[] di = d[1];
-        double[] real = sum[0];
-        double[] imag = sum[1];
-        for (int k = 0; k < real.length; k++) {
-            real[k] += ar[k] * br[k] - ai[k] * bi[k] + cr[k] * dr[k] - ci[k] * di[k];
-            imag[k] += ar[k] * bi[k] + ai[k] * br[k] + cr[k] * di[k] + ci[k] * dr[k];
         }
     }
 

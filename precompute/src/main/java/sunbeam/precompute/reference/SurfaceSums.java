@@ -66,8 +66,7 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
             if (Arrays.stream(alongY).anyMatch(weights -> weights.real()[at] != 0 || weights.imaginary()[at] != 0)) {
                 values.fill(row, real, imaginary);
                 for (int b = 0; b < alongY.length; b++) {
-                    sums.add(
-                            b, real, imaginary, alongY[b].real()[row], alongY[b].imaginary()[row]);
+                    sums.add(b, real, imaginary, alongY[b], row);
                 }
             }
         }
@@ -90,7 +89,9 @@ record SurfaceSums(HeightLevels heights, boolean isTabulated) {
 
     /** Complex sums over rows, {@code [weighting][column]}. */
     record Sums(double[][] real, double[][] imaginary) {
-        private void add(int weighting, double[] re, double[] im, double weightReal, double weightImaginary) {
+        private void add(int weighting, double[] re, double[] im, AxisWeights weights, int row) {
+            double weightReal = weights.real[row];
+            double weightImaginary = weights.imaginary[row];
             double[] sumReal = real[weighting];
             double[] sumImaginary = imaginary[weighting];
             for (int i = 0; i < sumReal.length; i++) {

@@ -1,6 +1,7 @@
 package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import sunbeam.precompute.numerics.KaiserBessel;
@@ -57,15 +58,12 @@ public record InterpolationDesign(double deviation, int taps, double beta, doubl
     }
 
     public static InterpolationDesign best(double deviation, int taps, double skirt) {
-        InterpolationDesign best = null;
-        for (double perTap : BETA_PER_TAP) {
-            double beta = perTap * taps;
-            double error = new Spread(deviation, taps, beta).largestError(skirt);
-            if (best == null || error < best.error) {
-                best = new InterpolationDesign(deviation, taps, beta, error);
-            }
-        }
-        return best;
+        return Arrays.stream(BETA_PER_TAP)
+                .map(perTap -> perTap * taps)
+                .mapToObj(beta -> new InterpolationDesign(
+                        deviation, taps, beta, new Spread(deviation, taps, beta).largestError(skirt)))
+                .min(Comparator.comparingDouble(InterpolationDesign::error))
+                .orElseThrow();
     }
 
     /** Returns phi at a distance in grid steps; 0 from taps / 2 on. */

@@ -1,6 +1,6 @@
 package sunbeam.precompute.spectrum;
 
-import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
@@ -35,9 +35,9 @@ public final class PeriodSpectrum {
     }
 
     private double[] corrections(int count) {
-        double[] result = new double[count];
-        Arrays.setAll(result, i -> interpolation.correction((i - middle(count)) / count));
-        return result;
+        return IntStream.range(0, count)
+                .mapToDouble(i -> interpolation.correction((i - middle(count)) / count))
+                .toArray();
     }
 
     private static double middle(int count) {
