@@ -31,8 +31,8 @@ import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.plan.TableChoices;
 import sunbeam.precompute.plan.VisibleRange;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.reference.ExactLight.WindowLight;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.FourierTable;
 

@@ -40,7 +40,7 @@ public record HeightSpectrum(Band bandX, Band bandY, double width, double height
         int rows = map.rows() > 1 ? padding * map.rows() : 1;
         Band bandX = band(columns, map.pitchX());
         Band bandY = band(rows, map.pitchY());
-        double[] power = new BandTransform2d(columns, rows, bandX, bandY).powers((row, samples) -> {
+        double[] power = new BandTransform2d(columns, rows, bandX, bandY).powers((samples, row) -> {
             for (int column = 0; row < map.rows() && column < map.columns(); column++) {
                 samples[column] = level.at(column, row) * taperX[column] * taperY[row];
             }

@@ -83,7 +83,9 @@ public final class RadialBaker implements ColorBaker {
 
     /** Returns the power at a wavelength in meters, relative to that of a flat mirror in specular direction. */
     public double power(double u, double v, double w, double wavelength) {
-        return direct.power(u, v, w, wavelength);
+        // The truncated sum may be slightly negative in dark directions.
+        double[] terms = powers.new Sums().at(u / wavelength, v / wavelength);
+        return Math.max(0, direct.power(terms, wavelength, Math.abs(w)));
     }
 
     @Override
@@ -105,9 +107,8 @@ public final class RadialBaker implements ColorBaker {
                 .sorted()
                 .toArray();
         int[] begins = IntStream.rangeClosed(0, byTile.length)
-                .filter(i -> i == 0
-                        || i == byTile.length
-                        || byTile[i] >>> Integer.SIZE != byTile[i - 1] >>> Integer.SIZE)
+                .filter(i ->
+                        i == 0 || i == byTile.length || byTile[i] >>> Integer.SIZE != byTile[i - 1] >>> Integer.SIZE)
                 .toArray();
         float[] xyz = new float[uvw.length];
         runAll(begins.length - 1, run -> {
@@ -219,7 +220,8 @@ public final class RadialBaker implements ColorBaker {
                     for (int sample = first; sample < end; sample++) {
                         double power = power(atWavelength, wavelength, Math.abs(uvw[COLORS * sample + 2]));
                         for (int c = 0; c < COLORS; c++) {
-                            sums[COLORS * (sample - first) + c] += power * wavelengths.weights()[i][c];
+                            sums[COLORS * (sample - first) + c] +=
+                                    power * wavelengths.weights()[i][c];
                         }
                     }
                 }
@@ -253,11 +255,6 @@ public final class RadialBaker implements ColorBaker {
                 power += coefficients[m] * terms[m];
             }
             return power;
-        }
-
-        /** The truncated sum may be slightly negative in dark directions, hence the clamp. */
-        double power(double u, double v, double w, double wavelength) {
-            return Math.max(0, power(powers.new Sums().at(u / wavelength, v / wavelength), wavelength, Math.abs(w)));
         }
     }
 }

@@ -10,6 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 import java.util.function.Predicate;
+import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
+import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.errors.Comparison;
 import sunbeam.precompute.errors.ErrorStatistics;
 import sunbeam.precompute.optics.Direction;

@@ -17,8 +17,9 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
     static WindowedSpectrum of(PowerSpectrum spectrum, CoherenceWindow window, double reach, boolean decimated) {
         double sigmaFrequency = window.sigmaFrequency();
         double spacing = decimated ? DECIMATED_SPACING * sigmaFrequency : 0;
-        PowerSpectrum bins = spectrum.decimated((int) Math.max(1, spacing * spectrum.x().period()), (int)
-                Math.max(1, spacing * spectrum.y().period()));
+        PowerSpectrum bins =
+                spectrum.decimated((int) Math.max(1, spacing * spectrum.x().period()), (int)
+                        Math.max(1, spacing * spectrum.y().period()));
         return new WindowedSpectrum(bins, sigmaFrequency, reach);
     }
 
@@ -108,8 +109,7 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
         private final double[] blurred;
 
         /** Line at a frequency along the axis, with its weight in ln |f| and its range of blurred bins, from {@code offset} on. */
-        private record Line(
-                double frequency, double logarithm, double weight, int firstBin, int count, int offset) {}
+        private record Line(double frequency, double logarithm, double weight, int firstBin, int count, int offset) {}
 
         /** Blurs the spectrum between two angles to the x axis, radians, less than 90 degrees apart and closer to the same axis. */
         RayBatch(double firstAngle, double lastAngle, Knots knots) {
@@ -144,7 +144,8 @@ record WindowedSpectrum(PowerSpectrum bins, double sigmaFrequency, double reach)
             GaussianWeights rows = weights(crossed.y());
             double sign = Math.signum(along(firstAngle));
             for (Line line : lines) {
-                rows.moveTo(crossed.y().place(sign * line.frequency), 0, crossed.y().count() - 1);
+                rows.moveTo(
+                        crossed.y().place(sign * line.frequency), 0, crossed.y().count() - 1);
                 blur(line, rows);
             }
         }

@@ -38,7 +38,7 @@ import sunbeam.precompute.spectrum.CoefficientTable;
 import sunbeam.precompute.spectrum.ComplexVector;
 import sunbeam.precompute.spectrum.Expansion;
 import sunbeam.precompute.spectrum.PeriodInterpolation;
-import sunbeam.precompute.spectrum.PeriodSpectrum;
+import sunbeam.precompute.spectrum.PeriodInterpolation.PeriodSpectrum;
 import sunbeam.precompute.text.Text;
 
 /**

@@ -1,7 +1,7 @@
 package sunbeam.precompute.method;
 
-import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
+import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.ValidatedTable;
 import sunbeam.precompute.plan.SpectrumPlan;
 import sunbeam.precompute.shader.ShaderTables;

@@ -11,8 +11,8 @@ import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.reference.ExactLight;
-import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.reference.ExactLight.WindowLight;
+import sunbeam.precompute.reference.ReferenceEvaluator;
 import sunbeam.precompute.setting.Choices;
 import sunbeam.precompute.setting.Setting;
 

@@ -14,8 +14,8 @@ import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.shader.ShaderTables.MethodUse;
 import sunbeam.precompute.spectrum.Expansion;
-import sunbeam.precompute.spectrum.HeightScale;
-import sunbeam.precompute.spectrum.TaylorExpansion;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
+import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Lengths;
 

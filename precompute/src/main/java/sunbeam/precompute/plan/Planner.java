@@ -17,10 +17,10 @@ import sunbeam.precompute.plan.Sampling.OrderSampling.BandRule;
 import sunbeam.precompute.reference.ExactLight.WindowLight;
 import sunbeam.precompute.setting.SettingException;
 import sunbeam.precompute.spectrum.Expansion;
-import sunbeam.precompute.spectrum.HeightScale;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
+import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 import sunbeam.precompute.spectrum.InterpolationDesign;
 import sunbeam.precompute.spectrum.LowRankExpansion;
-import sunbeam.precompute.spectrum.TaylorExpansion;
 
 /**
  * Makes a {@link SpectrumPlan} from a patch, the user's choices and a scene's directions, within a heap of so many bytes and a shader's

@@ -2,15 +2,15 @@ package sunbeam.precompute.reference;
 
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.WavelengthNodes;
-import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.CoherenceWindow;
+import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
 import sunbeam.precompute.patch.HeightLevels;
 import sunbeam.precompute.reference.ReferenceEvaluator.Power;
-import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
 import sunbeam.precompute.reference.SurfaceSums.AxisWeights;
+import sunbeam.precompute.reference.SurfaceSums.AxisWeights.Axis;
 
 /** Exact diffracted power of a surface for one kind of coherence area. Immutable and thread-safe. */
 public sealed interface ExactLight {
@@ -103,7 +103,12 @@ public sealed interface ExactLight {
 
         /** Throws IllegalArgumentException if samples are missing. */
         public ReplicaLight(HeightMap map, Replicas replicas, CieTable cie) {
-            this(SurfaceSums.of(map), Axis.x(map, WindowOrigin.CORNER), Axis.y(map, WindowOrigin.CORNER), replicas, cie);
+            this(
+                    SurfaceSums.of(map),
+                    Axis.x(map, WindowOrigin.CORNER),
+                    Axis.y(map, WindowOrigin.CORNER),
+                    replicas,
+                    cie);
         }
 
         @Override

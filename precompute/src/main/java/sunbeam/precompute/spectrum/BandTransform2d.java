@@ -2,6 +2,7 @@ package sunbeam.precompute.spectrum;
 
 import java.util.Arrays;
 import java.util.function.BiConsumer;
+import java.util.function.ObjIntConsumer;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
@@ -25,12 +26,6 @@ public final class BandTransform2d {
     @FunctionalInterface
     public interface RowSource {
         void fill(int row, double[] real, double[] imaginary);
-    }
-
-    /** Source of the samples of a real field. Must be thread-safe. */
-    @FunctionalInterface
-    public interface RealRowSource {
-        void fill(int row, double[] samples);
     }
 
     public BandTransform2d(int columns, int rows, Band bandX, Band bandY) {
@@ -69,9 +64,9 @@ public final class BandTransform2d {
 
     /**
      * Returns the squared magnitudes of the bins of a real field, for bands that are symmetric about 0 and less than half the samples wide
-     * on each side. Bins (jx, jy) and (-jx, -jy) are conjugate: two rows are transformed as one, and only columns with jx >= 0.
+     * on each side; the source fills a row of samples. Bins (jx, jy) and (-jx, -jy) are conjugate: two rows are transformed as one, and only columns with jx >= 0.
      */
-    public double[] powers(RealRowSource source) {
+    public double[] powers(ObjIntConsumer<double[]> source) {
         int reachX = alongX.band().last();
         int width = reachX + 1;
         ComplexVector half = ComplexVector.zeros(Math.multiplyExact(rows, width));
@@ -90,12 +85,12 @@ public final class BandTransform2d {
         return powers;
     }
 
-    private void transformPair(RealRowSource source, int row, ComplexVector half) {
+    private void transformPair(ObjIntConsumer<double[]> source, int row, ComplexVector half) {
         ComplexVector work = alongX.workspace();
-        source.fill(row, work.real());
+        source.accept(work.real(), row);
         boolean two = row + 1 < rows;
         if (two) {
-            source.fill(row + 1, work.imaginary());
+            source.accept(work.imaginary(), row + 1);
         }
         int reachX = alongX.band().last();
         ComplexVector bins = ComplexVector.zeros(2 * reachX + 1);
@@ -161,7 +156,7 @@ public final class BandTransform2d {
             private final int[] first;
             private final double[][] weights;
             // exp(2 pi i middle n / N), which moves the band's middle to bin 0.
-            private final ComplexVector turn;
+            private final double[][] turn;
             // Per bin: reciprocal of the kernel's transform.
             private final double[] gains;
 
@@ -187,12 +182,7 @@ public final class BandTransform2d {
                         weights[point][n - begin] = kernel.value(point - n / samplesPerPoint);
                     }
                 }
-                this.turn = ComplexVector.zeros(length);
-                for (int n = 0; n < length; n++) {
-                    double angle = 2 * Math.PI * Math.floorMod((long) middle * n, (long) length) / length;
-                    turn.real()[n] = Math.cos(angle);
-                    turn.imaginary()[n] = Math.sin(angle);
-                }
+                this.turn = new Band(0, length).phases(length, middle);
                 this.gains = new double[band.count()];
                 Arrays.setAll(gains, m -> gridSize / kernel.transform((double) (band.first() + m - middle) / gridSize));
             }
@@ -230,8 +220,8 @@ public final class BandTransform2d {
                     int n = i >= margin && i < margin + length ? i - margin : Math.floorMod(i - margin, length);
                     double re = samples.real()[n];
                     double im = samples.imaginary()[n];
-                    turned.real()[i] = re * turn.real()[n] - im * turn.imaginary()[n];
-                    turned.imaginary()[i] = re * turn.imaginary()[n] + im * turn.real()[n];
+                    turned.real()[i] = re * turn[0][n] - im * turn[1][n];
+                    turned.imaginary()[i] = re * turn[1][n] + im * turn[0][n];
                 }
                 return turned;
             }

@@ -7,6 +7,7 @@ import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * DFT bins of an expansion's terms T_n(h) over one patch, limited to the visible frequencies, bin / width and bin / height. Parts are
@@ -19,44 +20,33 @@ public record FourierTable(
             HeightLevels heights, Expansion expansion, Band bandX, Band bandY, IntConsumer progress) {
         float[][] empty = new float[expansion.terms()][];
         FourierTable table = new FourierTable(heights.map(), expansion, bandX, bandY, empty, empty.clone());
-        if (expansion.kind().hasRealBasis()) {
-            table.transformPairs(heights, progress);
-        } else {
-            table.transformSingly(heights, progress);
-        }
+        table.transform(heights, progress);
         return table;
     }
 
-    private void transformSingly(HeightLevels heights, IntConsumer progress) {
-        BandTransform2d transform = new BandTransform2d(map.columns(), map.rows(), bandX, bandY);
-        for (int n = 0; n < terms(); n++) {
-            int term = n;
-            ComplexVector bins = transform.transform(rows(
-                    heights,
-                    expansion.scale(),
-                    s -> expansion.realBasis(term, s),
-                    s -> expansion.imaginaryBasis(term, s)));
-            real[n] = toFloat(bins.real());
-            imaginary[n] = toFloat(bins.imaginary());
-            progress.accept(1);
-        }
-    }
-
     /** Transforms two real terms a, b at once, z = a + i b: A(f) = (Z(f) + Z*(-f)) / 2, B(f) = (Z(f) - Z*(-f)) / 2i. */
-    private void transformPairs(HeightLevels heights, IntConsumer progress) {
-        Band symmetricX = bandX.symmetric();
-        Band symmetricY = bandY.symmetric();
-        BandTransform2d transform = new BandTransform2d(map.columns(), map.rows(), symmetricX, symmetricY);
-        for (int n = 0; n < terms(); n += 2) {
+    private void transform(HeightLevels heights, IntConsumer progress) {
+        boolean inPairs = expansion.kind().hasRealBasis();
+        Band x = inPairs ? bandX.symmetric() : bandX;
+        Band y = inPairs ? bandY.symmetric() : bandY;
+        BandTransform2d transform = new BandTransform2d(map.columns(), map.rows(), x, y);
+        int count;
+        for (int n = 0; n < terms(); n += count) {
             int first = n;
-            int count = Math.min(2, terms() - n);
+            count = Math.min(inPairs ? 2 : 1, terms() - n);
+            DoubleUnaryOperator second = count == 2 ? s -> expansion.realBasis(first + 1, s) : s -> 0;
             ComplexVector z = transform.transform(rows(
                     heights,
                     expansion.scale(),
                     s -> expansion.realBasis(first, s),
-                    s -> count == 2 ? expansion.realBasis(first + 1, s) : 0));
-            for (int term = n; term < n + count; term++) {
-                separate(z, symmetricX, symmetricY, term == n, term);
+                    inPairs ? second : s -> expansion.imaginaryBasis(first, s)));
+            if (inPairs) {
+                for (int term = n; term < n + count; term++) {
+                    separate(z, x, y, term == n, term);
+                }
+            } else {
+                real[n] = toFloat(z.real());
+                imaginary[n] = toFloat(z.imaginary());
             }
             progress.accept(count);
         }

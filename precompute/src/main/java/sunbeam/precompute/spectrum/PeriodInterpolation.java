@@ -1,6 +1,10 @@
 package sunbeam.precompute.spectrum;
 
+import java.util.stream.IntStream;
+import org.apache.commons.math3.complex.Complex;
 import sunbeam.precompute.numerics.KaiserBessel;
+import sunbeam.precompute.optics.HeightMap;
+import sunbeam.precompute.patch.HeightLevels;
 
 /**
  * Interpolation between the DFT bins of one period with sharp edges (thesis section 3.5), p_n being one of the N samples, at x_n:
@@ -61,5 +65,83 @@ public enum PeriodInterpolation {
     private KaiserBessel kaiserBessel() {
         double alias = Math.PI * taps * (1 - 0.5 / oversampling);
         return new KaiserBessel(taps, Math.sqrt(alias * alias - Math.PI * Math.PI));
+    }
+
+    /**
+     * DFT of the terms T_n of one period with sharp edges, at samples that {@link PeriodInterpolation} interpolates. Sample j along x has the
+     * frequency j / (oversampling * width). Phases refer to the period's middle, so that neighboring samples differ as little as possible; for
+     * {@link PeriodInterpolation#RING} to the corner, as in the thesis.
+     */
+    public static final class PeriodSpectrum {
+        private final HeightLevels heights;
+        private final Expansion expansion;
+        private final PeriodInterpolation interpolation;
+        private final Band bandX;
+        private final Band bandY;
+        private final BandTransform2d transform;
+        private final double[] correctionX;
+        private final double[] correctionY;
+
+        public PeriodSpectrum(
+                HeightLevels heights, Expansion expansion, Band bandX, Band bandY, PeriodInterpolation interpolation) {
+            this.heights = heights;
+            this.expansion = expansion;
+            this.interpolation = interpolation;
+            this.bandX = bandX;
+            this.bandY = bandY;
+            HeightMap map = heights.map();
+            int samples = interpolation.oversampling();
+            this.transform = new BandTransform2d(samples * map.columns(), samples * map.rows(), bandX, bandY);
+            this.correctionX = corrections(map.columns());
+            this.correctionY = corrections(map.rows());
+        }
+
+        private double[] corrections(int count) {
+            return IntStream.range(0, count)
+                    .mapToDouble(i -> interpolation.correction((i - middle(count)) / count))
+                    .toArray();
+        }
+
+        private static double middle(int count) {
+            return 0.5 * (count - 1);
+        }
+
+        /** Returns one term times {@code expansion.kind().turn(n)}, in rows of ascending y samples. Runs on all cores. */
+        public ComplexVector term(int n) {
+            BandTransform2d.RowSource rows = FourierTable.rows(
+                    heights, expansion.scale(), s -> expansion.realBasis(n, s), s -> expansion.imaginaryBasis(n, s));
+            ComplexVector term = transform.transform((row, real, imaginary) -> {
+                if (row < correctionY.length) {
+                    rows.fill(row, real, imaginary);
+                    for (int column = 0; column < correctionX.length; column++) {
+                        double factor = correctionX[column] * correctionY[row];
+                        real[column] *= factor;
+                        imaginary[column] *= factor;
+                    }
+                }
+            });
+            turn(term, expansion.kind().turn(n));
+            return term;
+        }
+
+        /** Turns phases to the middle; oversampling squared, because the DFT divides by the number of padded samples. */
+        private void turn(ComplexVector samples, Complex turn) {
+            double padding = interpolation.oversampling() * interpolation.oversampling();
+            double turns = interpolation == PeriodInterpolation.RING ? 0 : 1.0 / interpolation.oversampling();
+            double turnsX = -turns * middle(correctionX.length) / correctionX.length;
+            // Rows run downwards, y upwards.
+            double turnsY = turns * middle(correctionY.length) / correctionY.length;
+            for (int i = 0; i < samples.length(); i++) {
+                int jx = bandX.first() + i % bandX.count();
+                int jy = bandY.first() + i / bandX.count();
+                double angle = 2 * Math.PI * (jx * turnsX + jy * turnsY) + turn.getArgument();
+                double cosine = padding * Math.cos(angle);
+                double sine = padding * Math.sin(angle);
+                double real = samples.real()[i];
+                double imaginary = samples.imaginary()[i];
+                samples.real()[i] = real * cosine - imaginary * sine;
+                samples.imaginary()[i] = real * sine + imaginary * cosine;
+            }
+        }
     }
 }

@@ -170,10 +170,7 @@ final class PowerBasis {
 
     CoefficientTable coefficients() {
         return CoefficientTable.sampled(
-                nodes.minimum(),
-                nodes.maximum(),
-                PowerSpectrum.BANDWIDTH,
-                zeta -> nodes.interpolate(functions, zeta));
+                nodes.minimum(), nodes.maximum(), PowerSpectrum.BANDWIDTH, zeta -> nodes.interpolate(functions, zeta));
     }
 
     double[][] projections() {
@@ -261,7 +258,8 @@ final class PowerBasis {
         double[][] sums(double[][] functions) {
             double[][] sums = new double[functions.length][table.bins()];
             int pairs = turns.length * (turns.length + 1) / 2;
-            boolean fewTerms = pairs * (2 + functions.length) < coefficients.length * (2 * turns.length + functions.length);
+            boolean fewTerms =
+                    pairs * (2 + functions.length) < coefficients.length * (2 * turns.length + functions.length);
             double[][] weights = fewTerms ? pairWeights(functions, pairs) : functions;
             IntStream.range(0, table.bins()).parallel().forEach(bin -> {
                 double[] terms = terms(bin);

@@ -2,6 +2,7 @@ package sunbeam.precompute.spectrum;
 
 import java.util.stream.IntStream;
 import sunbeam.precompute.numerics.Lagrange;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
 
 /**
  * Power spectrum of a surface: |F_j|^2 of its DFT bins as a short sum of terms, each a function of the phase zeta times one value per bin.

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
+import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
 import sunbeam.precompute.optics.CoherenceWindow.WindowOrigin;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
+import sunbeam.precompute.colortable.AtlasPages.TableLookUp;
 import sunbeam.precompute.plan.GaussianArea;
 
 /** Tiles of a level: their baking, the interpolation between their texels, and the numbers that they store. */

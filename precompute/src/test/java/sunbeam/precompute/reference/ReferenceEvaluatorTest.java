@@ -16,8 +16,8 @@ import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.optics.Gain;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.optics.Replicas;
-import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 import sunbeam.precompute.reference.ExactLight.ReplicaLight;
+import sunbeam.precompute.reference.ReferenceEvaluator.Power;
 
 /** Symmetries of the reference, and its ensemble average as a mean over positions of the window. */
 class ReferenceEvaluatorTest {

@@ -15,6 +15,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
+import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 
 class ExpansionTest {
     private static final int SIDE = 32;

@@ -18,6 +18,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sunbeam.precompute.Surfaces;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.HeightLevels;
+import sunbeam.precompute.spectrum.Expansion.HeightScale;
+import sunbeam.precompute.spectrum.Expansion.TaylorExpansion;
 
 /** Tables of terms, powers of them, and their file. */
 class FourierTableTest {

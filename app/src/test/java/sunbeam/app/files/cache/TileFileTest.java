@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.NumberFormat;
 import sunbeam.precompute.shader.TableLabel;
 

@@ -23,9 +23,9 @@ import org.junit.jupiter.api.io.TempDir;
 import sunbeam.app.files.cache.CacheFolder;
 import sunbeam.app.terminal.Environment;
 import sunbeam.precompute.color.CieTable;
-import sunbeam.precompute.colortable.CachedTiles;
 import sunbeam.precompute.colortable.ColorBaker;
 import sunbeam.precompute.colortable.LevelBaking;
+import sunbeam.precompute.colortable.LevelBaking.CachedTiles;
 import sunbeam.precompute.colortable.RadialBaker;
 import sunbeam.precompute.colortable.TileGrid;
 import sunbeam.precompute.method.ColorTablePlan;
@@ -100,10 +100,7 @@ class DiffractionSetupTest {
     }
 
     private String oneLight(MethodPlan plan) {
-        return setup("a")
-                .freshTables(plan, MethodUse.COLOR)
-                .defines()
-                .get("COLOR_ONE_LIGHT");
+        return setup("a").freshTables(plan, MethodUse.COLOR).defines().get("COLOR_ONE_LIGHT");
     }
 
     private static float[] numbers(ShaderTables tables) {
@@ -178,9 +175,7 @@ class DiffractionSetupTest {
                         new RadialBaker(
                                 spectrum, CieTable.load(), all.table().levels().get(0)),
                         ColorBaker.Token.NONE);
-        try (CachedTiles kept = setup("a")
-                .sources(line -> {})
-                .tiles(all)) {
+        try (CachedTiles kept = setup("a").sources(line -> {}).tiles(all)) {
             int[] numbers = tiles.stream().toArray();
             kept.keep(
                     0,
