@@ -1,15 +1,16 @@
 package sunbeam.app.cli;
 
 import com.sun.management.OperatingSystemMXBean;
-import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import jrtr.GraphicsException;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
@@ -30,6 +31,7 @@ import sunbeam.precompute.text.Text;
                 + "Each line begins with ok or FAIL; below a FAIL stands what to do.%n"
                 + "The exit code says whether rendering works: 0 if it does, 5 if not.")
 public final class DoctorCommand extends ReportingCommand {
+    private static final String GRAPHICS = "Graphics";
     private static final double MEBIBYTE = 1024.0 * 1024.0;
     /** Least heap without a complaint: the largest patches in tests need less. */
     private static final double LEAST_HEAP_MEBIBYTES = 1024;
@@ -52,49 +54,21 @@ public final class DoctorCommand extends ReportingCommand {
     @Override
     public Integer call() {
         List<Check> checks = new ArrayList<>(examine(environment));
-        List<Check> rendering = examineGraphics();
-        checks.addAll(rendering);
-        boolean renders = rendering.stream().allMatch(Check::isOk);
+        try {
+            checks.addAll(graphics.get());
+        } catch (GraphicsException failure) {
+            checks.add(Check.failed(GRAPHICS, "not usable", failure.getMessage()));
+        }
+        boolean renders = checks.stream().noneMatch(check -> check.name.equals(GRAPHICS));
         if (json.isGiven()) {
-            JsonOption.print(out(), report(renders, checks));
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("renders", renders);
+            report.put("checks", checks.stream().map(Check::report).toList());
+            JsonOption.print(out(), report);
         } else {
-            print(checks, out());
+            checks.forEach(check -> out().println(check.text()));
         }
         return renders ? ExitCode.OK.code() : ExitCode.NO_GRAPHICS.code();
-    }
-
-    private List<Check> examineGraphics() {
-        try {
-            return graphics.get();
-        } catch (GraphicsException failure) {
-            return List.of(Check.failed("Graphics", "not usable", failure.getMessage()));
-        }
-    }
-
-    private static Map<String, Object> report(boolean renders, List<Check> checks) {
-        Map<String, Object> report = new LinkedHashMap<>();
-        report.put("renders", renders);
-        report.put("checks", checks.stream().map(DoctorCommand::report).toList());
-        return report;
-    }
-
-    private static Map<String, Object> report(Check check) {
-        Map<String, Object> report = new LinkedHashMap<>();
-        report.put("name", check.name());
-        report.put("ok", check.isOk());
-        report.put("value", check.value());
-        check.remedy().ifPresent(remedy -> report.put("remedy", remedy));
-        return report;
-    }
-
-    private static void print(List<Check> checks, PrintWriter out) {
-        int width =
-                checks.stream().mapToInt(check -> check.name().length()).max().orElse(0);
-        for (Check check : checks) {
-            String name = check.name() + " ".repeat(width - check.name().length());
-            out.println((check.isOk() ? "ok    " : "FAIL  ") + name + "  " + check.value());
-            check.remedy().ifPresent(remedy -> out.println(" ".repeat(6 + width + 2) + remedy));
-        }
     }
 
     /** Line of the report: name of a property, its value, and a remedy if the value prevents or limits rendering. */
@@ -107,44 +81,52 @@ public final class DoctorCommand extends ReportingCommand {
             return new Check(name, value, Optional.of(remedy));
         }
 
-        boolean isOk() {
-            return remedy.isEmpty();
+        private Map<String, Object> report() {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("name", name);
+            report.put("ok", remedy.isEmpty());
+            report.put("value", value);
+            remedy.ifPresent(words -> report.put("remedy", words));
+            return report;
+        }
+
+        private String text() {
+            String line = Text.format("%-4s  %-16s  %s", remedy.isEmpty() ? "ok" : "FAIL", name, value);
+            return line
+                    + remedy.map(words -> System.lineSeparator() + " ".repeat(24) + words)
+                            .orElse("");
         }
     }
 
-    static List<Check> examine(Environment environment) {
-        List<Check> checks = new ArrayList<>();
-        checks.add(Check.ok(
-                "Java",
-                System.getProperty("java.version") + ", " + System.getProperty("java.vendor") + ", "
-                        + System.getProperty("java.home")));
-        checks.add(Check.ok(
-                "Operating system",
-                System.getProperty("os.name") + " " + System.getProperty("os.version") + ", "
-                        + System.getProperty("os.arch")));
-        checks.add(Check.ok("Cores", Integer.toString(Runtime.getRuntime().availableProcessors())));
-        checks.add(heap());
-        checks.add(memory());
-        checks.add(display(environment));
-        checks.add(cache(CacheFolder.of(environment)));
-        return checks;
-    }
-
-    static List<Check> graphics() {
-        try (RenderContext context = RenderContext.offscreen()) {
-            return describe(context.info());
-        }
-    }
-
-    private static List<Check> describe(RenderContext.ContextInfo info) {
-        RenderContext.ContextInfo.Limits limits = info.limits();
+    private static List<Check> examine(Environment environment) {
         return List.of(
-                Check.ok("GL vendor", info.vendor()),
-                Check.ok("GL renderer", info.renderer() + (info.software() ? ", in software" : "")),
-                Check.ok("GL version", info.version() + ", GLSL " + info.shadingLanguageVersion()),
-                Check.ok("Texture size", limits.textureSize() + " x " + limits.textureSize() + " texels"),
-                Check.ok("Array layers", Integer.toString(limits.arrayLayers())),
-                Check.ok("Picture size", limits.targetWidth() + " x " + limits.targetHeight() + " pixels"));
+                Check.ok("Java", properties(", ", "java.version", "java.vendor", "java.home")),
+                Check.ok(
+                        "Operating system",
+                        properties(" ", "os.name", "os.version") + ", " + properties("", "os.arch")),
+                Check.ok("Cores", Integer.toString(Runtime.getRuntime().availableProcessors())),
+                heap(),
+                memory(),
+                display(environment),
+                cache(CacheFolder.of(environment)));
+    }
+
+    private static String properties(String between, String... names) {
+        return Arrays.stream(names).map(System::getProperty).collect(Collectors.joining(between));
+    }
+
+    private static List<Check> graphics() {
+        try (RenderContext context = RenderContext.offscreen()) {
+            RenderContext.ContextInfo info = context.info();
+            RenderContext.ContextInfo.Limits limits = info.limits();
+            return List.of(
+                    Check.ok("GL vendor", info.vendor()),
+                    Check.ok("GL renderer", info.renderer() + (info.software() ? ", in software" : "")),
+                    Check.ok("GL version", info.version() + ", GLSL " + info.shadingLanguageVersion()),
+                    Check.ok("Texture size", limits.textureSize() + " x " + limits.textureSize() + " texels"),
+                    Check.ok("Array layers", Integer.toString(limits.arrayLayers())),
+                    Check.ok("Picture size", limits.targetWidth() + " x " + limits.targetHeight() + " pixels"));
+        }
     }
 
     private static Check heap() {
@@ -156,40 +138,36 @@ public final class DoctorCommand extends ReportingCommand {
     }
 
     private static Check memory() {
-        if (ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system) {
-            return Check.ok(
-                    "Free memory",
-                    size(system.getFreeMemorySize() / MEBIBYTE) + " of "
-                            + size(system.getTotalMemorySize() / MEBIBYTE));
-        }
-        return Check.ok("Free memory", "not reported by this Java");
+        String sizes = ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
+                ? size(system.getFreeMemorySize() / MEBIBYTE) + " of " + size(system.getTotalMemorySize() / MEBIBYTE)
+                : "not reported by this Java";
+        return Check.ok("Free memory", sizes);
     }
 
     private static Check display(Environment environment) {
         String display = environment.variable("DISPLAY");
         boolean needed = System.getProperty("os.name").equals("Linux");
-        if (!display.isEmpty()) {
-            return Check.ok("Display", display);
-        }
-        return needed
+        return display.isEmpty() && needed
                 ? Check.failed("Display", "DISPLAY is not set", "start with ./sunbeam, which starts Xvfb")
-                : Check.ok("Display", "the system's own");
+                : Check.ok("Display", display.isEmpty() ? "the system's own" : display);
     }
 
     private static Check cache(CacheFolder cache) {
         List<String> warnings = new ArrayList<>();
         String place = cache.path().toString();
         try {
-            if (cache.open(warnings::add).isPresent()) {
-                long bytes = cache.entries().stream()
-                        .mapToLong(CacheFolder.Entry::bytes)
-                        .sum();
-                String used = ByteSize.format(bytes) + " used of "
-                        + ByteSize.format(cache.limit()) + " allowed, "
-                        + ByteSize.format(cache.path().toFile().getUsableSpace()) + " free on the disk";
-                return Check.ok("Cache folder", place + ", " + used);
+            if (cache.open(warnings::add).isEmpty()) {
+                return Check.failed("Cache folder", place, warnings.get(0));
             }
-            return Check.failed("Cache folder", place, warnings.get(0));
+            long used =
+                    cache.entries().stream().mapToLong(CacheFolder.Entry::bytes).sum();
+            String sizes = Text.format(
+                    "%s, %s used of %s allowed, %s free on the disk",
+                    place,
+                    ByteSize.format(used),
+                    ByteSize.format(cache.limit()),
+                    ByteSize.format(cache.path().toFile().getUsableSpace()));
+            return Check.ok("Cache folder", sizes);
         } catch (UncheckedIOException failure) {
             return Check.failed("Cache folder", place, failure.getMessage() + "; make it readable or remove it");
         }

@@ -25,6 +25,7 @@ import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.method.FullMethod;
+import sunbeam.precompute.method.Surface;
 import sunbeam.precompute.optics.HeightMap;
 import sunbeam.precompute.patch.Patch;
 import sunbeam.precompute.plan.SpectrumPlan;
@@ -84,19 +85,22 @@ public final class PrecomputeCommand extends FileCommand {
     private int drawPowers(Choices choices) {
         Ending.PNG.require("--picture", picture);
         for (int i = 0; i < powers.size(); i++) {
-            if (powers.get(i) < 0 || powers.get(i) > MOST_POWER || (i > 0 && powers.get(i) <= powers.get(i - 1))) {
-                throw new UsageException(
-                        "--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
-            }
+            UsageException.throwIf(
+                    powers.get(i) < 0 || powers.get(i) > MOST_POWER || (i > 0 && powers.get(i) <= powers.get(i - 1)),
+                    "--powers " + powers.get(i) + ": give ascending numbers from 0 to " + MOST_POWER);
         }
         AtomicFile.checkWritable(picture, overwrite());
         Patch patch = patchOptions.load(choices);
-        FourierImages.Result drawn = new FourierImages(patch.heights()).draw(powers);
+        double[][] extremes = new double[4][powers.get(powers.size() - 1) + 1];
+        FourierImages images = new FourierImages(patch.heights(), powers, extremes);
+        BufferedImage image = images.draw();
+        double[] largest = new double[extremes[0].length];
+        Arrays.setAll(largest, images::largest);
         Map<String, String> text = Map.of(
                 "Title", "Fourier images of " + patch.name(),
                 "Patch", patch.source(),
-                "Extremes", Arrays.toString(drawn.largest()));
-        Path written = PngWriter.write(picture, overwrite(), drawn.picture(), text);
+                "Extremes", Arrays.toString(largest));
+        Path written = PngWriter.write(picture, overwrite(), image, text);
         json.print(out(picture), Map.of("patch", patch.name(), "powers", powers), List.of(written));
         return ExitCode.OK.code();
     }
@@ -107,18 +111,15 @@ public final class PrecomputeCommand extends FileCommand {
         DiffractionSetup setup =
                 new DiffractionSetup(patchOptions.load(choices, environment(), err()), environment(), err());
         FullMethod method = FullMethod.of(setup.limitToScan(choices, err()));
-        Path file = output != null ? output : Path.of(setup.patch().name() + ".h5");
-        AtomicFile.checkWritable(file, overwrite(output));
+        Path file = writable(output, setup.patch().name() + ".h5");
         SpectrumPlan plan = method.tablePlan(setup.surface(), VisibleRange.all());
         methodOptions.explain(plan, err());
         long start = System.nanoTime();
         FourierTable table = setup.fourierTable(plan);
         double seconds = (System.nanoTime() - start) * 1e-9;
+        Surface surface = setup.surface();
         Path written = AtomicFile.writeFile(
-                file,
-                overwrite(output),
-                path -> TableFile.write(
-                        path, table, setup.surface().name(), setup.surface().digest()));
+                file, overwrite(output), path -> TableFile.write(path, table, surface.name(), surface.digest()));
         PrintWriter out = out(file);
         json.text(out)
                 .println(Text.format(
@@ -144,8 +145,11 @@ public final class PrecomputeCommand extends FileCommand {
     /**
      * Figure 3.1 of the thesis: inverse DFT of powers (i h)^n of the heights h, in micrometers above the lowest. Red shows real parts and green
      * imaginary parts, logarithmically: mid-gray is 0, and the extremes are 0 and 255. A plot shows the magnitudes of these extremes over n.
+     *
+     * @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added
+     * @param extremes result: least and greatest real, least and greatest imaginary part of each power from 0 on; 0 for powers left out
      */
-    private record FourierImages(HeightMap map) {
+    private record FourierImages(HeightMap map, List<Integer> powers, double[][] extremes) {
         private static final int SIDE = 300;
         private static final int CAPTION = 28;
         private static final int GAP = 12;
@@ -158,30 +162,22 @@ public final class PrecomputeCommand extends FileCommand {
         private static final int RED = 1;
         private static final int GREEN = 2;
 
-        /** @param largest largest magnitude of a real or imaginary part of each power from 0 on; 0 for powers that were not transformed */
-        record Result(BufferedImage picture, double[] largest) {}
-
-        /** @param powers exponents n, ascending; with more than one, a plot of the extremes for n from 0 to the last is added */
-        Result draw(List<Integer> powers) {
-            boolean plotted = powers.size() > 1;
-            int width = powers.size() * (SIDE + GAP) - GAP + (plotted ? GAP + PLOT_WIDTH : 0);
-            double[][] extremes = new double[4][powers.get(powers.size() - 1) + 1];
-            BufferedImage picture = new Sheet(width)
-                    .part(SIDE + CAPTION, graphics -> draw(graphics, powers, extremes, width))
+        BufferedImage draw() {
+            int width = powers.size() * (SIDE + GAP) - GAP + (powers.size() > 1 ? GAP + PLOT_WIDTH : 0);
+            return new Sheet(width)
+                    .part(SIDE + CAPTION, graphics -> draw(graphics, width))
                     .draw();
-            double[] largest = new double[extremes[0].length];
-            Arrays.setAll(largest, n -> largest(extremes, n));
-            return new Result(picture, largest);
         }
 
-        private static double largest(double[][] extremes, int n) {
+        /** Returns the largest magnitude of a real or imaginary part of a power. */
+        double largest(int n) {
             return Arrays.stream(extremes)
                     .mapToDouble(values -> Math.abs(values[n]))
                     .max()
                     .orElseThrow();
         }
 
-        private void draw(Graphics2D graphics, List<Integer> powers, double[][] extremes, int width) {
+        private void draw(Graphics2D graphics, int width) {
             boolean plotted = powers.size() > 1;
             int last = extremes[0].length - 1;
             for (int n = plotted ? 0 : last; n <= last; n++) {
@@ -194,12 +190,12 @@ public final class PrecomputeCommand extends FileCommand {
                 extremes[3][n] = green[1];
                 int place = powers.indexOf(n) * (SIDE + GAP);
                 if (place >= 0) {
-                    graphics.drawImage(image(bins, largest(extremes, n)), place, 0, SIDE, SIDE, null);
+                    graphics.drawImage(image(bins, largest(n)), place, 0, SIDE, SIDE, null);
                     graphics.drawString("(i h)^" + n, place + 4, SIDE + CAPTION - 9);
                 }
             }
             if (plotted) {
-                graphics.drawImage(plot(extremes), width - PLOT_WIDTH, 0, null);
+                graphics.drawImage(plot(), width - PLOT_WIDTH, 0, null);
             }
         }
 
@@ -256,14 +252,14 @@ public final class PrecomputeCommand extends FileCommand {
             return (int) Math.round(127.5 * (1 + Math.copySign(brightness, value)));
         }
 
-        private static BufferedImage plot(double[][] extremes) {
-            double[] powers =
+        private BufferedImage plot() {
+            double[] exponents =
                     IntStream.range(0, extremes[0].length).asDoubleStream().toArray();
             double[][] magnitudes = Arrays.stream(extremes)
                     .map(values -> Arrays.stream(values).map(Math::abs).toArray())
                     .toArray(double[][]::new);
             for (double[] values : magnitudes) {
-                Arrays.setAll(values, n -> values[n] > ROUNDING * largest(extremes, n) ? values[n] : Double.NaN);
+                Arrays.setAll(values, n -> values[n] > ROUNDING * largest(n) ? values[n] : Double.NaN);
             }
             return new Plot(new Plot.Frame(
                             "Extreme values",
@@ -271,10 +267,10 @@ public final class PrecomputeCommand extends FileCommand {
                             Plot.Axis.logarithmic("|DFT of (i h)^n| / um^n"),
                             PLOT_WIDTH,
                             SIDE + CAPTION))
-                    .line("greatest real", powers, magnitudes[1], RED)
-                    .points("least real", powers, magnitudes[0], RED)
-                    .line("greatest imaginary", powers, magnitudes[3], GREEN)
-                    .points("least imaginary", powers, magnitudes[2], GREEN)
+                    .line("greatest real", exponents, magnitudes[1], RED)
+                    .points("least real", exponents, magnitudes[0], RED)
+                    .line("greatest imaginary", exponents, magnitudes[3], GREEN)
+                    .points("least imaginary", exponents, magnitudes[2], GREEN)
                     .draw();
         }
     }

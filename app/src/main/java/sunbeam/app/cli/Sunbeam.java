@@ -2,7 +2,8 @@ package sunbeam.app.cli;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -52,16 +53,14 @@ public final class Sunbeam {
         Root root = new Root(environment);
         Failures failures = new Failures(err, () -> environment.debug() || root.debug);
         try {
-            boolean completeHelp = Arrays.asList(arguments).contains(CommandHelp.COMPLETE);
-            String[] plain = Arrays.stream(arguments)
-                    .map(argument -> argument.equals(CommandHelp.COMPLETE) ? "--help" : argument)
-                    .toArray(String[]::new);
+            List<String> plain = new ArrayList<>(List.of(arguments));
+            boolean completeHelp = Collections.replaceAll(plain, CommandHelp.COMPLETE, "--help");
             CommandLine commandLine = commandLine(root, completeHelp, plain);
             commandLine.setParameterExceptionHandler((failure, all) -> failures.report(failure));
             commandLine.setExecutionExceptionHandler((failure, command, result) -> failures.report(failure));
             commandLine.setExecutionStrategy(parsed -> execute(commandLine, parsed, root.quiet));
-            requireText(arguments);
-            return checkedExitCode(commandLine.execute(plain), failures);
+            requireText(plain);
+            return checkedExitCode(commandLine.execute(plain.toArray(String[]::new)), failures);
         } catch (Throwable failure) {
             return failures.report(failure);
         } finally {
@@ -81,11 +80,10 @@ public final class Sunbeam {
         if (quiet) {
             environment.progress().silence();
         }
-        Optional<Collection> collection =
-                Optional.ofNullable(parsed.subcommand()).flatMap(command -> Collection.of(command, this::inner));
-        return collection.isPresent()
-                ? run(collection.get(), parsed.subcommand())
-                : new CommandLine.RunLast().execute(parsed);
+        return Optional.ofNullable(parsed.subcommand())
+                .flatMap(command -> Collection.of(command, this::inner))
+                .map(collection -> run(collection, parsed.subcommand()))
+                .orElseGet(() -> new CommandLine.RunLast().execute(parsed));
     }
 
     private Collection.Outcome inner(List<String> words) {
@@ -106,13 +104,10 @@ public final class Sunbeam {
     }
 
     /** Refuses arguments with U+FFFD, by which Java replaces bytes that are not UTF-8: a file of this name would be another one. */
-    private static void requireText(String... arguments) {
-        for (String argument : arguments) {
-            if (argument.indexOf('\ufffd') >= 0) {
-                throw new UsageException(
-                        "the argument '" + argument + "' is not text in UTF-8; give the file a name that is");
-            }
-        }
+    private static void requireText(List<String> arguments) {
+        arguments.forEach(argument -> UsageException.throwIf(
+                argument.contains("\ufffd"),
+                "the argument '" + argument + "' is not text in UTF-8; give the file a name that is"));
     }
 
     private int checkedExitCode(int code, Failures failures) {
@@ -147,10 +142,10 @@ public final class Sunbeam {
     }
 
     /** Returns the root command with only the command that the arguments name, which starts sooner; with all for the help. */
-    private CommandLine commandLine(Root command, boolean completeHelp, String... arguments) {
+    private CommandLine commandLine(Root command, boolean completeHelp, List<String> arguments) {
         CommandLine root = new CommandLine(command);
         Map<String, Supplier<Object>> commands = commands();
-        Optional<String> asked = Arrays.stream(arguments)
+        Optional<String> asked = arguments.stream()
                 .filter(argument -> !argument.startsWith("-"))
                 .findFirst()
                 .filter(name -> commands.containsKey(name) && !name.equals("help"));

@@ -53,9 +53,9 @@ public final class ViewCommand extends ReportingCommand {
 
     @Override
     public Integer call() throws InterruptedException {
-        if (measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT)) {
-            throw new UsageException("--measure " + measure + " is out of range; give 1 to 600 seconds");
-        }
+        UsageException.throwIf(
+                measure != null && !(measure >= SHORTEST_MEASUREMENT && measure <= LONGEST_MEASUREMENT),
+                "--measure " + measure + " is out of range; give 1 to 600 seconds");
         Scene first = Scenes.load(scene);
         Consumer<String> warning = line -> {
             err().println(line);

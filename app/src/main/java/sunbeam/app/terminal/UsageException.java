@@ -6,9 +6,15 @@ public final class UsageException extends RuntimeException {
         super(message);
     }
 
-    public static void requireWithin(String option, long value, long least, long most) {
-        if (value < least || value > most) {
-            throw new UsageException(option + " " + value + " is out of range; give " + least + " to " + most);
+    public static void throwIf(boolean isUnusable, String message) {
+        if (isUnusable) {
+            throw new UsageException(message);
         }
+    }
+
+    public static void requireWithin(String option, long value, long least, long most) {
+        throwIf(
+                value < least || value > most,
+                option + " " + value + " is out of range; give " + least + " to " + most);
     }
 }

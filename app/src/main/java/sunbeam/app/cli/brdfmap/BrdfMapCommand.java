@@ -19,6 +19,7 @@ import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import sunbeam.app.cli.brdfmap.MaterialMap.Result;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.DisplayOptions;
 import sunbeam.app.cli.options.FileCommand;
@@ -176,21 +177,20 @@ public final class BrdfMapCommand extends FileCommand {
                 .toList();
         MaterialMap firstMap = materials.get(0);
         Choices choices = surfaces.get(0).choices;
-        Map<String, Object> report = new LinkedHashMap<>();
         List<Map<String, Object>> fields =
                 json.isGiven() ? surfaces.stream().map(this::fields).toList() : List.of();
-        report.put("surfaces", fields);
+        Map<String, Object> report = new LinkedHashMap<>(Map.of("surfaces", fields));
         Optional<Certificate> certificate;
         ExitCode doubt;
         Path written;
         try (RenderContext context = RenderContext.offscreen();
                 TevClient viewer = tev.connect(err).orElse(null)) {
-            List<MaterialMap.Result> maps =
+            List<Result> maps =
                     materials.stream().map(one -> one.draw(context, size)).toList();
             maps.forEach(map -> methodOptions.printTrial(map.trial(), err));
             LinearPicture first = maps.get(0).picture();
             double factor = exposureRule.applyAsDouble(
-                    maps.stream().map(MaterialMap.Result::picture).toList());
+                    maps.stream().map(Result::picture).toList());
             certificate = certify.count()
                     .map(count -> firstMap.certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
@@ -213,9 +213,8 @@ public final class BrdfMapCommand extends FileCommand {
             Optional<String> other = Optional.of(index.describe(material)).filter(words -> !material.isStandard());
             BufferedImage image = annotate ? sheet.annotated(other, exposed, asked) : sheet.plain();
             written = write(picture, image, text, first);
-            fields.stream()
-                    .limit(1)
-                    .forEach(surface -> surface.put("thumbnail_px", List.of(0, 0, image.getWidth(), image.getWidth())));
+            List<Integer> thumbnail = List.of(0, 0, image.getWidth(), image.getWidth());
+            fields.stream().limit(1).forEach(surface -> surface.put("thumbnail_px", thumbnail));
             report.put("exposure", factor);
             report.put("renderer", context.info().renderer());
             certificate.ifPresent(stated -> report.put("certificate", ReportFields.of(stated)));
@@ -223,9 +222,7 @@ public final class BrdfMapCommand extends FileCommand {
                 maps.forEach(map -> show(map, viewer));
             }
         }
-        List<Path> files =
-                Stream.concat(Stream.of(written), linearFile.stream()).toList();
-        json.print(out, report, files);
+        json.print(out, report, linear == null ? List.of(written) : List.of(written, linear));
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }
@@ -235,33 +232,32 @@ public final class BrdfMapCommand extends FileCommand {
 
     private void check() {
         UsageException.requireWithin("--size", size, 1, LARGEST);
-        if (resume.isGiven() && (json.isGiven() || certify.count().isPresent())) {
-            throw new UsageException("--resume keeps an existing map, "
-                    + (json.isGiven() ? "--json reports on it" : "--certify draws it") + "; leave out one of them");
-        }
+        UsageException.throwIf(
+                resume.isGiven() && (json.isGiven() || certify.count().isPresent()),
+                "--resume keeps an existing map, " + (json.isGiven() ? "--json reports on it" : "--certify draws it")
+                        + "; leave out one of them");
         Ending.PNG.require("--output", output);
         Ending.LINEAR.require("--linear", linear);
-        if (linear != null && linear.equals(output)) {
-            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
-        }
-        if (certify.count().isPresent() && turn.choices().get(ANGULAR_DIAMETER) > 0) {
-            throw new UsageException("--certify compares with a point of light; leave out --angular-diameter");
-        }
-        if (compared.areSeveral() && (linear != null || certify.count().isPresent())) {
-            throw new UsageException((linear != null ? "--linear" : "--certify")
-                    + " is for one map; leave out --with, or draw the maps one by one, with"
-                    + " --exposure FILE.png of the first");
-        }
+        UsageException.throwIf(
+                linear != null && linear.equals(output),
+                "--linear " + linear + " is the picture's own name; give it another");
+        UsageException.throwIf(
+                certify.count().isPresent() && turn.choices().get(ANGULAR_DIAMETER) > 0,
+                "--certify compares with a point of light; leave out --angular-diameter");
+        UsageException.throwIf(
+                compared.areSeveral() && (linear != null || certify.count().isPresent()),
+                (linear != null ? "--linear" : "--certify")
+                        + " is for one map; leave out --with, or draw the maps one by one, with"
+                        + " --exposure FILE.png of the first");
     }
 
     /** Parses the refractive index. A certificate's exact colors are for an index that is constant over wavelengths. */
     private RefractiveIndex material(Choices asked) {
         RefractiveIndex material = index.parse();
-        if (!material.isConstant() && certify.count().isPresent()) {
-            throw new UsageException(
-                    "--certify holds one integral against the reference, but an --index by wavelength takes"
-                            + " two; give a number, or leave out --certify");
-        }
+        UsageException.throwIf(
+                !material.isConstant() && certify.count().isPresent(),
+                "--certify holds one integral against the reference, but an --index by wavelength takes"
+                        + " two; give a number, or leave out --certify");
         if (!material.isConstant() && MethodSettings.FresnelFactor.of(asked) == MethodSettings.FresnelFactor.SQUARED) {
             throw asked.complaint(
                     MethodSettings.FRESNEL,
@@ -288,7 +284,7 @@ public final class BrdfMapCommand extends FileCommand {
         return fields;
     }
 
-    private static void show(MaterialMap.Result map, TevClient viewer) {
+    private static void show(Result map, TevClient viewer) {
         String name = "BRDF of " + map.patch().name();
         LinearPicture picture = map.picture();
         viewer.create(name, picture.width(), picture.height());

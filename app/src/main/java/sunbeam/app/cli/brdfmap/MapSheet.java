@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import sunbeam.app.cli.brdfmap.MaterialMap.Result;
 import sunbeam.app.files.plot.MapAnnotation;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
 import sunbeam.app.scene.SceneSettings;
@@ -23,7 +24,7 @@ import sunbeam.precompute.text.Text;
 import sunbeam.precompute.units.Decimals;
 import sunbeam.precompute.units.Lengths;
 
-record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
+record MapSheet(List<Result> maps, DisplayTransform display) {
     private static final int MOST_COLUMNS = 3;
     private static final int GAP = 8;
 
@@ -31,7 +32,7 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
         return sheet(maps.stream().map(this::disc).toList());
     }
 
-    private BufferedImage disc(MaterialMap.Result map) {
+    private BufferedImage disc(Result map) {
         return map.picture().shown(display);
     }
 
@@ -47,7 +48,7 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     }
 
     /** Returns a paragraph for the patch, one for light and window with remarks on what differs from the defaults, and the last one. */
-    static List<String> caption(MaterialMap.Result map, String remarks, Choices asked, String last) {
+    static List<String> caption(Result map, String remarks, Choices asked, String last) {
         Patch patch = map.patch();
         Direction light = map.light();
         ReferenceMethod exact = map.method().referenceMethod(patch.heights());
@@ -81,21 +82,21 @@ record MapSheet(List<MaterialMap.Result> maps, DisplayTransform display) {
     Optional<Patch> black() {
         return maps.stream()
                 .filter(map -> DoubtfulPicture.isBlack(disc(map)))
-                .map(MaterialMap.Result::patch)
+                .map(Result::patch)
                 .findFirst();
     }
 
     List<Patch> patches() {
-        return maps.stream().map(MaterialMap.Result::patch).distinct().toList();
+        return maps.stream().map(Result::patch).distinct().toList();
     }
 
     Map<String, String> text() {
         Map<String, String> text = new LinkedHashMap<>();
         text.put("Title", "BRDF map of " + joined(patches(), Patch::name, ", "));
         text.put("Patch", joined(patches(), Patch::source, "; "));
-        text.put("Plan", joined(maps, MaterialMap.Result::plan, "; "));
+        text.put("Plan", joined(maps, Result::plan, "; "));
         if (!maps.get(0).trial().isEmpty()) {
-            text.put("Table", joined(maps, MaterialMap.Result::trial, "; "));
+            text.put("Table", joined(maps, Result::trial, "; "));
         }
         text.put("Exposure", Double.toString(display.exposure()));
         return text;

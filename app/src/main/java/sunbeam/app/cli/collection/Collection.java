@@ -62,6 +62,7 @@ public final class Collection {
 
     private final ParseResult parsed;
     private final Function<List<String>, Outcome> runner;
+    private final List<String> arguments;
 
     /** Result of a command line: exit code, standard output, and the last line of standard error, without the program's name. */
     public record Outcome(int code, String out, String message) {
@@ -72,11 +73,15 @@ public final class Collection {
     }
 
     /** One run: surface, options in the form {@code --name=value}, and name of its files, which no other run has. */
-    private record Item(String patch, List<String> options, String stem) {}
+    record Item(String patch, List<String> options, String stem) {}
 
     private Collection(ParseResult parsed, Function<List<String>, Outcome> runner) {
         this.parsed = parsed;
         this.runner = runner;
+        this.arguments = parsed.matchedPositionals().stream()
+                .distinct()
+                .flatMap(argument -> argument.originalStringValues().stream())
+                .toList();
     }
 
     /** Returns the collection that a command line means; empty if it means one surface under one light. */
@@ -84,26 +89,18 @@ public final class Collection {
         boolean possible = command.commandSpec().positionalParameters().stream()
                 .anyMatch(argument -> argument.arity().max() > 1);
         Collection collection = new Collection(command, runner);
-        List<String> names = collection.arguments();
-        boolean several = names.size() > 1
-                || names.stream().anyMatch(Surfaces::isFolder)
+        boolean several = collection.arguments.size() > 1
+                || collection.arguments.stream().anyMatch(Surfaces::isFolder)
                 || command.hasMatchedOption(PatchOptions.TASK)
-                || collection.value(THETA_I).filter(text -> text.contains(":")).isPresent();
-        return possible && several ? Optional.of(collection) : Optional.empty();
-    }
-
-    private List<String> arguments() {
-        return parsed.matchedPositionals().stream()
-                .distinct()
-                .flatMap(argument -> argument.originalStringValues().stream())
-                .toList();
+                || collection.value(THETA_I).orElse("").contains(":");
+        return Optional.of(collection).filter(one -> possible && several);
     }
 
     /** Returns the surfaces and folders that the command line names; the command's default if there are none. */
     private List<String> names() {
-        return arguments().isEmpty()
+        return arguments.isEmpty()
                 ? List.of(value("--patch").orElse(Choices.none().get(PatchSettings.PATCH)))
-                : arguments();
+                : arguments;
     }
 
     private Optional<String> value(String option) {
@@ -118,9 +115,8 @@ public final class Collection {
         PatchOptions.TaskPart task =
                 PatchOptions.TaskPart.parse(value(PatchOptions.TASK).orElse("1/1"));
         List<Item> items = all.subList((int) task.first(all.size()), (int) task.end(all.size()));
-        if (items.isEmpty()) {
-            throw new UsageException(PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
-        }
+        UsageException.throwIf(
+                items.isEmpty(), PatchOptions.TASK + " of " + all.size() + " surfaces is empty; give fewer parts");
         boolean resumes = parsed.hasMatchedOption("--resume");
         Overwrite overwrite = resumes || parsed.hasMatchedOption("--force") ? Overwrite.REPLACE : Overwrite.REFUSE;
         CollectionFolder folder = CollectionFolder.open(folder(overwrite), task, overwrite, resumes);
@@ -129,17 +125,17 @@ public final class Collection {
         ShutdownHook hook = new ShutdownHook(() -> err.println(Messages.error(kept)));
         try (ProgressDisplay.Progress progress = display.start("Surfaces", items.size())) {
             for (Item item : items) {
-                rows.add(row(item, folder, err));
-                int code = code(rows.get(rows.size() - 1));
-                if (FINAL.contains(code)) {
-                    return code;
+                ObjectNode row = row(item, folder, err);
+                if (FINAL.contains(code(row))) {
+                    return code(row);
                 }
+                rows.add(row);
                 progress.step(1);
             }
         } finally {
             hook.close();
         }
-        print(out, rows, folder.write(parsed.commandSpec().name(), rows, display));
+        print(out, rows, folder.write(command(), rows, display));
         return Stream.concat(rows.stream().filter(Collection::failed), rows.stream())
                 .mapToInt(Collection::code)
                 .filter(code -> code != ExitCode.OK.code())
@@ -148,9 +144,9 @@ public final class Collection {
     }
 
     private ObjectNode row(Item item, CollectionFolder folder, PrintWriter err) {
-        String hash = ResumeOption.hash(hashed(item));
-        Optional<ObjectNode> earlier = folder.find(item.patch(), item.stem(), hash);
-        ObjectNode row = earlier.orElseGet(() -> run(item, folder, hash));
+        String hash = hash(item);
+        Optional<ObjectNode> earlier = folder.find(item, hash);
+        ObjectNode row = earlier.orElseGet(() -> folder.row(item, hash, run(item, folder)));
         if (failed(row) && code(row) != ExitCode.INTERRUPTED.code()) {
             String message = row.get("message").textValue();
             err.println(Messages.error(message.contains(item.patch()) ? message : item.patch() + ": " + message));
@@ -166,26 +162,24 @@ public final class Collection {
     }
 
     private void check() {
-        OF_ONE.stream().filter(parsed::hasMatchedOption).findFirst().ifPresent(option -> {
-            throw new UsageException(option + " is for one patch; leave it out, or give one patch and one --theta-i");
-        });
-        if (value(OUTPUT).filter(name -> name.endsWith(".png")).isPresent()) {
-            throw new UsageException(
-                    OUTPUT + " of several patches or angles is a folder; give a name without .png, or one patch");
-        }
-        if (parsed.hasMatchedOption("--patch") && !parsed.matchedPositionals().isEmpty()) {
-            throw new UsageException(
-                    "'" + names().get(0) + "' and --patch both name a patch; give one of them, or all without --patch");
-        }
+        OF_ONE.forEach(option -> UsageException.throwIf(
+                parsed.hasMatchedOption(option),
+                option + " is for one patch; leave it out, or give one patch and one --theta-i"));
+        UsageException.throwIf(
+                value(OUTPUT).orElse("").endsWith(".png"),
+                OUTPUT + " of several patches or angles is a folder; give a name without .png, or one patch");
+        UsageException.throwIf(
+                parsed.hasMatchedOption("--patch")
+                        && !parsed.matchedPositionals().isEmpty(),
+                "'" + names().get(0) + "' and --patch both name a patch; give one of them, or all without --patch");
     }
 
     private List<Item> items() {
         List<String> names = Surfaces.of(names());
         List<String> angles = angles();
-        if ((long) names.size() * angles.size() > MOST) {
-            throw new UsageException(names.size() + " surfaces under " + angles.size() + " angles are more than " + MOST
-                    + "; give fewer");
-        }
+        UsageException.throwIf(
+                (long) names.size() * angles.size() > MOST,
+                names.size() + " surfaces under " + angles.size() + " angles are more than " + MOST + "; give fewer");
         List<Item> items = new ArrayList<>();
         Set<String> taken = new HashSet<>();
         for (String name : names) {
@@ -236,14 +230,18 @@ public final class Collection {
         });
     }
 
-    /** Returns all that determines a run's report: its options and, for a descriptor, the file of its heights. */
-    private List<String> hashed(Item item) {
+    /** Returns a hash of all that determines a run's report: its options and, for a descriptor, the file of its heights. */
+    private String hash(Item item) {
         List<String> words = new ArrayList<>(item.options());
-        words.add(parsed.commandSpec().name());
+        words.add(command());
         if (Files.isRegularFile(Path.of(item.patch()))) {
             Surfaces.heights(Path.of(item.patch())).ifPresent(file -> words.add("--heights=" + file));
         }
-        return words;
+        return ResumeOption.hash(words);
+    }
+
+    private String command() {
+        return parsed.commandSpec().name();
     }
 
     private Path folder(Overwrite overwrite) {
@@ -253,20 +251,17 @@ public final class Collection {
                 .limit(NAMES_OF_FOLDER)
                 .collect(Collectors.joining("-"));
         boolean shared = overwrite == Overwrite.REPLACE || parsed.hasMatchedOption(PatchOptions.TASK);
-        return OutputFolder.claim(
-                named.orElseGet(() -> Path.of(parsed.commandSpec().name() + "-" + names)), named.isPresent() || shared);
+        return OutputFolder.claim(named.orElse(Path.of(command() + "-" + names)), named.isPresent() || shared);
     }
 
-    private ObjectNode run(Item item, CollectionFolder folder, String hash) {
-        List<String> words = new ArrayList<>(List.of(parsed.commandSpec().name(), "--json"));
+    private Outcome run(Item item, CollectionFolder folder) {
+        List<String> words = new ArrayList<>(List.of(command(), "--json"));
         words.addAll(item.options());
         words.add(OUTPUT + "=" + folder.picture(item.stem()));
         if (folder.replaces()) {
             words.add("--force");
         }
-        Outcome outcome = runner.apply(words);
-        String report = outcome.isWritten() ? outcome.out() : "";
-        return folder.row(item.patch(), item.stem(), hash, outcome.code(), report, outcome.message());
+        return runner.apply(words);
     }
 
     private static boolean failed(JsonNode row) {

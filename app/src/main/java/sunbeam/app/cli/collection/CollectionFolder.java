@@ -20,8 +20,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import java.util.stream.StreamSupport;
 import javax.imageio.ImageIO;
+import sunbeam.app.cli.collection.Collection.Item;
+import sunbeam.app.cli.collection.Collection.Outcome;
 import sunbeam.app.cli.options.PatchOptions.TaskPart;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.CsvWriter;
@@ -89,10 +90,10 @@ final class CollectionFolder {
     private void readEarlier() {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, REPORTS + "*.jsonl")) {
             for (Path file : files) {
-                for (String line : Files.readString(file).split("\n", -1)) {
-                    parsed(line)
-                            .ifPresent(row -> earlier.put(row.path("parameters").asText(), row));
-                }
+                Files.readString(file)
+                        .lines()
+                        .flatMap(line -> parsed(line).stream())
+                        .forEach(row -> earlier.put(row.path("parameters").asText(), row));
             }
         } catch (IOException failure) {
             throw InputException.of(folder, failure);
@@ -111,24 +112,25 @@ final class CollectionFolder {
     }
 
     /** Returns the row of an earlier run of the same surface with the same options, if its picture is still there. */
-    Optional<ObjectNode> find(String patch, String stem, String hash) {
+    Optional<ObjectNode> find(Item item, String hash) {
+        Path picture = picture(item.stem());
         return Optional.ofNullable(earlier.get(hash))
-                .filter(row -> row.path("file").asText().equals(patch)
-                        && row.path("picture").asText().equals(picture(stem).toString())
-                        && Files.isRegularFile(picture(stem)));
+                .filter(row -> row.path("file").asText().equals(item.patch())
+                        && row.path("picture").asText().equals(picture.toString())
+                        && Files.isRegularFile(picture));
     }
 
-    /** Returns the row of a run: of the JSON that the command printed, or, if that is empty, of the message why it failed. */
-    ObjectNode row(String patch, String stem, String hash, int code, String report, String message) {
+    /** Returns the row of a run: of the JSON that the command printed, or, if it failed, of the message why. */
+    ObjectNode row(Item item, String hash, Outcome outcome) {
         ObjectNode row = json.createObjectNode()
-                .put("file", patch)
-                .put("exit_code", code)
-                .put("message", report.isEmpty() ? message : "")
-                .put("picture", report.isEmpty() ? "" : picture(stem).toString())
+                .put("file", item.patch())
+                .put("exit_code", outcome.code())
+                .put("message", outcome.isWritten() ? "" : outcome.message())
+                .put("picture", outcome.isWritten() ? picture(item.stem()).toString() : "")
                 .put("parameters", hash);
-        if (!report.isEmpty()) {
+        if (outcome.isWritten()) {
             try {
-                JsonNode tree = json.readTree(report);
+                JsonNode tree = json.readTree(outcome.out());
                 JsonNode surface = tree.at("/surfaces/0");
                 row.set("report", surface.isMissingNode() ? tree : surface);
             } catch (JsonProcessingException impossible) {
@@ -194,13 +196,10 @@ final class CollectionFolder {
     }
 
     private static String cell(JsonNode value) {
-        if (value.isArray()) {
-            String between = value.path(0).isNumber() ? " to " : "; ";
-            return StreamSupport.stream(value.spliterator(), false)
-                    .map(CollectionFolder::cell)
-                    .collect(Collectors.joining(between));
-        }
-        return value.asText("");
+        String between = value.path(0).isNumber() ? " to " : "; ";
+        return value.isArray()
+                ? value.valueStream().map(CollectionFolder::cell).collect(Collectors.joining(between))
+                : value.asText("");
     }
 
     /** @param files number of files by name; a file that shares its name is shown with its folder's */

@@ -21,6 +21,7 @@ import sunbeam.app.cli.options.MethodOptions;
 import sunbeam.app.cli.options.PatchOptions;
 import sunbeam.app.files.output.FileGroup;
 import sunbeam.app.gpu.DirectionsRenderer;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.gpu.colors.DiffractionSetup;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -47,7 +48,6 @@ import sunbeam.precompute.method.ReferenceMethod;
 import sunbeam.precompute.method.ScanLimit;
 import sunbeam.precompute.optics.DirectionPair;
 import sunbeam.precompute.patch.Patch;
-import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.GaussianArea;
 import sunbeam.precompute.plan.MethodSettings.Preset;
 import sunbeam.precompute.plan.VisibleRange;
@@ -66,7 +66,6 @@ import sunbeam.precompute.shader.ShaderTables;
                 + " Methods table and gem compute colors only and are refused. See docs/evaluation.md.",
         footer = {"  sunbeam evaluate scan.gwy", "  sunbeam evaluate blaze --azimuth 0"})
 public final class EvaluateCommand extends FileCommand {
-    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     // Methods that compute power at a wavelength; gem and table compute colors only.
     private static final MethodType[] POWER = {FullMethod.TYPE, NmmMethod.TYPE, PqMethod.TYPE, ReferenceMethod.TYPE};
     // Factors around the period within which the ridge is searched. The period of a grown surface differs by a quarter
@@ -94,17 +93,17 @@ public final class EvaluateCommand extends FileCommand {
     @Override
     public Integer call() {
         Choices choices = methodOptions.choices();
-        return choices.located(() -> evaluate(choices)).code();
+        return choices.located(() -> evaluate(choices));
     }
 
-    private ExitCode evaluate(Choices asked) {
+    private int evaluate(Choices asked) {
         grating.check();
         Methods.of(asked);
         if (!Arrays.asList(POWER).contains(asked.get(METHOD))) {
             throw DiffractionSetup.withoutPower();
         }
         if (output != null) {
-            files(output).checkWritable();
+            writableGroup(output, "");
         }
         PrintWriter out = json.text(out());
         Patch patch = patchOptions.load(asked);
@@ -112,8 +111,7 @@ public final class EvaluateCommand extends FileCommand {
         List<String> warnings = new ArrayList<>(patch.warnings());
         limit.line().ifPresent(line -> warnings.add(line.in(OptionOrigin.INSTANCE)));
         Messages.printScan(patch, warnings, methodOptions.explains(), err());
-        FileGroup files = files(output != null ? output : Path.of(patch.name() + "-evaluate"));
-        files.checkWritable();
+        FileGroup files = writableGroup(output, patch.name() + "-evaluate");
         Choices choices = limit.choices();
         GaussianArea area = GaussianArea.of(choices);
 
@@ -128,44 +126,35 @@ public final class EvaluateCommand extends FileCommand {
                 plan.isPresent() ? byShader(setup, plan.get(), grid) : exact(setup, Methods.of(choices), grid);
         Evaluation evaluation =
                 Evaluation.of(patch, period, order, power.toRelativeRadiance(), area.window(), grating.peaks());
-
-        String averaged =
-                area.average() == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
-        evaluation.lines(averaged, methodOptions.explains()).forEach(out::println);
+        evaluation.lines(area.average(), methodOptions.explains()).forEach(out::println);
         Map<String, Object> report = report(evaluation, choices, plan);
         write(files, report, evaluation.csv(), evaluation.plot(title(choices)), text(evaluation, report));
-        return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)) : ExitCode.UNUSABLE_INPUT;
-    }
-
-    private FileGroup files(Path name) {
-        return FileGroup.named(name, ENDINGS, overwrite(output));
+        return period.isSeen() ? DoubtfulPicture.ofPatches(List.of(patch)).code() : ExitCode.UNUSABLE_INPUT.code();
     }
 
     private GratingPeriod period(Patch patch) {
-        Optional<FirstOrder> given = given();
+        Optional<FirstOrder> given = givenOrder();
+        double shortest = given.map(FirstOrder::shortest).orElse(0.0);
+        double longest = given.map(FirstOrder::longest).orElse(Double.POSITIVE_INFINITY);
         try (Progress progress = environment().progress().start("Heights of " + patch.name(), 1)) {
-            GratingPeriod period = GratingPeriod.among(
-                    patch,
-                    grating.azimuth(),
-                    given.map(FirstOrder::shortest).orElse(0.0),
-                    given.map(FirstOrder::longest).orElse(Double.POSITIVE_INFINITY));
+            GratingPeriod period = GratingPeriod.among(patch, grating.azimuth(), shortest, longest);
             progress.step(1);
             return period;
         }
     }
 
-    private Optional<FirstOrder> given() {
+    private Optional<FirstOrder> givenOrder() {
         return grating.period().map(period -> FirstOrder.around(period, GIVEN_FACTOR));
     }
 
     private FirstOrder order(Patch patch, GratingPeriod period) {
-        if (!period.isSeen() && given().isEmpty()) {
+        if (!period.isSeen() && givenOrder().isEmpty()) {
             boolean lost = grating.azimuth().isEmpty() && !period.hasWave();
             throw new InputException(patch.name() + ": no period is seen; to look for a ridge nevertheless, give "
                     + (lost ? "--azimuth and --period" : "--period"));
         }
-        return given().orElseGet(
-                        () -> FirstOrder.around(period.period(), period.isExact() ? EXACT_FACTOR : GROWN_FACTOR));
+        double factor = period.isExact() ? EXACT_FACTOR : GROWN_FACTOR;
+        return givenOrder().orElseGet(() -> FirstOrder.around(period.period(), factor));
     }
 
     private GratingPlane plane(Patch patch, GratingPeriod period) {
@@ -212,10 +201,10 @@ public final class EvaluateCommand extends FileCommand {
                 Progress progress =
                         setup.progress().start("Response", (long) wavelengths.length * grid.angles().length)) {
             for (int row = 0; row < wavelengths.length; row++) {
-                List<DirectionsRenderer.Query> queries = new ArrayList<>();
-                for (DirectionPair pair : grid.pairs()) {
-                    queries.add(new DirectionsRenderer.Query(pair, wavelengths[row]));
-                }
+                double wavelength = wavelengths[row];
+                List<Query> queries = grid.pairs().stream()
+                        .map(pair -> new Query(pair, wavelength))
+                        .toList();
                 power[row] = renderer.evaluate(queries, progress::step).stream()
                         .mapToDouble(values -> values[0])
                         .toArray();

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.stat.descriptive.StatisticalSummary;
 import sunbeam.app.cli.options.ReportFields;
 import sunbeam.app.files.output.AtomicFile;
@@ -30,6 +31,7 @@ import sunbeam.precompute.evaluation.Ridge;
 import sunbeam.precompute.evaluation.Ridge.Peaks;
 import sunbeam.precompute.optics.CoherenceWindow;
 import sunbeam.precompute.patch.Patch;
+import sunbeam.precompute.plan.Average;
 import sunbeam.precompute.plan.MethodSettings;
 import sunbeam.precompute.setting.ValueKind;
 import sunbeam.precompute.text.Text;
@@ -67,10 +69,9 @@ record Evaluation(
         double orderPeriod = period.isSeen() ? period.period() : order.middle();
         boolean apart = 1 / orderPeriod >= APART * window.sigmaFrequency();
         Optional<Ridge> ridge = apart ? peaks.of(response, order, window.sigmaFrequency()) : Optional.empty();
-        Optional<String> noRidge = ridge.isPresent()
-                ? Optional.empty()
-                : Optional.of(apart ? noneNear(order) : ordersRunTogether(patch, orderPeriod, window));
-        return new Evaluation(patch, period, response, peaks, ridge, noRidge);
+        String noRidge = apart ? noneNear(order) : ordersRunTogether(patch, orderPeriod, window);
+        return new Evaluation(
+                patch, period, response, peaks, ridge, Optional.of(noRidge).filter(why -> ridge.isEmpty()));
     }
 
     private static String noneNear(FirstOrder order) {
@@ -113,13 +114,14 @@ record Evaluation(
                 .toPlainString();
     }
 
-    /** @param area words for the part of the surface that is averaged over */
-    List<String> lines(String area, boolean explained) {
+    List<String> lines(Average average, boolean explained) {
         List<String> lines = new ArrayList<>();
         lines.add(patch.name() + ", " + light());
         lines.add("period      " + period.describe());
         noRidge.ifPresent(why -> lines.add("ridge       left out: " + why));
         ridge.map(Ridge::statistics).ifPresent(periods -> {
+            String area =
+                    average == Average.ENSEMBLE ? "the mean over all positions of the window" : "one coherence area";
             // If the period is uncertain, two digits are enough.
             lines.add(Text.format(
                     "%-11s %s, the brightest of %s over %d wavelengths, order %d: where light goes, not how well the period is known",
@@ -144,7 +146,7 @@ record Evaluation(
     }
 
     Map<String, Object> tree() {
-        ResponseMatrix.ResponseGrid grid = response.grid();
+        ResponseGrid grid = response.grid();
         Map<String, Object> tree = ReportFields.of(patch, period, verdict());
         tree.put("theta_i_deg", Math.toDegrees(grid.plane().thetaI()));
         tree.put("phi_i_deg", Math.toDegrees(grid.plane().phiI()));
@@ -179,11 +181,9 @@ record Evaluation(
 
     /** Returns a row for each wavelength in nm and a column for each angle, whose heading is the angle in degrees. */
     AtomicFile.StreamContent csv() {
-        ResponseMatrix.ResponseGrid grid = response.grid();
+        ResponseGrid grid = response.grid();
         List<String> header = new ArrayList<>(List.of("wavelength_nm"));
-        for (double angle : grid.angles()) {
-            header.add(Text.format("%.6f", Math.toDegrees(angle)));
-        }
+        Arrays.stream(grid.angles()).forEach(angle -> header.add(Text.format("%.6f", Math.toDegrees(angle))));
         return CsvWriter.numbers(header, grid.wavelengths().length, row -> {
             DoubleStream wavelength = DoubleStream.of(grid.wavelengths()[row] * NANOMETERS);
             return DoubleStream.concat(wavelength, Arrays.stream(response.values()[row]))
@@ -202,7 +202,7 @@ record Evaluation(
     private BufferedImage picture(String title) {
         ResponseGrid grid = response.grid();
         double[][] values = response.values();
-        double[] wavelengths = map(grid.wavelengths(), meters -> meters * 1e9);
+        double[] wavelengths = map(grid.wavelengths(), meters -> meters * NANOMETERS);
         double[] angles = map(grid.angles(), Math::toDegrees);
         if (wavelengths.length == 1) {
             String lit = Text.format("%s, %.4g nm", title, wavelengths[0]);
@@ -213,12 +213,7 @@ record Evaluation(
         double largest =
                 Arrays.stream(values).flatMapToDouble(Arrays::stream).max().orElseThrow();
         double high = largest > 0 ? largest : 1;
-        double[][] rows = new double[angles.length][values.length];
-        for (int row = 0; row < rows.length; row++) {
-            for (int column = 0; column < values.length; column++) {
-                rows[row][column] = values[column][row];
-            }
-        }
+        double[][] rows = new Array2DRowRealMatrix(values, false).transpose().getData();
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(title, "wavelength / nm", ANGLE, WIDTH, HEIGHT, false),
                 new HeatMap.Values(
@@ -243,8 +238,8 @@ record Evaluation(
             double mean = found.statistics().getMean();
             double[] fitted = equation(grid, found.order(), mean);
             map.curve("grating equation for the peaks' mean", wavelengths, fitted, FITTED, false);
-            String name = Text.format("brightest angle at each wavelength (mean %.1f nm)", mean * 1e9);
-            double[] ridgeWavelengths = map(found.wavelengths(), meters -> meters * 1e9);
+            String name = Text.format("brightest angle at each wavelength (mean %.1f nm)", mean * NANOMETERS);
+            double[] ridgeWavelengths = map(found.wavelengths(), meters -> meters * NANOMETERS);
             map.curve(name, ridgeWavelengths, map(found.angles(), Math::toDegrees), PEAKS, true);
         });
         return map.draw();

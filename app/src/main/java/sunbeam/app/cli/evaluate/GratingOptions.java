@@ -90,17 +90,16 @@ public final class GratingOptions extends SettingOptions {
         double largest = Math.toDegrees(plane(0).largestThetaR());
         if (angles != null) {
             angles.requireWithin("--angles", -largest, largest, "degrees");
-            if (angles.count() < FEWEST) {
-                throw new UsageException(
-                        "--angles has " + angles.count() + " values; give " + FEWEST + " or more, MIN:MAX:STEP");
-            }
+            UsageException.throwIf(
+                    angles.count() < FEWEST,
+                    "--angles has " + angles.count() + " values; give " + FEWEST + " or more, MIN:MAX:STEP");
         }
         int columns = angles == null ? MOST_ANGLES : angles.count();
-        if ((long) columns * wavelengths.count() > MOST_DIRECTIONS) {
-            throw new UsageException(Text.format(
-                    "%d --angles and %d --wavelengths are too many; take larger steps for %d directions or less",
-                    columns, wavelengths.count(), MOST_DIRECTIONS));
-        }
+        UsageException.throwIf(
+                (long) columns * wavelengths.count() > MOST_DIRECTIONS,
+                Text.format(
+                        "%d --angles and %d --wavelengths are too many; take larger steps for %d directions or less",
+                        columns, wavelengths.count(), MOST_DIRECTIONS));
     }
 
     /** Returns the direction across the grating's lines, radians from +x; empty to derive it from the heights. */

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,9 @@ import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.StandardOutput;
 import sunbeam.app.files.plot.HeatMap;
+import sunbeam.app.files.plot.HeatMap.Colors;
+import sunbeam.app.files.plot.HeatMap.Frame;
+import sunbeam.app.files.plot.HeatMap.Values;
 import sunbeam.app.files.plot.Plot;
 import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.gpu.picture.DoubtfulPicture;
@@ -73,16 +77,15 @@ public final class InspectCommand extends FileCommand {
     public Integer call() {
         resume.requireMany();
         Ending.PNG.require("--output", output);
-        if (json.isGiven() && StandardOutput.isMeant(output)) {
-            throw new UsageException("--json and --output - both want standard output; name a file for the picture");
-        }
+        UsageException.throwIf(
+                json.isGiven() && StandardOutput.isMeant(output),
+                "--json and --output - both want standard output; name a file for the picture");
         PrintWriter err = err();
         PrintWriter out = out(output);
         AtomicFile.checkWritable(output, overwrite());
         Patch loaded = patchOptions.load(Choices.none());
         Messages.printScan(loaded, loaded.warnings(), explain, err);
-        Path picture = output != null ? output : Path.of("inspect-" + loaded.name() + ".png");
-        AtomicFile.checkWritable(picture, overwrite(output));
+        Path picture = writable(output, "inspect-" + loaded.name() + ".png");
         double theta = Math.toDegrees(light.choices().get(LightOptions.THETA_I));
         Inspection inspection = Inspection.of(loaded, theta, explain || json.isGiven());
         List<String> lines = new ArrayList<>(inspection.lines());
@@ -141,26 +144,21 @@ public final class InspectCommand extends FileCommand {
         private BufferedImage heights() {
             double[][] rows = new double[map.rows()][map.columns()];
             for (int row = 0; row < map.rows(); row++) {
-                for (int column = 0; column < map.columns(); column++) {
-                    rows[map.rows() - 1 - row][column] = map.at(column, row) * NANOMETERS;
-                }
+                int mapRow = map.rows() - 1 - row;
+                Arrays.setAll(rows[row], column -> map.at(column, mapRow) * NANOMETERS);
             }
             // Leaves out the lowest and highest 0.1 %: with a grain of dust in it, all else would be one gray.
             double[] heights = map.heights();
             double low = Quantiles.of(heights, DUST) * NANOMETERS;
             double high = Math.max(Quantiles.of(heights, 1 - DUST) * NANOMETERS, low + 1e-3);
-            HeatMap.Colors colors =
-                    new HeatMap.Colors("height / nm", low, high, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
+            Colors colors = new Colors("height / nm", low, high, Plot.Scale.LINEAR, HeatMap.ColorMap.GRAY);
             double width = map.width() * MICROMETERS;
             double bar = Plot.round(0.25 * width);
+            double[] x = {0, width};
+            double[] y = {0, map.height() * MICROMETERS};
             return new HeatMap(
-                            new HeatMap.Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
-                            new HeatMap.Values(
-                                    rows,
-                                    new double[] {0, width},
-                                    new double[] {0, map.height() * MICROMETERS},
-                                    colors,
-                                    HeatMap.Reduction.MIDDLE))
+                            new Frame("Heights", "x / um", "y / um", PANEL_WIDTH, PICTURE_HEIGHT, true),
+                            new Values(rows, x, y, colors, HeatMap.Reduction.MIDDLE))
                     .scaleBar(Lengths.format(bar / MICROMETERS), bar)
                     .draw();
         }
@@ -173,33 +171,24 @@ public final class InspectCommand extends FileCommand {
             int reachX = (int) Math.min(spectrum.bandX().last(), Math.ceil(shown * spectrum.width()));
             int reachY = (int) Math.min(spectrum.bandY().last(), Math.ceil(shown * spectrum.height()));
             double[][] rows = new double[2 * reachY + 1][2 * reachX + 1];
-            double largest = 0;
-            for (int jy = -reachY; jy <= reachY; jy++) {
-                for (int jx = -reachX; jx <= reachX; jx++) {
-                    double power = spectrum.at(jx, jy) * NANOMETERS * NANOMETERS;
-                    rows[jy + reachY][jx + reachX] = power;
-                    largest = Math.max(largest, power);
-                }
+            for (int row = 0; row < rows.length; row++) {
+                int jy = row - reachY;
+                Arrays.setAll(rows[row], column -> spectrum.at(column - reachX, jy) * NANOMETERS * NANOMETERS);
             }
+            double largest =
+                    Arrays.stream(rows).flatMapToDouble(Arrays::stream).max().orElseThrow();
             double high = largest > 0 ? largest : 1;
-            HeatMap.Colors colors = new HeatMap.Colors(
+            Colors colors = new Colors(
                     "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
             double halfX = (reachX + 0.5) / spectrum.width() / MICROMETERS;
             double halfY = (reachY + 0.5) / spectrum.height() / MICROMETERS;
+            double[] x = {-halfX, halfX};
+            double[] y = {-halfY, halfY};
+            String title = "Power spectrum of the heights";
+            String axis = "periods per um along ";
             HeatMap picture = new HeatMap(
-                    new HeatMap.Frame(
-                            "Power spectrum of the heights",
-                            "periods per um along x",
-                            "periods per um along y",
-                            PANEL_WIDTH,
-                            PICTURE_HEIGHT,
-                            true),
-                    new HeatMap.Values(
-                            rows,
-                            new double[] {-halfX, halfX},
-                            new double[] {-halfY, halfY},
-                            colors,
-                            HeatMap.Reduction.LARGEST));
+                    new Frame(title, axis + "x", axis + "y", PANEL_WIDTH, PICTURE_HEIGHT, true),
+                    new Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
             if (period.hasWave()) {
                 Stream.concat(Stream.of(period.wave()), period.others().stream())
                         .forEach(wave -> picture.mark(
@@ -222,7 +211,7 @@ public final class InspectCommand extends FileCommand {
             double[] centers = IntStream.range(0, HISTOGRAM_BINS)
                     .mapToDouble(bin -> (low + bin * step) * NANOMETERS)
                     .toArray();
-            return panel("Histogram", "height / nm", "share of the surface / %")
+            return Plot.linear("Histogram", "height / nm", "share of the surface / %", PANEL_WIDTH, PLOT_HEIGHT)
                     .fromZero()
                     .line("share", centers, shares)
                     .draw();
@@ -250,13 +239,9 @@ public final class InspectCommand extends FileCommand {
             String title = Text.format(
                     "Profile through the center, direction %.1f degrees",
                     Math.rint(10 * Math.toDegrees(direction)) / 10 + 0.0);
-            return panel(title, "position / um", "height / nm")
+            return Plot.linear(title, "position / um", "height / nm", PANEL_WIDTH, PLOT_HEIGHT)
                     .line("heights", positions, heights)
                     .draw();
-        }
-
-        private static Plot panel(String title, String x, String y) {
-            return Plot.linear(title, x, y, PANEL_WIDTH, PLOT_HEIGHT);
         }
 
         private boolean isInside(double x, double y) {

@@ -61,7 +61,8 @@ record Inspection(
             // These are the defaults of brdf-map.
             FullMethod standard = FullMethod.of(limit.choices().with(MethodSettings.AVERAGE, Average.ENSEMBLE));
             try {
-                drawing = Optional.of(plan(patch, standard));
+                drawing = Optional.of(Choices.at(OptionOrigin.INSTANCE)
+                        .located(() -> standard.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all())));
             } catch (SettingException tooMuch) {
                 refusal = tooMuch.getMessage();
             }
@@ -78,28 +79,21 @@ record Inspection(
                 refusal);
     }
 
-    private static SpectrumPlan plan(Patch patch, FullMethod method) {
-        return Choices.at(OptionOrigin.INSTANCE)
-                .located(() -> method.tablePlan(Surface.withoutIdentity(patch), VisibleRange.all()));
-    }
-
     Verdict verdict() {
         return Verdict.of(patch, period, thetaI);
+    }
+
+    private static String length(double meters) {
+        return Lengths.rounded(meters, DIGITS);
     }
 
     List<String> lines() {
         HeightMap map = patch.scan();
         List<String> lines = new ArrayList<>();
         lines.add(verdict().sentence());
-        lines.add(Text.format(
-                "size      %s x %s, %d x %d samples",
-                Lengths.rounded(map.width(), DIGITS),
-                Lengths.rounded(map.height(), DIGITS),
-                map.columns(),
-                map.rows()));
-        lines.add(Text.format(
-                "heights   relief %s, roughness %s rms",
-                Lengths.rounded(map.relief(), DIGITS), Lengths.rounded(roughness(), DIGITS)));
+        lines.add("size      " + length(map.width()) + " x " + length(map.height()) + ", " + map.columns() + " x "
+                + map.rows() + " samples");
+        lines.add("heights   relief " + length(map.relief()) + ", roughness " + length(roughness()) + " rms");
         lines.add(Text.format(
                 "slopes    %.1f degrees rms, steepest %.1f; %.1f %% of the surface steeper than %.0f degrees, where scalar theory"
                         + " fails",
@@ -127,13 +121,10 @@ record Inspection(
         lines.add("patch     " + patch.source());
         patch.channels().forEach(channel -> lines.add("channel   " + channel));
         patch.faults().forEach(fault -> lines.add("fault     " + fault.line()));
-        lines.add(Text.format(
-                "pitch     %s x %s: %s",
-                Lengths.rounded(map.pitchX(), DIGITS),
-                Lengths.rounded(map.pitchY(), DIGITS),
-                Plausibility.pitch(map)
-                        .orElse("fine enough for light of " + Lengths.format(Plausibility.SHORTEST_WAVELENGTH)
-                                + ", which needs " + Lengths.format(Plausibility.COARSEST_PITCH))));
+        String fine = "fine enough for light of " + Lengths.format(Plausibility.SHORTEST_WAVELENGTH) + ", which needs "
+                + Lengths.format(Plausibility.COARSEST_PITCH);
+        lines.add("pitch     " + length(map.pitchX()) + " x " + length(map.pitchY()) + ": "
+                + Plausibility.pitch(map).orElse(fine));
         lines.add("model     " + slopes.describe());
         limit.line().ifPresent(said -> lines.add("light     " + said.in(OptionOrigin.INSTANCE)));
         plan().ifPresent(summary -> lines.add("plan      " + summary));

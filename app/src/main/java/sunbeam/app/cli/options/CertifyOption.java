@@ -58,30 +58,25 @@ public final class CertifyOption {
 
     /** Refuses methods that cannot be compared: the reference itself, and those whose colors are not relative to a mirror's. */
     public void check(Method method) {
-        if (count().isEmpty()) {
-            return;
-        }
-        if (method instanceof ReferenceMethod) {
-            throw new UsageException("--certify compares with --method reference; leave out one of them");
-        }
-        if (!method.isNormalizedToMirror()) {
-            throw new UsageException("--certify compares with a mirror's light, to which the colors of --method "
-                    + method.type().label() + " do not relate; leave out --certify");
-        }
+        boolean isGiven = count().isPresent();
+        UsageException.throwIf(
+                isGiven && method instanceof ReferenceMethod,
+                "--certify compares with --method reference; leave out one of them");
+        UsageException.throwIf(
+                isGiven && !method.isNormalizedToMirror(),
+                "--certify compares with a mirror's light, to which the colors of --method "
+                        + method.type().label() + " do not relate; leave out --certify");
     }
 
     /** Refuses scenes whose method is neither full nor table, or has the thesis's preset: they differ from method full by design. */
     public void check(Scene scene) {
-        if (count().isEmpty()) {
-            return;
-        }
         MethodType type = scene.method().type();
         boolean points = type.equals(FullMethod.TYPE) || type.equals(TableMethod.TYPE);
-        if (scene.method().isThesis() || !points) {
-            throw new UsageException("--certify compares with method full at a tolerance, from which "
-                    + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
-                    + " differs by design; leave out --certify");
-        }
+        UsageException.throwIf(
+                count().isPresent() && (scene.method().isThesis() || !points),
+                "--certify compares with method full at a tolerance, from which "
+                        + (scene.method().isThesis() ? "the thesis's preset" : "method " + type)
+                        + " differs by design; leave out --certify");
     }
 
     public static ExitCode judge(
@@ -95,21 +90,19 @@ public final class CertifyOption {
     public static ExitCode judge(
             Certificate certificate, boolean promised, String remedy, PrintWriter out, PrintWriter err) {
         out.println("certificate: " + certificate.summary());
-        Optional<String> complaint = Optional.empty();
-        if (certificate.relative().count() == 0) {
-            complaint = Optional.of("the tolerance is not certified: none of these places has enough light; give more");
-        } else if (certificate.missed()) {
-            complaint = Optional.of("the tolerance is missed: " + certificate.comparison() + "; " + remedy);
-        } else if (!promised) {
-            complaint = Optional.of(
-                    "these places keep the tolerance, but it is not promised for others: see the plan's" + " warning");
-        } else {
+        if (certificate.relative().count() > 0 && !certificate.missed() && promised) {
             out.println(
                     "verdict: these places keep the tolerance: " + certificate.comparison() + ". That is the error of"
                             + " computing the model; what the model leaves out (docs/theory.md) comes on top");
+            return ExitCode.OK;
         }
-        complaint.ifPresent(words -> err.println(Messages.error(words)));
-        return complaint.isPresent() ? ExitCode.TOLERANCE_MISSED : ExitCode.OK;
+        String complaint = certificate.relative().count() == 0
+                ? "the tolerance is not certified: none of these places has enough light; give more"
+                : certificate.missed()
+                        ? "the tolerance is missed: " + certificate.comparison() + "; " + remedy
+                        : "these places keep the tolerance, but it is not promised for others: see the plan's warning";
+        err.println(Messages.error(complaint));
+        return ExitCode.TOLERANCE_MISSED;
     }
 
     static String remedy(Choices choices, MethodPlan plan) {

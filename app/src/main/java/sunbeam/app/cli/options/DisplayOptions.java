@@ -53,11 +53,11 @@ public final class DisplayOptions {
         }
         boolean isPicture = exposure.toLowerCase(Locale.ROOT).endsWith(".png");
         double value = isPicture ? recorded() : Decimals.parse(exposure).orElse(Double.NaN);
-        if (!(value > 0)) {
-            throw new UsageException("--exposure '" + exposure
-                    + "' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from"
-                    + Decimals.commaRemedy(exposure));
-        }
+        UsageException.throwIf(
+                !(value > 0),
+                "--exposure '" + exposure
+                        + "' is neither auto nor a positive number, nor first, nor a picture (.png) to take it from"
+                        + Decimals.commaRemedy(exposure));
         return pictures -> value;
     }
 

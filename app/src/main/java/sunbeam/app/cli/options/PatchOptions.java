@@ -6,8 +6,6 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -71,7 +69,8 @@ public final class PatchOptions extends SettingOptions {
 
     @Override
     protected void declareArguments(CommandSpec own) {
-        if (arity.equals(MANY)) {
+        boolean many = arity.equals(MANY);
+        if (many) {
             own.addOption(OptionSpec.builder(TASK)
                     .userObject(TASK)
                     .paramLabel("I/N")
@@ -82,10 +81,10 @@ public final class PatchOptions extends SettingOptions {
         }
         if (!arity.isEmpty()) {
             own.addPositional(PositionalParamSpec.builder()
-                    .index(arity.equals(MANY) ? MANY : "0")
+                    .index(many ? MANY : "0")
                     .arity(arity)
                     .paramLabel("PATCH")
-                    .type(arity.equals(MANY) ? String[].class : String.class)
+                    .type(many ? String[].class : String.class)
                     .description(words)
                     .setter(setter(text -> argument = text))
                     .build());
@@ -98,9 +97,8 @@ public final class PatchOptions extends SettingOptions {
         if (argument == null) {
             return choices;
         }
-        if (choices.has(PATCH)) {
-            throw new UsageException("'" + argument + "' and --patch both name a patch; give one of them");
-        }
+        UsageException.throwIf(
+                choices.has(PATCH), "'" + argument + "' and --patch both name a patch; give one of them");
         return choices.parsed(PATCH, argument, OptionOrigin.ARGUMENT);
     }
 
@@ -135,18 +133,14 @@ public final class PatchOptions extends SettingOptions {
 
     /** Value of the option {@code --task I/N}: the I-th, from 1, of N consecutive parts of a list. */
     public record TaskPart(int number, int parts) {
-        private static final Pattern TEXT = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 
         public static TaskPart parse(String text) {
-            Matcher matcher = TEXT.matcher(text);
-            if (matcher.matches()) {
-                TaskPart part = new TaskPart(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
-                if (part.number >= 1 && part.number <= part.parts) {
-                    return part;
-                }
-            }
-            throw new UsageException(
+            String[] numbers = text.matches("\\d{1,6}/\\d{1,6}") ? text.split("/", -1) : new String[] {"0", "0"};
+            TaskPart part = new TaskPart(Integer.parseInt(numbers[0]), Integer.parseInt(numbers[1]));
+            UsageException.throwIf(
+                    part.number < 1 || part.number > part.parts,
                     "--task " + text + " names no part; give I/N, 1/8 to 8/8 for the eight parts of eight");
+            return part;
         }
 
         public long first(long count) {
@@ -174,10 +168,9 @@ public final class PatchOptions extends SettingOptions {
         }
 
         public List<Patch> load(PatchOptions first, Choices method, ProgressDisplay display) {
-            if (others.size() > MOST) {
-                throw new UsageException(
-                        "--with is given " + others.size() + " times; give it " + MOST + " times at most");
-            }
+            UsageException.throwIf(
+                    others.size() > MOST,
+                    "--with is given " + others.size() + " times; give it " + MOST + " times at most");
             try (ProgressDisplay.Progress progress = display.start("Reading the heights", 1 + others.size())) {
                 List<Patch> patches = new ArrayList<>(List.of(first.load(method)));
                 progress.step(1);

@@ -29,11 +29,11 @@ public record Range(double minimum, double maximum, double step) {
 
     /** Refuses an option's range that leaves the interval from {@code least} to {@code most}, but for rounding of 1e-6. */
     public void requireWithin(String option, double least, double most, String unit) {
-        if (minimum < least - 1e-6 || maximum > most + 1e-6) {
-            throw new UsageException(option + " " + rounded(minimum) + ":" + rounded(maximum) + ":" + rounded(step)
-                    + " leaves the range " + rounded(least) + " to " + rounded(most) + " " + unit
-                    + "; give values within");
-        }
+        UsageException.throwIf(
+                minimum < least - 1e-6 || maximum > most + 1e-6,
+                option + " " + rounded(minimum) + ":" + rounded(maximum) + ":" + rounded(step)
+                        + " leaves the range " + rounded(least) + " to " + rounded(most) + " " + unit
+                        + "; give values within");
     }
 
     private static String rounded(double value) {

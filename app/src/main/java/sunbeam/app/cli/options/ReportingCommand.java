@@ -2,6 +2,7 @@ package sunbeam.app.cli.options;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParentCommand;
@@ -33,12 +34,8 @@ public abstract class ReportingCommand implements Callable<Integer> {
 
     /** Returns standard output for the report, or standard error if one of these files, which may be null, is standard output. */
     protected final PrintWriter out(Path... targets) {
-        for (Path target : targets) {
-            if (StandardOutput.isMeant(target)) {
-                return err();
-            }
-        }
-        return specification.commandLine().getOut();
+        boolean isTaken = Arrays.stream(targets).anyMatch(StandardOutput::isMeant);
+        return isTaken ? err() : specification.commandLine().getOut();
     }
 
     /** True if the command line has no option. */

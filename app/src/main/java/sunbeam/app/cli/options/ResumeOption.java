@@ -51,9 +51,7 @@ public final class ResumeOption {
 
     /** Refuses the option for a command that keeps the files of several surfaces only. */
     public void requireMany() {
-        if (resume) {
-            throw new UsageException("--resume is for several patches or a folder; leave it out for one");
-        }
+        UsageException.throwIf(resume, "--resume is for several patches or a folder; leave it out for one");
     }
 
     public boolean isGiven() {
@@ -75,10 +73,9 @@ public final class ResumeOption {
         List<String> words = new ArrayList<>(List.of(command.qualifiedName()));
         patches.forEach(patch -> words.add("|" + patch.digest()));
         for (OptionSpec option : command.options()) {
-            List<String> values = option.originalStringValues().isEmpty() && option.defaultValue() != null
-                    ? List.of(option.defaultValue())
-                    : option.originalStringValues();
-            values.forEach(value -> words.add(option.longestName() + "=" + value));
+            boolean isDefault = option.originalStringValues().isEmpty() && option.defaultValue() != null;
+            (isDefault ? List.of(option.defaultValue()) : option.originalStringValues())
+                    .forEach(value -> words.add(option.longestName() + "=" + value));
         }
         return hash(words);
     }

@@ -15,6 +15,7 @@ import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.OrderLattice;
 import sunbeam.precompute.analysis.OrderLattice.Order;
 import sunbeam.precompute.analysis.OrderLight;
+import sunbeam.precompute.analysis.SpatialFrequency;
 import sunbeam.precompute.analysis.Verdict;
 import sunbeam.precompute.color.CieTable;
 import sunbeam.precompute.color.DisplayTransform;
@@ -73,12 +74,13 @@ record OrderTable(
                 .flatMap(light -> light.efficiencies().keySet().stream())
                 .distinct()
                 .sorted(Comparator.comparingInt(Order::n).thenComparingInt(Order::m))
-                .map(order -> new Series(
-                        order,
-                        lights.stream()
-                                .flatMap(light ->
-                                        light.direction(order).stream().map(wr -> new Seen(light, wr, light.at(order))))
-                                .toList()))
+                .map(order -> new Series(order, seen(order, lights)))
+                .toList();
+    }
+
+    private static List<Seen> seen(Order order, List<OrderLight> lights) {
+        return lights.stream()
+                .flatMap(light -> light.direction(order).map(wr -> new Seen(light, wr, light.at(order))).stream())
                 .toList();
     }
 
@@ -92,16 +94,13 @@ record OrderTable(
     List<String> lines() {
         Incidence first = incidences.get(0);
         OrderLight middle = first.lights.get(first.lights.size() / 2);
-        List<String> lines = new ArrayList<>(List.of(
-                verdict.sentence(),
-                Text.format(
-                        "light at %s degrees, azimuth %s degrees, %s: %.5f of it leaves, %.5f between the orders; a flat mirror sends %.5f",
-                        written(first.theta),
-                        written(phi),
-                        nanometers(middle),
-                        middle.sum(),
-                        middle.between(),
-                        middle.mirror())));
+        String light = Text.format(
+                "light at %s degrees, azimuth %s degrees, %s: ",
+                written(first.theta), written(phi), nanometers(middle));
+        String leaving = Text.format(
+                "%.5f of it leaves, %.5f between the orders; a flat mirror sends %.5f",
+                middle.sum(), middle.between(), middle.mirror());
+        List<String> lines = new ArrayList<>(List.of(verdict.sentence(), light + leaving));
         for (Series series : strongest(first.orders)) {
             lines.add("  order " + series.order.in(lattice)
                     + series.seen.stream()
@@ -199,11 +198,10 @@ record OrderTable(
     Map<String, Object> tree() {
         Map<String, Object> tree = ReportFields.of(patch, period, verdict);
         tree.put("program", "Sunbeam " + Environment.version());
+        Stream<SpatialFrequency> basis = Stream.concat(Stream.of(lattice.first()), lattice.second().stream());
         tree.put(
                 "lattice_per_m",
-                Stream.concat(Stream.of(lattice.first()), lattice.second().stream())
-                        .map(frequency -> List.of(frequency.x(), frequency.y()))
-                        .toList());
+                basis.map(vector -> List.of(vector.x(), vector.y())).toList());
         tree.put("light", cie.description());
         List<OrderLight> lights = incidences.get(0).lights;
         tree.put("wavelengths_m", lights.stream().map(OrderLight::wavelength).toList());
@@ -219,23 +217,20 @@ record OrderTable(
         tree.put("mirror", lights.stream().map(OrderLight::mirror).toList());
         tree.put("sum", lights.stream().map(OrderLight::sum).toList());
         tree.put("between_orders", lights.stream().map(OrderLight::between).toList());
+        List<Series> orders = incidence.orders;
         tree.put(
-                "orders",
-                incidence.orders.stream().map(series -> tree(incidence, series)).toList());
+                "orders", orders.stream().map(series -> tree(incidence, series)).toList());
         return tree;
     }
 
     private Map<String, Object> tree(Incidence incidence, Series series) {
-        int visible = series.seen.size();
+        List<OrderLight> hidden = incidence.lights.subList(series.seen.size(), incidence.lights.size());
         double[] xyz = xyz(incidence, series);
         Map<String, Object> tree = new LinkedHashMap<>();
         tree.put("m", series.order.m());
         tree.put("n", series.order.n());
         tree.put(
-                "beyond_horizon_from_m",
-                visible < incidence.lights.size()
-                        ? incidence.lights.get(visible).wavelength()
-                        : null);
+                "beyond_horizon_from_m", hidden.isEmpty() ? null : hidden.get(0).wavelength());
         tree.put("theta_r_deg", series.values(Seen::theta));
         tree.put("phi_r_deg", series.values(Seen::phi));
         tree.put("efficiency", series.values(seen -> seen.efficiency.value()));

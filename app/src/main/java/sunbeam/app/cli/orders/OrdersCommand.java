@@ -54,7 +54,6 @@ import sunbeam.precompute.units.Lengths;
         footer = {"  sunbeam orders blaze --theta-i 0:60:10", "  sunbeam orders scan.gwy --theta-i 30 --index 0.97+6.5i"
         })
 public final class OrdersCommand extends FileCommand {
-    private static final List<String> ENDINGS = List.of(".png", ".json", ".csv");
     private static final double LARGEST_THETA = 89.9;
     private static final int PLOT_WIDTH = 1100;
     private static final int PLOT_HEIGHT = 560;
@@ -114,14 +113,12 @@ public final class OrdersCommand extends FileCommand {
         RefractiveIndex material = index.parse();
         CieTable cie = LightTable.of(choices);
         if (output != null) {
-            FileGroup.named(output, ENDINGS, overwrite(output)).checkWritable();
+            writableGroup(output, "");
         }
         Patch patch = patchOptions.load(Choices.none());
         Messages.scanWarning(patch.name(), patch.warnings(), "inspect --explain")
                 .ifPresent(err()::println);
-        Path name = output != null ? output : Path.of(patch.name() + "-orders");
-        FileGroup files = FileGroup.named(name, ENDINGS, overwrite(output));
-        files.checkWritable();
+        FileGroup files = writableGroup(output, patch.name() + "-orders");
         GratingPeriod period = GratingPeriod.of(patch);
         if (!period.isSeen()) {
             throw new InputException(patch.name() + ": no orders without a period: "
@@ -149,35 +146,29 @@ public final class OrdersCommand extends FileCommand {
         OrderLattice lattice = OrderLattice.of(patch, period);
         long lights = (long) thetas.count() * wavelengths.count();
         double visible = lattice.most(CieTable.MINIMUM_WAVELENGTH);
-        if (orders * lights > MOST_EVALUATIONS || visible * lights > MOST_RESULTS) {
-            throw new UsageException(Text.format(
-                    "%d angles of --theta-i and %d --wavelengths are too many for this patch of %.0f orders; take larger steps%s",
-                    thetas.count(),
-                    wavelengths.count(),
-                    visible,
-                    patch.repetition() == Patch.Repetition.PERIODIC
-                            ? ", or --no-periodic, which adds up the light around each order of its lines"
-                            : ""));
-        }
+        UsageException.throwIf(
+                orders * lights > MOST_EVALUATIONS || visible * lights > MOST_RESULTS,
+                Text.format(
+                        "%d angles of --theta-i and %d --wavelengths are too many for this patch of %.0f orders; take larger steps%s",
+                        thetas.count(),
+                        wavelengths.count(),
+                        visible,
+                        patch.repetition() == Patch.Repetition.PERIODIC
+                                ? ", or --no-periodic, which adds up the light around each order of its lines"
+                                : ""));
         OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
-        double phi = choices.find(PHI_I)
-                .map(Math::toDegrees)
-                .orElseGet(() -> Math.toDegrees(lattice.first().azimuth()));
+        double phi = Math.toDegrees(choices.get(PHI_I, lattice.first().azimuth()));
         double[] meters =
                 Arrays.stream(wavelengths.values()).map(nm -> nm / 1e9).toArray();
         boolean sampled = patch.repetition() != Patch.Repetition.PERIODIC;
-        List<OrderLight> all = environment()
-                .progress()
-                .map(
-                        "Orders of " + patch.name(),
-                        IntStream.range(0, (int) lights).boxed().toList(),
-                        i -> {
-                            Direction wi = Direction.ofDegrees(thetas.values()[i / meters.length], phi);
-                            return OrderLight.of(spectrum, lattice, material, wi, meters[i % meters.length], sampled);
-                        });
-        List<OrderTable.Incidence> incidences = IntStream.range(0, thetas.count())
-                .mapToObj(i -> new OrderTable.Incidence(
-                        thetas.values()[i], all.subList(i * meters.length, (i + 1) * meters.length)))
+        double[] angles = thetas.values();
+        List<Integer> numbers = IntStream.range(0, (int) lights).boxed().toList();
+        List<OrderLight> all = environment().progress().map("Orders of " + patch.name(), numbers, i -> {
+            Direction wi = Direction.ofDegrees(angles[i / meters.length], phi);
+            return OrderLight.of(spectrum, lattice, material, wi, meters[i % meters.length], sampled);
+        });
+        List<Incidence> incidences = IntStream.range(0, angles.length)
+                .mapToObj(i -> new Incidence(angles[i], all.subList(i * meters.length, (i + 1) * meters.length)))
                 .toList();
         // The verdict is for light across the lines.
         Verdict verdict = Verdict.of(patch, period, choices.has(PHI_I) ? 0 : thetas.minimum());
@@ -192,12 +183,12 @@ public final class OrdersCommand extends FileCommand {
         String azimuth = ", azimuth of the light " + OrderTable.written(table.phi()) + " degrees";
         if (incidences.get(0).lights().size() == 1 && angles > 1) {
             List<OrderLight> lights =
-                    incidences.stream().map(one -> one.lights().get(0)).toList();
+                    incidences.stream().flatMap(one -> one.lights().stream()).toList();
             String title = OrderTable.nanometers(lights.get(0)) + azimuth;
+            String axis = "angle of incidence theta_i / degrees";
             ToDoubleFunction<OrderLight> theta =
                     light -> Math.toDegrees(Math.acos(light.wi().z()));
-            return sheet.row(plot(
-                            title, "angle of incidence theta_i / degrees", theta, lights, OrderTable.series(lights)))
+            return sheet.row(plot(title, axis, theta, lights, OrderTable.series(lights)))
                     .draw();
         }
         for (int i = 0; i < angles; i += (angles + MOST_PLOTS - 1) / MOST_PLOTS) {

@@ -1,13 +1,14 @@
 package sunbeam.app.cli.reflectance;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import jrtr.gl.RenderContext;
 import sunbeam.app.files.input.DirectionList;
 import sunbeam.app.gpu.DirectionsRenderer;
+import sunbeam.app.gpu.DirectionsRenderer.Query;
 import sunbeam.app.gpu.UploadedTables;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.terminal.ProgressDisplay;
@@ -30,11 +31,9 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
     private static final int GAIN = 3;
 
     List<double[]> evaluate(ShaderTables tables) {
-        List<DirectionsRenderer.Query> queries = new ArrayList<>(list.size());
-        for (int row = 0; row < list.size(); row++) {
-            double wavelength = list.spectral() ? list.wavelength(row) : 0;
-            queries.add(new DirectionsRenderer.Query(list.pair(row), wavelength));
-        }
+        List<Query> queries = IntStream.range(0, list.size())
+                .mapToObj(row -> new Query(list.pair(row), list.spectral() ? list.wavelength(row) : 0))
+                .toList();
         try (RenderContext context = RenderContext.offscreen();
                 UploadedTables method = UploadedTables.upload(context, tables);
                 DirectionsRenderer renderer = new DirectionsRenderer(context, method, list.spectral());
@@ -46,8 +45,11 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
     }
 
     List<double[]> evaluate(ExactLight light) {
-        List<Integer> rows = IntStream.range(0, list.size()).boxed().toList();
-        return display.map("Reference", rows, row -> list.spectral() ? spectral(light, row) : color(light, row));
+        return map("Reference", row -> list.spectral() ? spectral(light, row) : color(light, row));
+    }
+
+    private List<double[]> map(String label, Function<Integer, double[]> values) {
+        return display.map(label, IntStream.range(0, list.size()).boxed().toList(), values);
     }
 
     /** Compares results of the shaders with the reference at random rows: X, Y, Z, or the power under the method's average. */
@@ -101,7 +103,7 @@ record Evaluator(DirectionList list, ProgressDisplay display) {
         if (divisor.isEmpty() || !list.spectral()) {
             return results;
         }
-        return display.map("Energy", IntStream.range(0, list.size()).boxed().toList(), row -> {
+        return map("Energy", row -> {
             double[] values = results.get(row).clone();
             double sent = divisor.get().at(list.pair(row).wi(), list.wavelength(row));
             values[RHO] /= sent;

@@ -100,10 +100,10 @@ public final class ReflectanceCommand extends FileCommand {
         if (list.spectral() && asked.get(Methods.METHOD).equals(TableMethod.TYPE)) {
             throw DiffractionSetup.withoutPower();
         }
-        if (bothAverages && !list.spectral()) {
-            throw new UsageException("--both-averages needs a power, which " + directions
-                    + " has not: give it the column wavelength, or leave the option out");
-        }
+        UsageException.throwIf(
+                bothAverages && !list.spectral(),
+                "--both-averages needs a power, which " + directions
+                        + " has not: give it the column wavelength, or leave the option out");
         RefractiveIndex material = material(list);
         AtomicFile.checkWritable(output, overwrite());
         PrintWriter err = err();
@@ -153,20 +153,19 @@ public final class ReflectanceCommand extends FileCommand {
     /** Returns the direction of light of all rows, by which their colors are divided over wavelength. */
     private Direction light(DirectionList list) {
         Direction light = list.pair(0).wi();
-        if (list.pairs().stream().anyMatch(pair -> !pair.wi().equals(light))) {
-            throw new UsageException("--energy conserve divides by direction of light and wavelength: give "
-                    + directions + " one light, or the column wavelength");
-        }
+        UsageException.throwIf(
+                list.pairs().stream().anyMatch(pair -> !pair.wi().equals(light)),
+                "--energy conserve divides by direction of light and wavelength: give " + directions
+                        + " one light, or the column wavelength");
         return light;
     }
 
     private RefractiveIndex material(DirectionList list) {
         RefractiveIndex material = index.parse();
-        if (!material.isConstant() && !list.spectral()) {
-            throw new UsageException(
-                    "--index by wavelength leaves X, Y, Z no gain that is one number; give a number, or " + directions
-                            + " the column wavelength");
-        }
+        UsageException.throwIf(
+                !material.isConstant() && !list.spectral(),
+                "--index by wavelength leaves X, Y, Z no gain that is one number; give a number, or " + directions
+                        + " the column wavelength");
         return material;
     }
 

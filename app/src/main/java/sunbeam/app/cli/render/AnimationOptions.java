@@ -40,7 +40,6 @@ public final class AnimationOptions {
 
     /** Equally spaced angles, radians. */
     record Sweep(double from, double to) {
-        static final Sweep ONCE_ROUND = new Sweep(0, 2 * Math.PI);
 
         /** Returns the angle of a frame, counted from 0. Whole turns leave out the last angle, the same as the first, to loop smoothly. */
         double at(int frame, int frames) {
@@ -75,25 +74,24 @@ public final class AnimationOptions {
         return frameRate != null ? frameRate : 12;
     }
 
-    String name() {
-        return lightSweep != null ? "light-sweep" : "turntable";
+    /** Returns the end of the output's name: a folder's for an animation, a picture's otherwise. */
+    String ending() {
+        return lightSweep != null ? "-light-sweep" : turntable != null ? "-turntable" : ".png";
     }
 
     void check() {
-        if (lightSweep != null && turntable != null) {
-            throw new UsageException("--light-sweep and --turntable contradict each other; leave one out");
-        }
-        if (!isGiven() && frameRate != null) {
-            throw new UsageException("--frame-rate needs --light-sweep or --turntable");
-        }
-        if (frames != null && lightSweep == null) {
-            throw new UsageException("--frames " + frames + " needs --light-sweep, whose frames it counts"
-                    + (turntable != null ? "; --turntable has its own number" : ", as in --light-sweep 0:360"));
-        }
+        UsageException.throwIf(
+                lightSweep != null && turntable != null,
+                "--light-sweep and --turntable contradict each other; leave one out");
+        UsageException.throwIf(!isGiven() && frameRate != null, "--frame-rate needs --light-sweep or --turntable");
+        UsageException.throwIf(
+                frames != null && lightSweep == null,
+                "--frames " + frames + " needs --light-sweep, whose frames it counts"
+                        + (turntable != null ? "; --turntable has its own number" : ", as in --light-sweep 0:360"));
         UsageException.requireWithin(turntable != null ? "--turntable" : "--frames", frames(), 1, MOST_FRAMES);
-        if (!(frameRate() >= 0.1 && frameRate() <= 50)) {
-            throw new UsageException("--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
-        }
+        UsageException.throwIf(
+                !(frameRate() >= 0.1 && frameRate() <= 50),
+                "--frame-rate " + frameRate + " is out of range; give 0.1 to 50");
     }
 
     private int frames() {
@@ -102,7 +100,7 @@ public final class AnimationOptions {
 
     List<Scene> scenes(Scene scene) {
         Motion motion = lightSweep != null ? Motion.LIGHT_SWEEP : Motion.TURNTABLE;
-        Sweep sweep = lightSweep != null ? lightSweep : Sweep.ONCE_ROUND;
+        Sweep sweep = lightSweep != null ? lightSweep : new Sweep(0, 2 * Math.PI);
         return IntStream.range(0, frames())
                 .mapToObj(frame -> motion.at(scene, sweep.at(frame, frames())))
                 .toList();

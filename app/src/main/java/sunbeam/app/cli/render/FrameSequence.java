@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
@@ -96,39 +97,38 @@ public final class FrameSequence implements AutoCloseable {
         return sessions.stream().map(SceneSession::data).toList();
     }
 
-    /** Returns for each frame whether its file is missing or has other parameters; throws an exception if it must not be replaced. */
-    List<Boolean> missing(List<Scene> scenes, List<Path> files, Overwrite overwrite) {
-        List<Boolean> missing = new ArrayList<>();
-        for (int i = 0; i < files.size(); i++) {
-            boolean done =
-                    PngText.find(files.get(i), text.identity(scenes.get(i))).isPresent();
-            if (!done && overwrite == Overwrite.REFUSE && Files.exists(files.get(i))) {
-                throw new OutputException.Exists("cannot write " + files.get(i)
-                        + ": it exists with other parameters; add --force to replace it");
-            }
-            missing.add(!done);
+    /** Returns whether the frame's file is missing or has other parameters; throws an exception if it must not be replaced. */
+    private boolean isMissing(Scene scene, Path file, Overwrite overwrite) {
+        boolean missing = PngText.find(file, text.identity(scene)).isEmpty();
+        if (missing && overwrite == Overwrite.REFUSE && Files.exists(file)) {
+            throw new OutputException.Exists(
+                    "cannot write " + file + ": it exists with other parameters; add --force to replace it");
         }
         return missing;
     }
 
     /**
-     * Draws the missing frames with the first one's exposure, so that an animation does not flicker, and returns their files. A single
-     * frame, even if it is not missing, may have a file for its linear colors, else null.
+     * Draws the frames, to resume only the missing ones, with the first one's exposure, so that an animation does not flicker, and returns
+     * their files. A single frame, even if it is not missing, may have a file for its linear colors, else null.
      */
-    List<Path> draw(List<Scene> scenes, List<Path> files, List<Boolean> missing, Overwrite overwrite, Path linear) {
+    List<Path> draw(List<Scene> scenes, List<Path> files, boolean resume, Overwrite overwrite, Path linear) {
+        List<Boolean> missing = IntStream.range(0, files.size())
+                .mapToObj(i -> !resume || isMissing(scenes.get(i), files.get(i), overwrite))
+                .toList();
         List<Path> places = new ArrayList<>(files);
         int first = linear == null ? missing.indexOf(true) : 0;
         if (first < 0) {
             return places;
         }
         PartSum parts = new PartSum(sessions);
-        exposure = recordedExposure(files.get(0), missing.get(0)).orElseGet(() -> exposure(scenes.get(first), parts));
+        exposure = (missing.get(0) ? OptionalDouble.empty() : recordedExposure(files.get(0)))
+                .orElseGet(() -> exposure(scenes.get(first), parts));
         long frames = Collections.frequency(missing, true);
         try (Progress progress = display.start("rendering", frames * size.width() * size.height())) {
             for (int i = first; i < scenes.size(); i++) {
                 if (missing.get(i) || linear != null) {
-                    places.set(
-                            i, draw(parts, scenes.get(i), files.get(i), missing.get(i), overwrite, linear, progress));
+                    Path file = files.get(i);
+                    places.set(i, draw(parts, scenes.get(i), file, missing.get(i), overwrite, linear, progress));
                 }
             }
         }
@@ -139,8 +139,8 @@ public final class FrameSequence implements AutoCloseable {
         PartSum parts = new PartSum(sessions);
         ScenePicture picture = ScenePicture.empty(size.width(), size.height());
         try (Progress progress = display.start("rendering", (long) size.width() * size.height())) {
+            int side = samples.side();
             drawTiles(parts, progress, tile -> {
-                int side = samples.side();
                 ScenePicture drawn = parts.draw(DrawRequest.ofPixels(scene, size.width(), size.height(), tile, side));
                 picture.put(drawn.reduced(side), tile.x(), tile.y());
             });
@@ -161,10 +161,8 @@ public final class FrameSequence implements AutoCloseable {
                 .orElseThrow();
     }
 
-    private static OptionalDouble recordedExposure(Path frame, boolean missing) {
-        return missing
-                ? OptionalDouble.empty()
-                : Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
+    private static OptionalDouble recordedExposure(Path frame) {
+        return Decimals.parse(PngText.read(frame).getOrDefault("Exposure", ""));
     }
 
     private Path draw(
@@ -193,18 +191,13 @@ public final class FrameSequence implements AutoCloseable {
                 picture.put(pixels, tile.x(), tile.y());
             }
             if (viewer != null) {
-                viewer.update(
-                        file.toString(),
-                        tile.x(),
-                        tile.y(),
-                        tile.width(),
-                        tile.height(),
-                        pixels.linear().xyz());
+                float[] xyz = pixels.linear().xyz();
+                viewer.update(file.toString(), tile.x(), tile.y(), tile.width(), tile.height(), xyz);
             }
         });
         if (linear != null) {
-            AtomicFile.write(
-                    linear, overwrite, LinearFile.of(linear, picture.linear().xyz(), size.width(), size.height()));
+            float[] xyz = picture.linear().xyz();
+            AtomicFile.write(linear, overwrite, LinearFile.of(linear, xyz, size.width(), size.height()));
         }
         if (!missing) {
             return file;
@@ -238,19 +231,19 @@ public final class FrameSequence implements AutoCloseable {
                     .flatMap(part -> part.tableErrors(scene, size.width(), size.height(), samples).stream())
                     .toList();
             tables.forEach(errors -> out.println("table: " + errors + " at " + errors.count() + " samples"));
+            double tolerance = scene.method().get(TOLERANCE);
             Optional<String> miss = tables.stream()
-                    .flatMap(
-                            errors -> VirtualTexture.miss(errors, scene.method().get(TOLERANCE)).stream())
+                    .flatMap(errors -> VirtualTexture.miss(errors, tolerance).stream())
                     .findFirst();
             boolean isTable = scene.method().type().equals(TableMethod.TYPE);
             String remedy = miss.orElse(
                     "a larger --supersample or --size" + (isTable ? "" : ", or --method table,") + " may help");
             ExitCode judged = CertifyOption.judge(certificate, true, remedy, out, err);
-            if (judged != ExitCode.OK || miss.isEmpty()) {
-                return judged;
+            if (judged == ExitCode.OK && miss.isPresent()) {
+                err.println(Messages.error(miss.get()));
+                return ExitCode.TOLERANCE_MISSED;
             }
-            err.println(Messages.error(miss.get()));
-            return ExitCode.TOLERANCE_MISSED;
+            return judged;
         } catch (GraphicsException failure) {
             throw new GraphicsException("the picture is written, but cannot be compared: " + failure.getMessage()
                     + "; or leave --certify out");

@@ -4,8 +4,6 @@ import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -132,8 +130,7 @@ public final class RenderCommand extends FileCommand {
         }
         List<Scene> scenes = animation.isGiven() ? animation.scenes(scene) : List.of(scene);
         certify.check(scene);
-        Path target =
-                output != null ? output : Path.of(stem() + (animation.isGiven() ? "-" + animation.name() : ".png"));
+        Path target = output != null ? output : Path.of(stem() + animation.ending());
         checkFiles(scene, target, scenes.size());
         SceneLoader loader = new SceneLoader(environment(), warning -> err().println(Messages.warning(warning)));
         try (LoadingScene loading = new LoadingScene(loader, scene);
@@ -146,8 +143,9 @@ public final class RenderCommand extends FileCommand {
         Scene scene = scenes.get(0);
         PrintWriter err = err();
         PrintWriter out = out(output, linear);
-        PixelSamples samples = samples(scene);
-        String sampled = "; " + samples.describe();
+        PixelSamples samples = supersample != null
+                ? PixelSamples.uniform(supersample)
+                : PixelSamples.of(scene.method(), size.width(), size.height());
         try (TevClient viewer = tev.connect(err).orElse(null);
                 FrameSequence frames = new FrameSequence(
                         context,
@@ -158,8 +156,9 @@ public final class RenderCommand extends FileCommand {
                         viewer,
                         environment().progress())) {
             List<SceneData> parts = frames.parts();
-            SceneData.ofRegions(parts, RenderCommand::plan).forEach(plan -> err.println(plan + sampled));
-            List<Path> written = draw(frames, scenes, target);
+            SceneData.ofRegions(parts, RenderCommand::plan)
+                    .forEach(plan -> err.println(plan + "; " + samples.describe()));
+            List<Path> written = animation.isGiven() ? animate(frames, scenes, target) : draw(frames, scene, target);
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("scene", sceneName);
             report.put("plans", SceneData.ofRegions(parts, data -> data.method().summary()));
@@ -194,16 +193,14 @@ public final class RenderCommand extends FileCommand {
     }
 
     private int drawWireframe(Scene scene) {
-        if (animation.isGiven()
-                || linear != null
-                || resume
-                || overlays.hasLight()
-                || certify.count().isPresent()) {
-            throw new UsageException(
-                    "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
-        }
-        Path file = output != null ? output : Path.of(stem() + "-wireframe.png");
-        AtomicFile.checkWritable(file, overwrite(output));
+        UsageException.throwIf(
+                animation.isGiven()
+                        || linear != null
+                        || resume
+                        || overlays.hasLight()
+                        || certify.count().isPresent(),
+                "--wireframe is a picture without light; leave animations, --linear, --resume, --light-cone and --certify out");
+        Path file = writable(output, stem() + "-wireframe.png");
         MeshSource.Loaded mesh = scene.mesh().load();
         mesh.warnings().forEach(warning -> err().println(Messages.warning(warning)));
         BufferedImage image =
@@ -212,12 +209,6 @@ public final class RenderCommand extends FileCommand {
         Path written = PngWriter.write(file, overwrite(output), image, text);
         json.print(out(file), Map.of("scene", sceneName), List.of(written));
         return ExitCode.OK.code();
-    }
-
-    private PixelSamples samples(Scene scene) {
-        return supersample != null
-                ? PixelSamples.uniform(supersample)
-                : PixelSamples.of(scene.method(), size.width(), size.height());
     }
 
     private void check() {
@@ -229,12 +220,12 @@ public final class RenderCommand extends FileCommand {
             Ending.PNG.require("--output", output);
         }
         Ending.LINEAR.require("--linear", linear);
-        if (animation.isGiven() && linear != null) {
-            throw new UsageException("--linear is for single pictures; leave --light-sweep and --turntable out");
-        }
-        if (linear != null && linear.equals(output)) {
-            throw new UsageException("--linear " + linear + " is the picture's own name; give it another");
-        }
+        UsageException.throwIf(
+                animation.isGiven() && linear != null,
+                "--linear is for single pictures; leave --light-sweep and --turntable out");
+        UsageException.throwIf(
+                linear != null && linear.equals(output),
+                "--linear " + linear + " is the picture's own name; give it another");
     }
 
     private String stem() {
@@ -246,73 +237,61 @@ public final class RenderCommand extends FileCommand {
         return output != null || resume || overwrite() == Overwrite.REPLACE;
     }
 
-    private Overwrite ofPictures() {
-        return mayExist() || animation.isGiven() ? overwrite() : Overwrite.NUMBER;
-    }
-
     private Overwrite ofGif() {
         return resume ? Overwrite.REPLACE : overwrite();
     }
 
     /** Refuses what cannot be written, before anything is drawn. */
     private void checkFiles(Scene scene, Path target, int frames) {
-        if (scene.files().contains(target.toAbsolutePath().normalize().toString())) {
-            throw new UsageException("--output " + target + " is a file of the scene; give another name");
-        }
+        UsageException.throwIf(
+                scene.files().contains(target.toAbsolutePath().normalize().toString()),
+                "--output " + target + " is a file of the scene; give another name");
         if (animation.isGiven()) {
             OutputFolder.check(target);
             if (mayExist() && Files.isDirectory(target)) {
                 AtomicFile.checkWritable(target.resolve(GIF), ofGif());
             }
         }
-        if (!resume && (mayExist() || !animation.isGiven())) {
-            for (Path file : pictures(target, frames)) {
-                if (ofPictures() == Overwrite.REFUSE && Files.exists(file)) {
-                    throw new OutputException.Exists("cannot write " + file
-                            + ": it exists; add --resume to keep what is finished, or --force to replace it");
-                }
-                if (!animation.isGiven()) {
-                    AtomicFile.checkWritable(file, ofPictures());
-                }
-            }
+        if (!resume && mayExist() && overwrite() == Overwrite.REFUSE) {
+            List<Path> files = animation.isGiven() ? pictures(target, frames) : List.of(target);
+            files.stream().filter(Files::exists).findFirst().ifPresent(file -> {
+                throw new OutputException.Exists("cannot write " + file
+                        + ": it exists; add --resume to keep what is finished, or --force to replace it");
+            });
+        }
+        if (!resume && !animation.isGiven()) {
+            AtomicFile.checkWritable(target, mayExist() ? overwrite() : Overwrite.NUMBER);
         }
         AtomicFile.checkWritable(linear, overwrite());
     }
 
-    private List<Path> pictures(Path place, int frames) {
-        return !animation.isGiven()
-                ? List.of(place)
-                : IntStream.rangeClosed(1, frames)
-                        .mapToObj(frame -> place.resolve(Text.format("frame-%04d.png", frame)))
-                        .toList();
+    private static List<Path> pictures(Path folder, int frames) {
+        return IntStream.rangeClosed(1, frames)
+                .mapToObj(frame -> folder.resolve(Text.format("frame-%04d.png", frame)))
+                .toList();
     }
 
-    private List<Path> draw(FrameSequence frames, List<Scene> scenes, Path target) {
-        Path place = animation.isGiven() ? OutputFolder.claim(target, mayExist()) : target;
-        List<Path> pictures = pictures(place, scenes.size());
-        Overwrite overwrite = ofPictures();
-        List<Boolean> missing =
-                resume ? frames.missing(scenes, pictures, overwrite) : Collections.nCopies(pictures.size(), true);
-        AtomicFile.checkWritable(pictures.get(0), overwrite == Overwrite.NUMBER ? overwrite : Overwrite.REPLACE);
-        List<Path> written = new ArrayList<>();
-        if (!animation.isGiven()) {
-            written.addAll(frames.draw(scenes, pictures, missing, overwrite, linear));
-        } else {
-            Path gif = place.resolve(GIF);
-            AtomicFile.checkWritable(gif, ofGif());
-            String kept = "interrupted; finished frames are kept, add --resume to draw the others";
-            ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
-            try {
-                frames.draw(scenes, pictures, missing, overwrite, null);
-            } finally {
-                hook.close();
-            }
-            GifAnimation.write(gif, ofGif(), pictures, animation.frameRate());
-            written.addAll(List.of(place, gif));
+    private List<Path> draw(FrameSequence frames, Scene scene, Path target) {
+        Overwrite overwrite = mayExist() ? overwrite() : Overwrite.NUMBER;
+        AtomicFile.checkWritable(target, mayExist() ? Overwrite.REPLACE : Overwrite.NUMBER);
+        List<Path> written = frames.draw(List.of(scene), List.of(target), resume, overwrite, linear);
+        return linear == null ? written : List.of(written.get(0), linear);
+    }
+
+    private List<Path> animate(FrameSequence frames, List<Scene> scenes, Path target) {
+        Path folder = OutputFolder.claim(target, mayExist());
+        List<Path> pictures = pictures(folder, scenes.size());
+        Path gif = folder.resolve(GIF);
+        AtomicFile.checkWritable(pictures.get(0), Overwrite.REPLACE);
+        AtomicFile.checkWritable(gif, ofGif());
+        String kept = "interrupted; finished frames are kept, add --resume to draw the others";
+        ShutdownHook hook = new ShutdownHook(() -> err().println(Messages.error(kept)));
+        try {
+            frames.draw(scenes, pictures, resume, overwrite(), null);
+        } finally {
+            hook.close();
         }
-        if (linear != null) {
-            written.add(linear);
-        }
-        return written;
+        GifAnimation.write(gif, ofGif(), pictures, animation.frameRate());
+        return List.of(folder, gif);
     }
 }

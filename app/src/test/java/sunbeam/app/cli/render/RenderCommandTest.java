@@ -102,7 +102,7 @@ class RenderCommandTest extends CommandLineFixture {
     void sweepsHaveBothEndsAndWholeTurnsLeaveTheLastOut() {
         Sweep half = new Sweep(0, Math.PI);
         assertThat(half.at(4, 5)).isEqualTo(Math.PI);
-        assertThat(Sweep.ONCE_ROUND.at(3, 4)).isCloseTo(1.5 * Math.PI, within(1e-12));
+        assertThat(new Sweep(0, 2 * Math.PI).at(3, 4)).isCloseTo(1.5 * Math.PI, within(1e-12));
         assertThat(half.at(0, 1)).isZero();
     }
 
