@@ -4,6 +4,7 @@ import static sunbeam.app.scene.SceneSettings.MESH_UNIT;
 import static sunbeam.app.scene.SceneSettings.SCALES;
 import static sunbeam.app.scene.SceneSettings.TEXTURE;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -86,13 +87,12 @@ public final class MeshCommand extends FileCommand {
         });
         int vertices = read.mesh().vertices();
         int triangles = read.mesh().triangles();
+        PrintWriter out = out(target);
         if (json.isGiven()) {
-            json.print(
-                    out(target), Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
+            json.print(out, Map.of("mesh", mesh, "vertices", vertices, "triangles", triangles), List.of(written));
         } else {
-            out(target)
-                    .println(StandardOutput.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
-                            + MeshSource.count(triangles, "triangle"));
+            out.println(StandardOutput.name(written) + ": " + MeshSource.count(vertices, "vertex") + ", "
+                    + MeshSource.count(triangles, "triangle"));
         }
         return ExitCode.OK.code();
     }

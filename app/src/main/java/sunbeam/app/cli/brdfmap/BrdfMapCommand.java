@@ -14,7 +14,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import jrtr.gl.RenderContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -35,6 +34,7 @@ import sunbeam.app.files.input.LightTable;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
 import sunbeam.app.files.output.LinearFile;
+import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.files.output.PngWriter;
 import sunbeam.app.files.output.TevClient;
 import sunbeam.app.gpu.colors.DiffractionSetup;
@@ -148,8 +148,9 @@ public final class BrdfMapCommand extends FileCommand {
         RefractiveIndex material = material(asked);
         // All options are checked before scans are read.
         Direction towards = light.direction();
-        AtomicFile.checkWritable(output, resume.beforeLoading(overwrite()));
-        AtomicFile.checkWritable(linear, resume.beforeLoading(overwrite()));
+        Overwrite beforeResuming = resume.isGiven() ? Overwrite.REPLACE : overwrite();
+        AtomicFile.checkWritable(output, beforeResuming);
+        AtomicFile.checkWritable(linear, beforeResuming);
         PrintWriter err = err();
         CieTable spectrum = LightTable.of(asked);
         List<Surface> surfaces = compared
@@ -163,14 +164,13 @@ public final class BrdfMapCommand extends FileCommand {
         String names = patches.stream().map(Patch::name).limit(3).collect(Collectors.joining("-"));
         Path picture = output != null ? output : Path.of("brdf-" + names + ".png");
         PrintWriter out = out(picture, linear);
-        Optional<Path> linearFile = Optional.ofNullable(linear);
         String identity = resume.identity(patches);
-        Optional<Integer> finished = resume.finished(identity, picture, linearFile, err);
+        Optional<Integer> finished = resume.finished(identity, picture, linear, err);
         if (finished.isPresent()) {
-            Stream.concat(Stream.of(picture), linearFile.stream()).forEach(out::println);
+            files(picture).forEach(out::println);
             return finished.get();
         }
-        AtomicFile.checkWritable(picture, overwrite(resume.named(output, picture)));
+        AtomicFile.checkWritable(picture, overwrite(resume.isGiven() ? picture : output));
         AtomicFile.checkWritable(linear, overwrite());
         List<MaterialMap> materials = surfaces.stream()
                 .map(surface -> plan(surface, material, towards))
@@ -195,7 +195,7 @@ public final class BrdfMapCommand extends FileCommand {
                     .map(count -> firstMap.certify(first, count, factor, asked.get(MethodSettings.TOLERANCE)));
             MapSheet sheet = new MapSheet(maps, exposure.display(factor, asked));
             Optional<Patch> black = sheet.black();
-            String name = black.map(patch -> "the map of " + patch.name()).orElse("the map");
+            String name = "the map" + black.map(patch -> " of " + patch.name()).orElse("");
             doubt = DoubtfulPicture.judge(sheet.patches(), black.isPresent(), name, exposure.isAutomatic(), err);
             Map<String, String> text = sheet.text();
             String wide = asked.has(ANGULAR_DIAMETER) ? ", " + asked.written(ANGULAR_DIAMETER) + " wide" : "";
@@ -222,12 +222,16 @@ public final class BrdfMapCommand extends FileCommand {
                 maps.forEach(map -> show(map, viewer));
             }
         }
-        json.print(out, report, linear == null ? List.of(written) : List.of(written, linear));
+        json.print(out, report, files(written));
         if (isPlain()) {
             err.println("next: ./sunbeam view");
         }
         ExitCode certified = CertifyOption.judge(certificate, firstMap.plan(), choices, json.text(out), err);
         return (certified == ExitCode.OK ? doubt : certified).code();
+    }
+
+    private List<Path> files(Path picture) {
+        return linear == null ? List.of(picture) : List.of(picture, linear);
     }
 
     private void check() {
@@ -293,7 +297,7 @@ public final class BrdfMapCommand extends FileCommand {
 
     /** Writes the picture and, if requested, the linear file; neither appears under its name before both are complete. */
     private Path write(Path picture, BufferedImage image, Map<String, String> text, LinearPicture map) {
-        try (AtomicFile png = AtomicFile.create(picture, overwrite(resume.named(output, picture)));
+        try (AtomicFile png = AtomicFile.create(picture, overwrite(resume.isGiven() ? picture : output));
                 AtomicFile numbers = linear == null ? null : AtomicFile.create(linear, overwrite())) {
             if (numbers != null) {
                 numbers.fill(LinearFile.of(linear, map.xyz(), size, size));

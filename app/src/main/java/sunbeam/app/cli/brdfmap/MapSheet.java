@@ -53,26 +53,24 @@ record MapSheet(List<Result> maps, DisplayTransform display) {
         Direction light = map.light();
         ReferenceMethod exact = map.method().referenceMethod(patch.heights());
         String average = exact.area().average() == Average.COHERENT ? ", one coherence area" : ", ensemble average";
+        Optional<String> side = ScanLimit.of(asked, patch).limiting();
+        String size =
+                length(patch.heights().width()) + " x " + length(patch.heights().height());
+        String aim = Text.format(
+                "light %s\u00b0 from the normal, azimuth %s\u00b0; ",
+                degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
+                degrees(Math.atan2(light.y(), light.x())));
+        String window = "coherence length " + length(map.coherenceLength())
+                + side.map(limit -> " (the scan's " + limit + ")").orElse("")
+                + (exact.replicas().isPresent() ? "" : average);
         return List.of(
-                Text.format(
-                        "%s: %s x %s, relief %s",
-                        patch.name(),
-                        Lengths.rounded(patch.heights().width(), 4),
-                        Lengths.rounded(patch.heights().height(), 4),
-                        Lengths.rounded(patch.scan().relief(), 4)),
-                Text.format(
-                        "light %s\u00b0 from the normal, azimuth %s\u00b0; %scoherence length %s%s%s; method %s",
-                        degrees(Math.atan2(Math.hypot(light.x(), light.y()), light.z())),
-                        degrees(Math.atan2(light.y(), light.x())),
-                        remarks,
-                        Lengths.rounded(map.coherenceLength(), 4),
-                        ScanLimit.of(asked, patch)
-                                .limiting()
-                                .map(side -> " (the scan's " + side + ")")
-                                .orElse(""),
-                        exact.replicas().isPresent() ? "" : average,
-                        map.method().type().label()),
+                patch.name() + ": " + size + ", relief " + length(patch.scan().relief()),
+                aim + remarks + window + "; method " + map.method().type().label(),
                 last);
+    }
+
+    private static String length(double meters) {
+        return Lengths.rounded(meters, 4);
     }
 
     private static String degrees(double radians) {

@@ -85,9 +85,9 @@ final class MaterialMap {
         this.turn = choices.get(SceneSettings.ROTATE_PATCH);
         Optional<EnergyDivisor> divisor = choices.get(SceneSettings.ENERGY, Energy.SCALAR)
                 .divisor(setup.patch().heights(), index, choices);
+        List<ReflectionPart> reflections = ReflectionPart.of(index, setup.cie());
         this.parts = points().stream()
-                .flatMap(
-                        point -> ReflectionPart.of(index, setup.cie()).stream().map(part -> part(point, part, divisor)))
+                .flatMap(point -> reflections.stream().map(part -> part(point, part, divisor)))
                 .toList();
     }
 
@@ -172,16 +172,11 @@ final class MaterialMap {
                 sigma = tables.windowSigma();
             }
         }
-        return new Result(
-                setup.patch(),
-                light,
-                method,
-                plan().summary(),
-                trials.stream().filter(trial -> !trial.isEmpty()).collect(Collectors.joining("; ")),
-                parts.get(0).point.choices.equals(choices)
-                        ? 4 * sigma
-                        : GaussianArea.windowOf(choices).coherenceLength(),
-                new LinearPicture(size, size, sum));
+        boolean isPoint = parts.get(0).point.choices.equals(choices);
+        double length = isPoint ? 4 * sigma : GaussianArea.windowOf(choices).coherenceLength();
+        String trial = trials.stream().filter(line -> !line.isEmpty()).collect(Collectors.joining("; "));
+        LinearPicture picture = new LinearPicture(size, size, sum);
+        return new Result(setup.patch(), light, method, plan().summary(), trial, length, picture);
     }
 
     private void add(LinearPicture map, Part part, float[] sum) {

@@ -170,7 +170,7 @@ public final class EvaluateCommand extends FileCommand {
         }
         MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(grid.pairs()));
         if (methodOptions.explains()) {
-            methodOptions.print(plan, err());
+            methodOptions.print("", plan, err());
         }
         return Optional.of(plan);
     }

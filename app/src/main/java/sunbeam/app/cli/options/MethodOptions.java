@@ -69,12 +69,11 @@ public final class MethodOptions extends SettingOptions {
         }
     }
 
-    /** Prints a method's plan, its reasons if {@code --explain} is given, and its warnings. */
-    public void print(MethodPlan method, PrintWriter out) {
-        print("", method, out);
-    }
-
-    /** Prints like {@link #print(MethodPlan, PrintWriter)}, after the name of one of several patches unless it is empty. */
+    /**
+     * Prints a method's plan, its reasons if {@code --explain} is given, and its warnings.
+     *
+     * @param patch name of one of several patches; empty for a single one
+     */
     public void print(String patch, MethodPlan method, PrintWriter out) {
         String name = patch.isEmpty() ? "" : Quoted.oneLine(patch) + ": ";
         print("plan: " + name, method.summary(), method.reasons(), out);

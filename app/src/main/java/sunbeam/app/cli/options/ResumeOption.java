@@ -1,11 +1,12 @@
 package sunbeam.app.cli.options;
 
+import java.io.File;
+import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +18,6 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import sunbeam.app.files.input.PngText;
-import sunbeam.app.files.output.Overwrite;
 import sunbeam.app.terminal.Environment;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
@@ -58,16 +58,6 @@ public final class ResumeOption {
         return resume;
     }
 
-    /** Returns the rule for existing files before the surfaces and thus the hash are known: with {@code --resume} they may exist. */
-    public Overwrite beforeLoading(Overwrite overwrite) {
-        return resume ? Overwrite.REPLACE : overwrite;
-    }
-
-    /** Returns the name to treat as the user's: with {@code --resume} also a chosen one, so that a file is replaced, not numbered. */
-    public Path named(Path byUser, Path chosen) {
-        return resume ? chosen : byUser;
-    }
-
     /** Returns a SHA-256 hash, in hexadecimal, of everything that determines the output. */
     public String identity(List<Patch> patches) {
         List<String> words = new ArrayList<>(List.of(command.qualifiedName()));
@@ -86,36 +76,31 @@ public final class ResumeOption {
         for (String word : words) {
             String[] option = word.split("=", 2);
             if (!IGNORED.contains(option[0])) {
-                hash.add("|" + word);
-                try {
-                    addFile(hash, Path.of(option[option.length - 1]));
-                } catch (InvalidPathException noFile) {
-                    // The value is no path.
-                }
+                addFile(hash.add("|" + word), option[option.length - 1]);
             }
         }
         return hash.hex();
     }
 
-    private static Sha256 addFile(Sha256 hash, Path file) {
-        if (!Files.isRegularFile(file)) {
+    /** Adds the content of a file; nothing if the text names none. */
+    private static Sha256 addFile(Sha256 hash, String file) {
+        if (!new File(file).isFile()) {
             return hash;
         }
-        try (InputStream stream = Files.newInputStream(file)) {
-            for (byte[] block = stream.readNBytes(BLOCK_BYTES);
-                    block.length > 0;
-                    block = stream.readNBytes(BLOCK_BYTES)) {
-                hash.add(block);
+        try (InputStream stream = new FileInputStream(file)) {
+            byte[] block = new byte[BLOCK_BYTES];
+            for (int count = stream.read(block); count > 0; count = stream.read(block)) {
+                hash.add(ByteBuffer.wrap(block, 0, count));
             }
             return hash;
         } catch (IOException failure) {
             // The command has read this file before, so a failure here is no mistake of the user.
-            throw new UncheckedIOException(file.toString(), failure);
+            throw new UncheckedIOException(file, failure);
         }
     }
 
     public static void noteLinear(Map<String, String> text, Path file) {
-        text.put(LINEAR_HASH, addFile(new Sha256(), file).hex());
+        text.put(LINEAR_HASH, addFile(new Sha256(), file.toString()).hex());
     }
 
     /** Adds to a picture's text the entries that {@link #finished} reads. */
@@ -124,14 +109,14 @@ public final class ResumeOption {
         text.put(EXIT_CODE, Integer.toString(code.code()));
     }
 
-    /** Returns the exit code of the earlier run that wrote these files with the same options; empty without {@code --resume}. */
-    public Optional<Integer> finished(String identity, Path picture, Optional<Path> linear, PrintWriter err) {
+    /** Returns the exit code of the earlier run that wrote these files, the second of which may be null, with the same options. */
+    public Optional<Integer> finished(String identity, Path picture, Path linear, PrintWriter err) {
         if (!resume) {
             return Optional.empty();
         }
         Optional<Integer> code = PngText.find(picture, identity)
-                .filter(text -> linear.isEmpty()
-                        || addFile(new Sha256(), linear.get()).hex().equals(text.get(LINEAR_HASH)))
+                .filter(text -> linear == null
+                        || addFile(new Sha256(), linear.toString()).hex().equals(text.get(LINEAR_HASH)))
                 .map(text -> text.getOrDefault(EXIT_CODE, ""))
                 .filter(number -> number.matches("\\d{1,3}"))
                 .map(Integer::valueOf);

@@ -79,11 +79,12 @@ public class SettingOptions {
 
     private String description(Setting<?> setting) {
         String help = setting.help().in(OptionOrigin.INSTANCE);
-        Optional<String> standard = Optional.ofNullable(helpTexts.get(setting));
-        if (!overriding) {
-            standard = standard.or(setting::writtenStandard);
-        }
-        return help + standard.map(value -> " Default: " + value + ".").orElse("");
+        Optional<String> standard = overriding ? Optional.empty() : setting.writtenStandard();
+        return help
+                + Optional.ofNullable(helpTexts.get(setting))
+                        .or(() -> standard)
+                        .map(value -> " Default: " + value + ".")
+                        .orElse("");
     }
 
     /** Returns the choices that the command line makes among these settings; throws a {@code SettingException} for invalid values. */

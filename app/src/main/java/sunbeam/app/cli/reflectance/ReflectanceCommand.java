@@ -133,7 +133,7 @@ public final class ReflectanceCommand extends FileCommand {
             return ExitCode.OK.code();
         }
         MethodPlan plan = method.plan(setup.surface(), VisibleRange.of(list.pairs()));
-        methodOptions.print(plan, err);
+        methodOptions.print("", plan, err);
         MethodUse use = list.spectral() ? MethodUse.SPECTRAL : MethodUse.COLOR;
         ShaderTables tables = setup.tables(plan, use);
         methodOptions.printTrial(tables.trial(), err);
