@@ -24,6 +24,8 @@ import sunbeam.app.cli.evaluate.EvaluateCommand;
 import sunbeam.app.cli.export.ExportCommand;
 import sunbeam.app.cli.figures.FiguresCommand;
 import sunbeam.app.cli.inspect.InspectCommand;
+import sunbeam.app.cli.options.PictureSize;
+import sunbeam.app.cli.options.Range;
 import sunbeam.app.cli.options.ReportingCommand;
 import sunbeam.app.cli.orders.OrdersCommand;
 import sunbeam.app.cli.reflectance.ReflectanceCommand;
@@ -155,6 +157,8 @@ public final class Sunbeam {
         root.setOut(out);
         root.setErr(err);
         root.setCaseInsensitiveEnumValuesAllowed(true);
+        root.registerConverter(Range.class, Range::parse);
+        root.registerConverter(PictureSize.class, PictureSize::parse);
         root.getSubcommands().values().forEach(sub -> CommandHelp.install(sub, completeHelp));
         describe(root);
         root.getCommandSpec()

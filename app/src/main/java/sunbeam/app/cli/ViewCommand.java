@@ -46,7 +46,6 @@ public final class ViewCommand extends ReportingCommand {
     @Option(
             names = "--size",
             paramLabel = "WxH",
-            converter = PictureSize.Converter.class,
             description =
                     "Width and height of the picture in the window, in pixels. Default: what a window of 1180x880 leaves for it.")
     private PictureSize size;

@@ -3,7 +3,6 @@ package sunbeam.app.cli.brdfmap;
 import static sunbeam.app.scene.SceneSettings.ANGULAR_DIAMETER;
 import static sunbeam.app.scene.SceneSettings.ENERGY;
 import static sunbeam.app.scene.SceneSettings.ROTATE_PATCH;
-import static sunbeam.precompute.method.Methods.METHOD;
 
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
@@ -202,7 +201,7 @@ public final class BrdfMapCommand extends FileCommand {
             text.put("Light", light.describe() + wide);
             text.put("Patch turned", Angles.format(asked.get(ROTATE_PATCH)));
             text.put("Energy", asked.written(ENERGY));
-            text.put("Method", choices.get(METHOD).label());
+            text.put("Method", choices.get(Methods.METHOD).label());
             text.put("Options", Methods.describe(choices));
             text.put("Index", index.describe(material));
             text.put("Renderer", context.info().renderer());
@@ -283,7 +282,7 @@ public final class BrdfMapCommand extends FileCommand {
         Map<String, Object> fields = ReportFields.of(patch, period, Verdict.of(patch, period, theta));
         fields.put("theta_i_deg", theta);
         fields.put("phi_i_deg", light.degrees(LightOptions.PHI_I));
-        fields.put("method", surface.choices.get(METHOD).label());
+        fields.put("method", surface.choices.get(Methods.METHOD).label());
         fields.put("options", Methods.describe(surface.choices));
         return fields;
     }

@@ -206,7 +206,7 @@ public final class Collection {
             return List.of(text);
         }
         try {
-            return Arrays.stream(new Range.Converter().convert(text).values())
+            return Arrays.stream(Range.parse(text).values())
                     .mapToObj(Decimals::format)
                     .toList();
         } catch (TypeConversionException wrong) {

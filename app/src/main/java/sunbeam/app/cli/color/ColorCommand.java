@@ -101,7 +101,6 @@ public final class ColorCommand extends FileCommand {
     @Option(
             names = "--angles",
             paramLabel = "MIN:MAX:STEP",
-            converter = Range.Converter.class,
             defaultValue = "-80:80:1",
             description = "Viewing angles in degrees. Each color is the mean over a step, 1 degree by default: what a"
                     + " pupil of 4 mm takes in 25 cm away. Default: ${DEFAULT-VALUE}.")

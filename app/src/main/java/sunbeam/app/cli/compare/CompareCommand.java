@@ -18,7 +18,6 @@ import sunbeam.app.cli.options.FileCommand;
 import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.SettingOptions;
 import sunbeam.app.cli.render.FrameSequence;
-import sunbeam.app.cli.render.Overlays;
 import sunbeam.app.cli.render.SceneOverrides;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.Ending;
@@ -93,7 +92,6 @@ public final class CompareCommand extends FileCommand {
     @Option(
             names = "--size",
             paramLabel = "WxH",
-            converter = PictureSize.Converter.class,
             description = "Size to which the photograph is reduced, and of the drawn scene, with the photograph's"
                     + " ratio of sides. Default: the photograph's size, with a longer side of 1024 pixels at most.")
     private PictureSize size;
@@ -157,7 +155,7 @@ public final class CompareCommand extends FileCommand {
         try (LoadingScene loading = new LoadingScene(loader, scene);
                 RenderContext context = loading.offscreen();
                 FrameSequence frames = new FrameSequence(
-                        context, loading.upload(context), size, samples, new Overlays(), null, display)) {
+                        context, loading.upload(context), size, samples, new FrameSequence.Overlays(), null, display)) {
             err().println("plan: " + frames.parts().get(0).method().summary());
             return frames.light(scene);
         }

@@ -1,7 +1,5 @@
 package sunbeam.app.cli.evaluate;
 
-import static sunbeam.precompute.method.Methods.METHOD;
-
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -99,7 +97,7 @@ public final class EvaluateCommand extends FileCommand {
     private int evaluate(Choices asked) {
         grating.check();
         Methods.of(asked);
-        if (!Arrays.asList(POWER).contains(asked.get(METHOD))) {
+        if (!Arrays.asList(POWER).contains(asked.get(Methods.METHOD))) {
             throw DiffractionSetup.withoutPower();
         }
         if (output != null) {
@@ -217,7 +215,7 @@ public final class EvaluateCommand extends FileCommand {
         Map<String, Object> tree = evaluation.tree();
         GaussianArea area = GaussianArea.of(choices);
         tree.put("program", "Sunbeam " + Environment.version());
-        tree.put("method", choices.get(METHOD).label());
+        tree.put("method", choices.get(Methods.METHOD).label());
         tree.put("options", Methods.describe(choices));
         plan.ifPresent(made -> tree.put("plan", made.summary()));
         tree.put("average", ValueKind.name(area.average()));
@@ -239,7 +237,7 @@ public final class EvaluateCommand extends FileCommand {
     }
 
     private String title(Choices choices) {
-        MethodType method = choices.get(METHOD);
+        MethodType method = choices.get(Methods.METHOD);
         return method.label()
                 + (Preset.isThesis(choices) ? ", preset thesis" : "")
                 + (method.equals(PqMethod.TYPE) ? ", " + ValueKind.name(PqMethod.interpolation(choices)) : "");

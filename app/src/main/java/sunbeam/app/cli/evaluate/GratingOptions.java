@@ -64,7 +64,6 @@ public final class GratingOptions extends SettingOptions {
     @Option(
             names = "--angles",
             paramLabel = "MIN:MAX:STEP",
-            converter = Range.Converter.class,
             description = "Angles theta_r of the viewer in degrees, positive on the light's side, so that the mirror"
                     + " is at -theta_i. Default: 1500 angles over the range of the first order.")
     private Range angles;
@@ -72,7 +71,6 @@ public final class GratingOptions extends SettingOptions {
     @Option(
             names = "--wavelengths",
             paramLabel = "MIN:MAX:STEP",
-            converter = Range.Converter.class,
             defaultValue = "380:780:2",
             description = "Wavelengths in nm, within 380..780; of one alone the plot is the response over the angle."
                     + " Default: ${DEFAULT-VALUE}.")

@@ -1,8 +1,5 @@
 package sunbeam.app.cli.options;
 
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /** Width and height of a picture in pixels, 1 to 16384 each. */
@@ -24,23 +21,17 @@ public record PictureSize(int width, int height) {
         return width + "x" + height;
     }
 
-    public static final class Converter implements ITypeConverter<PictureSize> {
-        private static final Pattern SIZE = Pattern.compile("(\\d{1,6})(?:[xX](\\d{1,6}))?");
-
-        @Override
-        public PictureSize convert(String text) {
-            Matcher matcher = SIZE.matcher(text.strip());
-            if (!matcher.matches()) {
-                throw new TypeConversionException(
-                        "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
-            }
-            try {
-                String width = matcher.group(1);
-                String height = matcher.group(2) == null ? width : matcher.group(2);
-                return new PictureSize(Integer.parseInt(width), Integer.parseInt(height));
-            } catch (IllegalArgumentException outOfRange) {
-                throw new TypeConversionException(outOfRange.getMessage());
-            }
+    /** Parses {@code WIDTHxHEIGHT}, or the side of a square. */
+    public static PictureSize parse(String text) {
+        if (!text.strip().matches("\\d{1,6}([xX]\\d{1,6})?")) {
+            throw new TypeConversionException(
+                    "'" + text + "' is not a size; give WIDTHxHEIGHT as in 800x600, or one side of a square");
+        }
+        String[] sides = text.strip().split("[xX]", -1);
+        try {
+            return new PictureSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[sides.length - 1]));
+        } catch (IllegalArgumentException outOfRange) {
+            throw new TypeConversionException(outOfRange.getMessage());
         }
     }
 }

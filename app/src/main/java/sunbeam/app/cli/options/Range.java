@@ -1,8 +1,6 @@
 package sunbeam.app.cli.options;
 
-import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import sunbeam.app.terminal.UsageException;
 import sunbeam.precompute.units.Decimals;
@@ -51,27 +49,24 @@ public record Range(double minimum, double maximum, double step) {
     }
 
     /** Parses {@code min:max:step}, or one number, in the option's unit. */
-    public static final class Converter implements ITypeConverter<Range> {
-        @Override
-        public Range convert(String text) {
-            String[] parts = text.split(":", -1);
-            if (parts.length != 1 && parts.length != 3) {
-                throw new TypeConversionException("'" + text + "' is not a range; give min:max:step as in 380:780:5");
-            }
-            try {
-                double first = number(text, parts[0]);
-                return parts.length == 1
-                        ? new Range(first, first, 1)
-                        : new Range(first, number(text, parts[1]), number(text, parts[2]));
-            } catch (IllegalArgumentException failure) {
-                throw new TypeConversionException("'" + text + "' is not a range: " + failure.getMessage());
-            }
+    public static Range parse(String text) {
+        String[] parts = text.split(":", -1);
+        if (parts.length != 1 && parts.length != 3) {
+            throw new TypeConversionException("'" + text + "' is not a range; give min:max:step as in 380:780:5");
         }
+        try {
+            double first = number(parts[0]);
+            return parts.length == 1
+                    ? new Range(first, first, 1)
+                    : new Range(first, number(parts[1]), number(parts[2]));
+        } catch (IllegalArgumentException failure) {
+            throw new TypeConversionException("'" + text + "' is not a range: " + failure.getMessage());
+        }
+    }
 
-        private static double number(String text, String part) {
-            OptionalDouble value = Decimals.parse(part);
-            return value.orElseThrow(() -> new TypeConversionException("'" + text + "' is not a range: '" + part
-                    + "' is not a number; give min:max:step as in 380:780:5"));
-        }
+    private static double number(String text) {
+        return Decimals.parse(text)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "'" + text + "' is not a number; give min:max:step as in 380:780:5"));
     }
 }

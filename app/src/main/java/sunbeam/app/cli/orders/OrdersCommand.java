@@ -80,7 +80,6 @@ public final class OrdersCommand extends FileCommand {
     @Option(
             names = "--theta-i",
             paramLabel = "ANGLES",
-            converter = Range.Converter.class,
             defaultValue = "0",
             description = "Angle of the light to the normal in degrees, or angles MIN:MAX:STEP, within 0 to 89.9."
                     + " Default: ${DEFAULT-VALUE}.")
@@ -89,7 +88,6 @@ public final class OrdersCommand extends FileCommand {
     @Option(
             names = "--wavelengths",
             paramLabel = "MIN:MAX:STEP",
-            converter = Range.Converter.class,
             defaultValue = "380:780:5",
             description = "Wavelengths in nm, or one, within 380..780. Default: ${DEFAULT-VALUE}.")
     private Range wavelengths;

@@ -17,6 +17,7 @@ import java.util.stream.IntStream;
 import jrtr.GraphicsException;
 import jrtr.Tile;
 import jrtr.gl.RenderContext;
+import picocli.CommandLine.Option;
 import sunbeam.app.cli.options.CertifyOption;
 import sunbeam.app.cli.options.PictureSize;
 import sunbeam.app.cli.options.ReportFields;
@@ -31,7 +32,9 @@ import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
+import sunbeam.app.render.LightCone;
 import sunbeam.app.render.PartSum;
+import sunbeam.app.render.LineDrawings;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.render.PixelSamples;
@@ -260,5 +263,42 @@ public final class FrameSequence implements AutoCloseable {
     @Override
     public void close() {
         sessions.forEach(SceneSession::close);
+    }
+
+    /** Options {@code --light-cone} and {@code --strokes}, drawings over a picture; a picocli mixin. */
+    public static final class Overlays {
+        @Option(
+                names = "--light-cone",
+                description = "Also draw a cone from the middle of the picture towards the light, as the viewer does.")
+        private boolean lightCone;
+
+        @Option(
+                names = "--strokes",
+                description =
+                        "Also draw the direction of the nanostructure: dots on the skin, each with a stroke along the patch's x axis. With --wireframe, strokes along the vertices' normals.")
+        private boolean strokes;
+
+        boolean hasLight() {
+            return lightCone;
+        }
+
+        boolean hasStrokes() {
+            return strokes;
+        }
+
+        /** Returns words for the picture's identity, by which {@code --resume} recognizes it. */
+        String describe() {
+            return (lightCone ? ", cone" : "") + (strokes ? ", strokes" : "");
+        }
+
+        void paint(BufferedImage image, Scene scene, SceneSession session) {
+            if (strokes) {
+                session.update(scene);
+                LineDrawings.strokes(image.createGraphics(), session, image.getWidth(), image.getHeight());
+            }
+            if (lightCone) {
+                LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());
+            }
+        }
     }
 }

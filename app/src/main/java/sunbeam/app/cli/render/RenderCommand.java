@@ -86,7 +86,6 @@ public final class RenderCommand extends FileCommand {
             names = "--size",
             paramLabel = "WxH",
             defaultValue = "800x600",
-            converter = PictureSize.Converter.class,
             description = "Width and height in pixels. Default: ${DEFAULT-VALUE}.")
     private PictureSize size;
 
@@ -111,7 +110,7 @@ public final class RenderCommand extends FileCommand {
     private boolean resume;
 
     @Mixin
-    private final Overlays overlays = new Overlays();
+    private final FrameSequence.Overlays overlays = new FrameSequence.Overlays();
 
     @Option(
             names = "--wireframe",

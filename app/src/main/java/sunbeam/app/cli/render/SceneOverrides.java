@@ -69,11 +69,13 @@ public final class SceneOverrides {
                 && !scene.method().type().has(PRESET);
         Choices given = chooses ? asked.with(METHOD, FullMethod.TYPE) : asked;
         checkAverage(scene, given);
-        Choices placed = withAbsoluteName(
-                withAbsoluteName(given, SceneSettings.MESH, BuiltInMeshes.names()), TEXTURE, BodyTexture.names());
-        Choices lit = withAbsoluteName(placed, ILLUMINANT, Illuminant.NAMES);
-        Choices chosen = withAbsoluteIndex(withAbsoluteName(lit, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE)));
-        return patch(scene.with(chosen), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
+        Choices located = withAbsoluteIndex(given);
+        located = withAbsoluteName(located, SceneSettings.MESH, BuiltInMeshes.names());
+        located = withAbsoluteName(located, TEXTURE, BodyTexture.names());
+        located = withAbsoluteName(located, ILLUMINANT, Illuminant.NAMES);
+        located = withAbsoluteName(located, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
+        located = withAbsoluteName(located, PATCH, BuiltInPatches.names());
+        return patch(scene.with(located), located);
     }
 
     /**

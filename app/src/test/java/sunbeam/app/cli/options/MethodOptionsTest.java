@@ -142,8 +142,6 @@ class MethodOptionsTest {
         assertThat(light.describe()).as("as typed").isEqualTo("theta 30, phi -0.1 degrees");
     }
 
-    private final Range.Converter converter = new Range.Converter();
-
     @ParameterizedTest
     @CsvSource({
         "380:780:5, 81, 380, 780",
@@ -153,16 +151,13 @@ class MethodOptionsTest {
         "550, 1, 550, 550"
     })
     void aRangeHasBothEndsUnlessTheStepDoesNotMeetTheLast(String text, int count, double first, double last) {
-        assertThat(converter.convert(text).values())
-                .hasSize(count)
-                .startsWith(first)
-                .endsWith(last);
+        assertThat(Range.parse(text).values()).hasSize(count).startsWith(first).endsWith(last);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", "1:2", "1:2:3:4", "a:2:1", "2:1:1", "1:2:0", "1:2:-1", "1:NaN:1", "0:1e9:1e-9"})
     void anythingElseIsRefused(String text) {
-        assertThatThrownBy(() -> converter.convert(text))
+        assertThatThrownBy(() -> Range.parse(text))
                 .isInstanceOf(TypeConversionException.class)
                 .hasMessageStartingWith("'" + text + "' is not a range");
     }
