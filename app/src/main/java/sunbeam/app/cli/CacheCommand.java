@@ -37,19 +37,18 @@ public final class CacheCommand extends ReportingCommand {
     @Override
     public Integer call() {
         CacheFolder folder = CacheFolder.of(environment());
-        PrintWriter out = out();
         if (clear) {
-            clear(folder, out);
+            clear(folder);
         } else {
-            list(folder, out);
+            list(folder);
         }
         return ExitCode.OK.code();
     }
 
-    private static void clear(CacheFolder folder, PrintWriter out) {
+    private void clear(CacheFolder folder) {
         List<CacheFolder.Entry> left = new ArrayList<>(folder.entries());
         List<CacheFolder.Entry> removed = folder.clear();
-        out.println(Text.format("%s: removed %s", folder.path(), count(removed)));
+        out().println(folder.path() + ": removed " + count(removed));
         left.removeAll(removed);
         if (left.stream().anyMatch(entry -> Files.exists(entry.file()))) {
             throw new OutputException("cannot remove " + count(left) + " from " + folder.path()
@@ -58,23 +57,19 @@ public final class CacheCommand extends ReportingCommand {
         }
     }
 
-    private static void list(CacheFolder folder, PrintWriter out) {
+    private void list(CacheFolder folder) {
         List<CacheFolder.Entry> entries = folder.entries();
-        out.println(
-                Text.format("%s: %s of at most %s", folder.path(), count(entries), ByteSize.format(folder.limit())));
-        if (entries.isEmpty()) {
-            return;
+        PrintWriter out = out();
+        out.println(folder.path() + ": " + count(entries) + " of at most " + ByteSize.format(folder.limit()));
+        if (!entries.isEmpty()) {
+            out.println();
+            out.println("      size  last used         for                       what");
         }
-        out.println();
-        out.println("      size  last used         for                       what");
         for (CacheFolder.Entry entry : entries) {
             TableLabel label = label(entry);
-            out.println(Text.format(
-                    "  %8s  %s  %-24s  %s",
-                    ByteSize.format(entry.bytes()),
-                    TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault())),
-                    label.patch(),
-                    label.what()));
+            String size = ByteSize.format(entry.bytes());
+            String time = TIME.format(entry.lastUsed().atZone(ZoneId.systemDefault()));
+            out.println(Text.format("  %8s  %s  %-24s  %s", size, time, label.patch(), label.what()));
         }
     }
 

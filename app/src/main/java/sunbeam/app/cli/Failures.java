@@ -44,8 +44,8 @@ record Failures(PrintWriter err, BooleanSupplier debug) {
             return plain(mistake);
         }
         String argument = unmatched.getUnmatched().get(0);
-        boolean hasCommands = !mistake.getCommandLine().getSubcommands().isEmpty();
-        if (!unmatched.isUnknownOption() && !hasCommands) {
+        if (!unmatched.isUnknownOption()
+                && mistake.getCommandLine().getSubcommands().isEmpty()) {
             return "unknown argument '" + argument + "'; values follow options, without blanks or in quotes";
         }
         if (unmatched.isUnknownOption() && isOptionOfACommand(mistake, argument)) {

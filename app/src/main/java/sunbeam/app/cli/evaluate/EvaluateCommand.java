@@ -162,15 +162,11 @@ public final class EvaluateCommand extends FileCommand {
     }
 
     private Optional<MethodPlan> plan(DiffractionSetup setup, Choices choices, ResponseGrid grid) {
-        Method chosen = Methods.of(choices);
-        if (chosen instanceof ReferenceMethod) {
-            return Optional.empty();
-        }
-        MethodPlan plan = chosen.plan(setup.surface(), VisibleRange.of(grid.pairs()));
-        if (methodOptions.explains()) {
-            methodOptions.print("", plan, err());
-        }
-        return Optional.of(plan);
+        Optional<MethodPlan> plan = Optional.of(Methods.of(choices))
+                .filter(method -> !(method instanceof ReferenceMethod))
+                .map(method -> method.plan(setup.surface(), VisibleRange.of(grid.pairs())));
+        plan.filter(made -> methodOptions.explains()).ifPresent(made -> methodOptions.print("", made, err()));
+        return plan;
     }
 
     private static ResponseMatrix exact(DiffractionSetup setup, Method method, ResponseGrid grid) {
@@ -230,9 +226,7 @@ public final class EvaluateCommand extends FileCommand {
         text.put("Patch", evaluation.patch().source());
         text.put("Method", tree.get("method").toString());
         text.put("Options", tree.get("options").toString());
-        if (tree.containsKey("plan")) {
-            text.put("Plan", tree.get("plan").toString());
-        }
+        Optional.ofNullable(tree.get("plan")).ifPresent(plan -> text.put("Plan", plan.toString()));
         return text;
     }
 

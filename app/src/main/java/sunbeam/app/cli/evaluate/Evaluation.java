@@ -24,6 +24,7 @@ import sunbeam.app.files.plot.Sheet;
 import sunbeam.app.terminal.OptionOrigin;
 import sunbeam.precompute.analysis.GratingPeriod;
 import sunbeam.precompute.analysis.Verdict;
+import sunbeam.precompute.evaluation.GratingPlane;
 import sunbeam.precompute.evaluation.GratingPlane.FirstOrder;
 import sunbeam.precompute.evaluation.ResponseMatrix;
 import sunbeam.precompute.evaluation.ResponseMatrix.ResponseGrid;
@@ -82,19 +83,17 @@ record Evaluation(
 
     private static String ordersRunTogether(Patch patch, double period, CoherenceWindow window) {
         double needed = CoherenceWindow.ofCoherenceLength(1).sigmaFrequency() * APART * period;
-        String longer = Lengths.format(new BigDecimal(needed)
-                .round(new MathContext(2, RoundingMode.UP))
-                .doubleValue());
+        BigDecimal rounded = new BigDecimal(needed).round(new MathContext(2, RoundingMode.UP));
+        String longer = Lengths.format(rounded.doubleValue());
         // No window is longer than a scan that does not repeat.
         boolean possible = patch.repetition() != Patch.Repetition.NONE || needed < patch.shorterSide();
+        String option = OptionOrigin.INSTANCE.name(MethodSettings.COHERENCE_LENGTH);
         return Text.format(
                 "light with a coherence length of %s sees a period of about %s %.1f times at once, too few to tell its orders apart; %s or more does",
                 Lengths.rounded(window.coherenceLength(), 4),
                 Lengths.rounded(period, 2),
                 window.coherenceLength() / period,
-                possible
-                        ? OptionOrigin.INSTANCE.name(MethodSettings.COHERENCE_LENGTH) + " " + longer
-                        : "a scan whose shorter side is " + longer);
+                (possible ? option : "a scan whose shorter side is") + " " + longer);
     }
 
     Verdict verdict() {
@@ -102,10 +101,8 @@ record Evaluation(
     }
 
     String light() {
-        return Text.format(
-                "light at %s degrees, azimuth %s degrees",
-                degrees(response.grid().plane().thetaI()),
-                degrees(response.grid().plane().azimuth()));
+        GratingPlane plane = response.grid().plane();
+        return "light at " + degrees(plane.thetaI()) + " degrees, azimuth " + degrees(plane.azimuth()) + " degrees";
     }
 
     private static String degrees(double radians) {
@@ -210,19 +207,19 @@ record Evaluation(
                     .line("response", angles, values[0])
                     .draw();
         }
-        double largest =
-                Arrays.stream(values).flatMapToDouble(Arrays::stream).max().orElseThrow();
-        double high = largest > 0 ? largest : 1;
+        double high = Arrays.stream(values)
+                .flatMapToDouble(Arrays::stream)
+                .filter(value -> value > 0)
+                .max()
+                .orElse(1);
         double[][] rows = new Array2DRowRealMatrix(values, false).transpose().getData();
+        double[] x = HeatMap.Values.around(wavelengths);
+        double[] y = HeatMap.Values.around(angles);
+        HeatMap.Colors colors = new HeatMap.Colors(
+                "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS);
         HeatMap map = new HeatMap(
                 new HeatMap.Frame(title, "wavelength / nm", ANGLE, WIDTH, HEIGHT, false),
-                new HeatMap.Values(
-                        rows,
-                        HeatMap.Values.around(wavelengths),
-                        HeatMap.Values.around(angles),
-                        new HeatMap.Colors(
-                                "relative radiance rho", SPAN * high, high, Plot.Scale.LOGARITHMIC, ColorMap.VIRIDIS),
-                        HeatMap.Reduction.LARGEST));
+                new HeatMap.Values(rows, x, y, colors, HeatMap.Reduction.LARGEST));
         if (period.isSure()) {
             boolean towardsNormal = !Double.isNaN(grid.plane().thetaR(-grid.wavelengths()[0] / period.period()));
             int order = ridge.map(Ridge::order).orElse(towardsNormal ? -1 : 1);

@@ -175,9 +175,11 @@ public final class InspectCommand extends FileCommand {
                 int jy = row - reachY;
                 Arrays.setAll(rows[row], column -> spectrum.at(column - reachX, jy) * NANOMETERS * NANOMETERS);
             }
-            double largest =
-                    Arrays.stream(rows).flatMapToDouble(Arrays::stream).max().orElseThrow();
-            double high = largest > 0 ? largest : 1;
+            double high = Arrays.stream(rows)
+                    .flatMapToDouble(Arrays::stream)
+                    .filter(power -> power > 0)
+                    .max()
+                    .orElse(1);
             Colors colors = new Colors(
                     "power of a bin / nm^2", SPAN * high, high, Plot.Scale.LOGARITHMIC, HeatMap.ColorMap.VIRIDIS);
             double halfX = (reachX + 0.5) / spectrum.width() / MICROMETERS;

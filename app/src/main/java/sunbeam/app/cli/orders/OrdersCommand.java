@@ -137,28 +137,24 @@ public final class OrdersCommand extends FileCommand {
         double relief = patch.heights().relief();
         // The terms of the expansion grow with the relief.
         if (relief > DEEPEST || orders * Math.max(1, 0.5e6 * relief + 0.5) > MOST_ORDERS) {
-            throw new InputException(Text.format(
-                    "%s: %s with a relief of %s have too many orders; --crop a smaller part, whose relief is at most 20 um",
-                    patch.name(), patch.heights().describe(), Lengths.rounded(relief, 3)));
+            throw new InputException(patch.name() + ": " + patch.heights().describe() + " with a relief of "
+                    + Lengths.rounded(relief, 3)
+                    + " have too many orders; --crop a smaller part, whose relief is at most 20 um");
         }
         OrderLattice lattice = OrderLattice.of(patch, period);
         long lights = (long) thetas.count() * wavelengths.count();
         double visible = lattice.most(CieTable.MINIMUM_WAVELENGTH);
+        boolean sampled = patch.repetition() != Patch.Repetition.PERIODIC;
+        String fewer = sampled ? "" : ", or --no-periodic, which adds up the light around each order of its lines";
         UsageException.throwIf(
                 orders * lights > MOST_EVALUATIONS || visible * lights > MOST_RESULTS,
                 Text.format(
                         "%d angles of --theta-i and %d --wavelengths are too many for this patch of %.0f orders; take larger steps%s",
-                        thetas.count(),
-                        wavelengths.count(),
-                        visible,
-                        patch.repetition() == Patch.Repetition.PERIODIC
-                                ? ", or --no-periodic, which adds up the light around each order of its lines"
-                                : ""));
+                        thetas.count(), wavelengths.count(), visible, fewer));
         OrderSpectrum spectrum = new OrderSpectrum(patch.heights());
         double phi = Math.toDegrees(choices.get(PHI_I, lattice.first().azimuth()));
         double[] meters =
                 Arrays.stream(wavelengths.values()).map(nm -> nm / 1e9).toArray();
-        boolean sampled = patch.repetition() != Patch.Repetition.PERIODIC;
         double[] angles = thetas.values();
         List<Integer> numbers = IntStream.range(0, (int) lights).boxed().toList();
         List<OrderLight> all = environment().progress().map("Orders of " + patch.name(), numbers, i -> {

@@ -74,8 +74,7 @@ public final class SceneOverrides {
         located = withAbsoluteName(located, TEXTURE, BodyTexture.names());
         located = withAbsoluteName(located, ILLUMINANT, Illuminant.NAMES);
         located = withAbsoluteName(located, SceneSettings.ORIENTATION_MAP, List.of(Body.NONE));
-        located = withAbsoluteName(located, PATCH, BuiltInPatches.names());
-        return patch(scene.with(located), located);
+        return patch(scene.with(located), withAbsoluteName(given, PATCH, BuiltInPatches.names()));
     }
 
     /**
@@ -108,17 +107,13 @@ public final class SceneOverrides {
 
     /** Returns the choices with a file's name made absolute, as scenes store it; names of built-in things stay. */
     private static Choices withAbsoluteName(Choices given, Setting<String> setting, List<String> builtIn) {
-        if (!given.has(setting) || builtIn.contains(given.get(setting))) {
-            return given;
-        }
-        return given.with(setting, absolute(given.get(setting)), given.origin(setting));
+        boolean isFile = given.has(setting) && !builtIn.contains(given.get(setting));
+        return isFile ? given.with(setting, absolute(given.get(setting)), given.origin(setting)) : given;
     }
 
     private static Choices withAbsoluteIndex(Choices given) {
-        if (!given.has(INDEX) || !given.get(INDEX).isByWavelength()) {
-            return given;
-        }
-        return given.with(INDEX, SkinIndex.of(absolute(given.get(INDEX).file())), given.origin(INDEX));
+        boolean isFile = given.has(INDEX) && given.get(INDEX).isByWavelength();
+        return isFile ? given.with(INDEX, SkinIndex.of(absolute(given.get(INDEX).file())), given.origin(INDEX)) : given;
     }
 
     private static String absolute(String file) {
