@@ -32,9 +32,8 @@ import sunbeam.app.gpu.colors.VirtualTexture;
 import sunbeam.app.measure.errors.Certificate;
 import sunbeam.app.render.DrawRequest;
 import sunbeam.app.render.FrameText;
-import sunbeam.app.render.LightCone;
-import sunbeam.app.render.PartSum;
 import sunbeam.app.render.LineDrawings;
+import sunbeam.app.render.PartSum;
 import sunbeam.app.render.PixelPicture;
 import sunbeam.app.render.PixelPicture.LitPixels;
 import sunbeam.app.render.PixelSamples;
@@ -297,7 +296,7 @@ public final class FrameSequence implements AutoCloseable {
                 LineDrawings.strokes(image.createGraphics(), session, image.getWidth(), image.getHeight());
             }
             if (lightCone) {
-                LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());
+                LineDrawings.LightCone.of(scene).paint(image.createGraphics(), image.getWidth(), image.getHeight());
             }
         }
     }
