@@ -17,11 +17,7 @@ public record Tile(int x, int y, int width, int height) {
         return new Tile(0, 0, width, height);
     }
 
-    /** Returns square tiles that cover an image, as {@link #divide(int, int)}. */
-    public static List<Tile> cover(int width, int height, int side) {
-        return whole(width, height).divide(side);
-    }
-
+    /** Returns square tiles as {@link #divide(int, int)} does. */
     public List<Tile> divide(int side) {
         return divide(side, side);
     }

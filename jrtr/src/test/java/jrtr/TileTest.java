@@ -13,7 +13,7 @@ class TileTest {
     @CsvSource({"1, 1, 1", "10, 7, 3", "64, 64, 64", "65, 1, 64", "5, 9, 100"})
     void coversEveryPixelExactlyOnce(int width, int height, int side) {
         int[] hits = new int[width * height];
-        for (Tile tile : Tile.cover(width, height, side)) {
+        for (Tile tile : Tile.whole(width, height).divide(side)) {
             assertThat(tile.fitsIn(width, height)).isTrue();
             assertThat(Math.max(tile.width(), tile.height())).isLessThanOrEqualTo(side);
             for (int y = tile.y(); y < tile.y() + tile.height(); y++) {
@@ -27,14 +27,14 @@ class TileTest {
 
     @Test
     void coverSurvivesTheLargestSide() {
-        assertThat(Tile.cover(3, 2, Integer.MAX_VALUE)).containsExactly(Tile.whole(3, 2));
+        assertThat(Tile.whole(3, 2).divide(Integer.MAX_VALUE)).containsExactly(Tile.whole(3, 2));
     }
 
     @Test
     void refusesEmptyAndNegativeRectangles() {
         assertThatThrownBy(() -> new Tile(0, 0, 0, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new Tile(-1, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> Tile.cover(4, 4, 0)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> Tile.whole(4, 4).divide(0)).isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test

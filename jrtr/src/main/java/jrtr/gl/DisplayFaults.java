@@ -29,7 +29,6 @@ import jrtr.GraphicsException;
 public final class DisplayFaults {
     private static final Pattern DISPLAY = Pattern.compile("(?:unix/?)?([^:/]*):(\\d{1,5})(?:\\.\\d+)?");
     private static final int FIRST_PORT = 6000;
-    private static final int LAST_DISPLAY = 0xffff - FIRST_PORT;
     /** Longest wait for a drawing thread at the end: compiling a long shader takes seconds, but a driver may hang. */
     private static final long DRAWING_NANOSECONDS = TimeUnit.SECONDS.toNanos(10);
     /** Longest wait for a thread that opens a context: it may itself wait for a thread that no longer starts while the process ends. */
@@ -125,7 +124,8 @@ public final class DisplayFaults {
 
     static void watch(String display, Runnable loss) {
         Matcher parts = DISPLAY.matcher(display);
-        if (!parts.matches() || Integer.parseInt(parts.group(2)) > LAST_DISPLAY) {
+        // The pattern takes larger numbers than there are ports.
+        if (!parts.matches() || FIRST_PORT + Integer.parseInt(parts.group(2)) > 0xffff) {
             return;
         }
         SocketAddress address = parts.group(1).isEmpty()

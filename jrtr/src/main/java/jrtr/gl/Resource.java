@@ -66,9 +66,4 @@ public abstract class Resource implements AutoCloseable {
             delete(device.gl());
         }
     }
-
-    @Override
-    public final String toString() {
-        return getClass().getSimpleName() + " '" + label + "'" + (closed ? " (closed)" : "");
-    }
 }

@@ -47,9 +47,7 @@ public final class ShaderProgram extends Resource {
         int shader = gl.glCreateShader(stage);
         gl.glShaderSource(shader, 1, new String[] {source.text()}, null);
         gl.glCompileShader(shader);
-        int[] status = new int[1];
-        gl.glGetShaderiv(shader, GL3.GL_COMPILE_STATUS, status, 0);
-        if (status[0] == GL3.GL_TRUE) {
+        if (ShaderUtil.isShaderStatusValid(gl, shader, GL3.GL_COMPILE_STATUS, null)) {
             return shader;
         }
         String log = ShaderUtil.getShaderInfoLog(gl, shader);
@@ -64,9 +62,7 @@ public final class ShaderProgram extends Resource {
         gl.glLinkProgram(program);
         gl.glDetachShader(program, vertexShader);
         gl.glDetachShader(program, fragmentShader);
-        int[] status = new int[1];
-        gl.glGetProgramiv(program, GL3.GL_LINK_STATUS, status, 0);
-        if (status[0] == GL3.GL_TRUE) {
+        if (ShaderUtil.isProgramStatusValid(gl, program, GL3.GL_LINK_STATUS)) {
             return program;
         }
         String log = ShaderUtil.getProgramInfoLog(gl, program);

@@ -66,7 +66,7 @@ class OffscreenContextTest {
         rendering.close();
         rendering.close();
 
-        assertThat(target.toString()).contains("closed");
+        assertThatThrownBy(() -> target.read(0)).isInstanceOf(IllegalStateException.class);
         texture.close();
         assertThatThrownBy(rendering.context::finish)
                 .isInstanceOf(IllegalStateException.class)

@@ -103,7 +103,7 @@ class PlacedMeshTest extends InARendering {
         float[] atOnce = drawn(sphere);
         target.clear(Tile.whole(WIDTH, HEIGHT), 5, 5, 5, 5);
 
-        for (Tile tile : Tile.cover(WIDTH, HEIGHT, 17)) {
+        for (Tile tile : Tile.whole(WIDTH, HEIGHT).divide(17)) {
             draw(sphere, target, tile);
         }
 

@@ -14,35 +14,34 @@ import jrtr.gl.Texture;
 import sunbeam.precompute.optics.Direction;
 import sunbeam.precompute.optics.DirectionPair;
 
-/** Evaluates directions on the GPU, one fragment each (shaders/directions.frag). */
-public final class DirectionsRenderer implements AutoCloseable {
+/**
+ * Evaluates directions on the GPU, one fragment each (shaders/directions.frag).
+ *
+ * @param spectral true to evaluate powers at each direction's wavelength, false to evaluate colors
+ */
+public record DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral, ShaderProgram program)
+        implements AutoCloseable {
     // Directions per draw: few enough for a short draw on a slow driver, enough to keep all its processors busy.
     private static final int BATCH = 256;
     // Texels of a direction, one below the other (shaders/directions.frag).
     private static final int ROWS = 4;
 
-    private final RenderContext context;
-    private final UploadedTables method;
-    private final boolean spectral;
-    private final ShaderProgram program;
-
-    /** @param spectral true to evaluate powers at each direction's wavelength, false to evaluate colors */
-    public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
-        this(context, method, spectral, spectral ? Map.of("SPECTRAL", "1") : Map.of());
+    public DirectionsRenderer {
+        program.set("windowSigma", (float) method.windowSigma());
     }
 
-    private DirectionsRenderer(
-            RenderContext context, UploadedTables method, boolean spectral, Map<String, String> defines) {
-        this.context = context;
-        this.method = method;
-        this.spectral = spectral;
-        this.program = method.program("directions.frag", defines);
-        program.set("windowSigma", (float) method.windowSigma());
+    public DirectionsRenderer(RenderContext context, UploadedTables method, boolean spectral) {
+        this(
+                context,
+                method,
+                spectral,
+                method.program("directions.frag", spectral ? Map.of("SPECTRAL", "1") : Map.of()));
     }
 
     /** Creates a renderer that returns the method's own average as both coherent and ensemble power. */
     public static DirectionsRenderer ofOnePower(RenderContext context, UploadedTables method) {
-        return new DirectionsRenderer(context, method, true, Map.of("SPECTRAL", "1", "ONE_POWER", "1"));
+        Map<String, String> defines = Map.of("SPECTRAL", "1", "ONE_POWER", "1");
+        return new DirectionsRenderer(context, method, true, method.program("directions.frag", defines));
     }
 
     /** Directions and wavelength in meters, which is ignored where colors are evaluated. */

@@ -13,23 +13,19 @@ import sunbeam.precompute.shader.ArrayLayout;
 import sunbeam.precompute.shader.ShaderTables;
 import sunbeam.precompute.shader.TableArray;
 
-/** A method's tables in graphics memory, for any program that includes the method. Owns its textures. */
-public final class UploadedTables implements AutoCloseable {
+/**
+ * A method's tables in graphics memory, for any program that includes the method. Owns its textures.
+ *
+ * @param textures textures by sampler name
+ */
+public record UploadedTables(RenderContext context, ShaderTables tables, Map<String, Texture> textures)
+        implements AutoCloseable {
     // LOOPS_CUT of shaders is -1e30: weighted and added to light it stays below, and valid results above.
     private static final float LARGEST_PARTIAL_SUM = -1e20f;
 
-    private final RenderContext context;
-    private final ShaderTables tables;
-    private final Map<String, Texture> textures = new HashMap<>();
-
-    private UploadedTables(RenderContext context, ShaderTables tables) {
-        this.context = context;
-        this.tables = tables;
-    }
-
     /** Uploads tables, layer by layer; throws {@link GraphicsException} if the device has no room for them. */
     public static UploadedTables upload(RenderContext context, ShaderTables tables) {
-        UploadedTables uploaded = new UploadedTables(context, tables);
+        UploadedTables uploaded = new UploadedTables(context, tables, new HashMap<>());
         return Resource.orClose(
                 () -> {
                     tables.arrays().forEach(uploaded::upload);
@@ -75,18 +71,13 @@ public final class UploadedTables implements AutoCloseable {
         defines.putAll(furtherDefines);
         ShaderProgram program =
                 context.createFullScreenProgram(Shaders.library().load(fragment, defines));
-        try {
-            tables.reals().forEach(program::set);
-            tables.integers().forEach(program::set);
-            return program;
-        } catch (RuntimeException failure) {
-            program.close();
-            throw failure;
-        }
-    }
-
-    public Map<String, Texture> textures() {
-        return textures;
+        return Resource.orClose(
+                () -> {
+                    tables.reals().forEach(program::set);
+                    tables.integers().forEach(program::set);
+                    return program;
+                },
+                program::close);
     }
 
     /** Returns the DFT bins per cycle per meter along x and y: the patch's width and height in meters; empty without DFT. */

@@ -82,7 +82,7 @@ public final class PartSum {
         int rows = meter.height();
         int samples = scene.method().type().equals(TableMethod.TYPE) ? TABLE_SAMPLES : 1;
         ScenePicture small = ScenePicture.empty(columns, rows);
-        boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, tile -> {
+        boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, tile -> {
             ScenePicture part = draw(
                     DrawRequest.ofPixels(scene, columns, rows, tile, samples).coarsest());
             small.put(part.reduced(samples), tile.x(), tile.y());
@@ -128,7 +128,7 @@ public final class PartSum {
         List<ScenePicture> lit = new ArrayList<>();
         for (Scene alone : scene.perLight()) {
             ScenePicture light = ScenePicture.empty(columns, rows);
-            boolean isWhole = tiles.draw(Tile.cover(columns, rows, TimedTiles.LARGEST), interrupted, few -> {
+            boolean isWhole = tiles.draw(Tile.whole(columns, rows).divide(TimedTiles.LARGEST), interrupted, few -> {
                 int x = stride * few.x();
                 int y = stride * few.y();
                 int right = Math.min(x + stride * few.width(), width);

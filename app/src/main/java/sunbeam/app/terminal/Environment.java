@@ -2,6 +2,7 @@ package sunbeam.app.terminal;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -45,15 +46,12 @@ public record Environment(Map<String, String> variables, Path home, ProgressDisp
     }
 
     public static String version() {
-        try (InputStream stream = Environment.class.getResourceAsStream(VERSION)) {
-            if (stream == null) {
-                throw new IllegalStateException("the build left out the resource " + VERSION);
-            }
-            Properties properties = new Properties();
-            properties.load(stream);
-            return properties.getProperty("version");
+        Properties properties = new Properties();
+        try {
+            properties.load(new StringReader(resource(Environment.class, VERSION)));
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
+        return properties.getProperty("version");
     }
 }

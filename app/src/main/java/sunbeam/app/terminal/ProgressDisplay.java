@@ -75,7 +75,7 @@ public final class ProgressDisplay {
 
     /** Starts a task such as {@code rendering} with a number of steps, at least 0. */
     public Progress start(String label, long total) {
-        return new Progress(label, total, silent ? null : new Line());
+        return new Progress(label, total, new Line());
     }
 
     /** In parallel, as a task with one step per item. */
@@ -97,6 +97,7 @@ public final class ProgressDisplay {
      */
     final class Line implements ProgressBarConsumer {
         private final long start = nanoseconds.getAsLong();
+        private final boolean isHidden = silent;
         private int drawn;
         private String printed = "";
         private String last = "";
@@ -113,7 +114,8 @@ public final class ProgressDisplay {
 
         @Override
         public synchronized void accept(String text) {
-            if (closed || open.peekLast() != this || nanoseconds.getAsLong() - start < DELAY.toNanos()) {
+            boolean isShown = !closed && !isHidden && open.peekLast() == this;
+            if (!isShown || nanoseconds.getAsLong() - start < DELAY.toNanos()) {
                 return;
             }
             if (!interactive) {
@@ -166,17 +168,15 @@ public final class ProgressDisplay {
         private Progress(String label, long total, Line line) {
             this.line = line;
             // On Ctrl-C the half-drawn line is erased, and none is drawn after it.
-            hook = line == null ? null : new ShutdownHook(line::close);
-            bar = line == null
-                    ? null
-                    : new ProgressBarBuilder()
-                            .setTaskName(label)
-                            .setInitialMax(total)
-                            .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
-                            .setStyle(ProgressBarStyle.ASCII)
-                            .setEtaFunction(Progress::timeLeft)
-                            .setConsumer(line)
-                            .build();
+            hook = new ShutdownHook(line::close);
+            bar = new ProgressBarBuilder()
+                    .setTaskName(label)
+                    .setInitialMax(total)
+                    .setUpdateIntervalMillis(REDRAW_MILLISECONDS)
+                    .setStyle(ProgressBarStyle.ASCII)
+                    .setEtaFunction(Progress::timeLeft)
+                    .setConsumer(line)
+                    .build();
         }
 
         private static Optional<Duration> timeLeft(ProgressState state) {
@@ -189,18 +189,14 @@ public final class ProgressDisplay {
 
         @Override
         public void step(long count) {
-            if (bar != null) {
-                bar.stepBy(count);
-            }
+            bar.stepBy(count);
         }
 
         @Override
         public void close() {
-            if (bar != null) {
-                bar.close();
-                line.close();
-                hook.close();
-            }
+            bar.close();
+            line.close();
+            hook.close();
         }
     }
 }

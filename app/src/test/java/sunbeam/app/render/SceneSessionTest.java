@@ -122,7 +122,7 @@ class SceneSessionTest extends InAScene {
         int width = 2060; // wider than a block
         ScenePicture whole = session.draw(DrawRequest.ofPixels(session.scene(), width, 24, Tile.whole(width, 24), 1));
         ScenePicture tiled = ScenePicture.empty(width, 24);
-        for (Tile tile : Tile.cover(width, 24, 333)) {
+        for (Tile tile : Tile.whole(width, 24).divide(333)) {
             tiled.put(session.draw(DrawRequest.ofPixels(session.scene(), width, 24, tile, 1)), tile.x(), tile.y());
         }
         assertThat(tiled.rgba()).isEqualTo(whole.rgba());

@@ -2,6 +2,7 @@ package sunbeam.app.files.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -19,7 +20,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import sunbeam.app.files.output.AtomicFile;
 import sunbeam.app.files.output.OutputException;
 import sunbeam.app.files.output.Overwrite;
@@ -44,18 +44,10 @@ public record CacheFolder(Path path, String allowed) {
         public static final String TILES = "tiles";
         static final String BYTES = "bytes";
 
-        static boolean isOne(Path file) {
-            return List.of(SHADER, TILES, BYTES).contains(ending(file));
-        }
-
-        private static String ending(Path file) {
-            String name = file.getFileName().toString();
-            return name.substring(name.lastIndexOf('.') + 1);
-        }
-
         /** Reads the label; throws InputException if the file is damaged, of another version, or gone. */
         public TableLabel label() {
-            return switch (ending(file)) {
+            String name = file.getFileName().toString();
+            return switch (name.substring(name.lastIndexOf('.') + 1)) {
                 case TILES -> TileFile.label(file, TileFile.FORMAT);
                 case BYTES -> TileFile.label(file, BlobCache.FORMAT);
                 default -> ShaderTablesFile.label(file);
@@ -145,34 +137,31 @@ public record CacheFolder(Path path, String allowed) {
      * @throws UncheckedIOException if the folder cannot be listed
      */
     public List<Entry> entries() {
+        if (!Files.isDirectory(path)) {
+            return List.of();
+        }
         List<Entry> entries = new ArrayList<>();
-        for (Path file : files()) {
-            try {
-                BasicFileAttributes attributes =
-                        Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
-                if (attributes.isRegularFile()) {
-                    Instant used = attributes.lastModifiedTime().toInstant();
-                    entries.add(new Entry(file, attributes.size(), used));
+        String names = "*.{" + String.join(",", Entry.SHADER, Entry.TILES, Entry.BYTES) + "}";
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(path, names)) {
+            for (Path file : files) {
+                try {
+                    BasicFileAttributes attributes =
+                            Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+                    if (attributes.isRegularFile()) {
+                        Instant used = attributes.lastModifiedTime().toInstant();
+                        entries.add(new Entry(file, attributes.size(), used));
+                    }
+                } catch (IOException gone) {
+                    // Removed by another process.
                 }
-            } catch (IOException gone) {
-                // Removed by another process.
             }
+        } catch (IOException failure) {
+            throw new UncheckedIOException("cannot list " + path, failure);
         }
         entries.sort(Comparator.comparing(Entry::lastUsed)
                 .reversed()
                 .thenComparing(entry -> entry.file().toString()));
         return entries;
-    }
-
-    private List<Path> files() {
-        if (!Files.isDirectory(path)) {
-            return List.of();
-        }
-        try (Stream<Path> listed = Files.list(path)) {
-            return listed.filter(Entry::isOne).toList();
-        } catch (IOException failure) {
-            throw new UncheckedIOException("cannot list " + path, failure);
-        }
     }
 
     /**

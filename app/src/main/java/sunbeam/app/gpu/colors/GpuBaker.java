@@ -6,6 +6,7 @@ import jrtr.Tile;
 import jrtr.gl.FloatTarget;
 import jrtr.gl.FloatTexture;
 import jrtr.gl.RenderContext;
+import jrtr.gl.Resource;
 import jrtr.gl.ShaderProgram;
 import jrtr.gl.Texture;
 import sunbeam.app.gpu.UploadedTables;
@@ -14,38 +15,33 @@ import sunbeam.precompute.colortable.LevelBaking;
 import sunbeam.precompute.shader.ShaderTables;
 
 /** Bakes colors by a method's shader (shaders/colors.frag), in a context of its own, so that any thread may call it. */
-final class GpuBaker implements ColorBaker {
+record GpuBaker(
+        RenderContext context,
+        FloatTexture samples,
+        FloatTarget target,
+        ShaderProgram program,
+        Map<String, Texture> textures)
+        implements ColorBaker {
     /** Side of a draw: keeps all processors of a software renderer busy, in a short draw. */
     private static final int SIDE = 128;
 
     /** Fourth component of a used texel; unused ones have 0. */
     private static final float USED = 1;
 
-    private final RenderContext context;
-    private final FloatTexture samples;
-    private final FloatTarget target;
-    private final ShaderProgram program;
-    private final Map<String, Texture> textures = new HashMap<>();
-
-    private GpuBaker(RenderContext context, ShaderTables tables) {
-        this.context = context;
-        try {
-            UploadedTables method = UploadedTables.upload(context, tables);
-            program = method.program("colors.frag");
-            samples = context.createFloatTexture(
-                    "samples", FloatTexture.Spec.flat(SIDE, SIDE, FloatTexture.Format.RGBA32F));
-            target = context.createFloatTarget("colors", FloatTarget.Spec.color(SIDE, SIDE));
-            textures.putAll(method.textures());
-            textures.put("samples", samples);
-        } catch (RuntimeException | Error failure) {
-            close();
-            throw failure;
-        }
-    }
-
     /** Uploads a method's tables; throws {@link jrtr.GraphicsException} if the device has no room for them. */
     static GpuBaker of(ShaderTables tables) {
-        return new GpuBaker(RenderContext.offscreen(), tables);
+        RenderContext context = RenderContext.offscreen();
+        return Resource.orClose(
+                () -> {
+                    UploadedTables method = UploadedTables.upload(context, tables);
+                    FloatTexture samples = context.createFloatTexture(
+                            "samples", FloatTexture.Spec.flat(SIDE, SIDE, FloatTexture.Format.RGBA32F));
+                    FloatTarget target = context.createFloatTarget("colors", FloatTarget.Spec.color(SIDE, SIDE));
+                    Map<String, Texture> textures = new HashMap<>(method.textures());
+                    textures.put("samples", samples);
+                    return new GpuBaker(context, samples, target, method.program("colors.frag"), textures);
+                },
+                context::close);
     }
 
     @Override

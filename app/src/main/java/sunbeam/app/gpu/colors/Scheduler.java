@@ -37,12 +37,6 @@ final class Scheduler implements AutoCloseable {
 
     private record IdleTask(CancellationToken token, Runnable task) {}
 
-    private enum Life {
-        OPEN,
-        CLOSING,
-        CLOSED
-    }
-
     private final TileBaker baker;
     private final Executor executor;
     private final Runnable onBakedTiles;
@@ -56,7 +50,7 @@ final class Scheduler implements AutoCloseable {
     // True from the submission of turn() until it has run.
     private boolean isQueued;
     private boolean isInteractive;
-    private Life life = Life.OPEN;
+    private boolean isClosing;
 
     /**
      * @param baker used, and closed in the end, by the executor alone
@@ -99,13 +93,13 @@ final class Scheduler implements AutoCloseable {
 
     /** Returns new baked tiles. Throws a failure of baking once; its tiles may be requested again. */
     synchronized Optional<BakedTiles> poll() {
-        Optional<Throwable> reported = undelivered.isEmpty() ? failure : Optional.empty();
-        if (reported.isPresent()) {
+        if (undelivered.isEmpty() && failure.isPresent()) {
+            Throwable reported = failure.get();
             failure = Optional.empty();
-            if (reported.get() instanceof Error error) {
+            if (reported instanceof Error error) {
                 throw error;
             }
-            throw (RuntimeException) reported.get();
+            throw (RuntimeException) reported;
         }
         return Optional.ofNullable(undelivered.poll());
     }
@@ -113,12 +107,10 @@ final class Scheduler implements AutoCloseable {
     /** Cancels the running job; the executor closes the baker afterwards. */
     @Override
     public synchronized void close() {
-        if (life == Life.OPEN) {
-            life = Life.CLOSING;
-            undelivered.clear();
-            failure = Optional.empty();
-            reconsider();
-        }
+        isClosing = true;
+        undelivered.clear();
+        failure = Optional.empty();
+        reconsider();
     }
 
     /** Guarded by this. Cancels the running job if another is more urgent, and submits {@link #turn} if anything is due. */
@@ -126,9 +118,9 @@ final class Scheduler implements AutoCloseable {
         Optional<DueJob> first = mostUrgent();
         running.filter(job -> !first.map(due -> isPartOf(job, due)).orElse(false))
                 .ifPresent(job -> job.token().cancel());
-        idling.filter(task -> life != Life.OPEN || isInteractive || !isComplete(first))
+        idling.filter(task -> isClosing || isInteractive || !isComplete(first))
                 .ifPresent(task -> task.token().cancel());
-        boolean isDue = life == Life.CLOSING || first.isPresent() || mayIdle(first);
+        boolean isDue = isClosing || first.isPresent() || mayIdle(first);
         if (isDue && !isQueued) {
             isQueued = true;
             executor.execute(this::turn);
@@ -142,7 +134,7 @@ final class Scheduler implements AutoCloseable {
 
     /** Guarded by this. */
     private Optional<DueJob> mostUrgent() {
-        return IntStream.range(COARSEST, life == Life.OPEN ? missing.size() : 0)
+        return IntStream.range(COARSEST, isClosing ? 0 : missing.size())
                 .filter(priority -> !isInteractive || priority == COARSEST)
                 .filter(priority -> !missing.get(priority).isEmpty())
                 .mapToObj(priority -> new DueJob(priority, missing.get(priority).copy(), new CancellationToken()))
@@ -151,7 +143,7 @@ final class Scheduler implements AutoCloseable {
 
     /** Guarded by this. */
     private boolean mayIdle(Optional<DueJob> first) {
-        return life == Life.OPEN && isComplete(first) && !isInteractive && !idleTasks.isEmpty();
+        return !isClosing && isComplete(first) && !isInteractive && !idleTasks.isEmpty();
     }
 
     private static boolean isComplete(Optional<DueJob> first) {
@@ -170,13 +162,10 @@ final class Scheduler implements AutoCloseable {
     private synchronized boolean endTurn() {
         running = Optional.empty();
         idling = Optional.empty();
-        if (life == Life.CLOSING) {
-            life = Life.CLOSED;
-            return true;
-        }
-        isQueued = false;
+        // After the last turn isQueued stays true, so that none follows.
+        isQueued = isClosing;
         reconsider();
-        return false;
+        return isClosing;
     }
 
     private synchronized Runnable next() {
@@ -217,14 +206,14 @@ final class Scheduler implements AutoCloseable {
     }
 
     private synchronized void deliver(BakedTiles tiles) {
-        if (life == Life.OPEN) {
+        if (!isClosing) {
             removeFromMissing(tiles);
             undelivered.add(tiles);
         }
     }
 
     private synchronized void fail(Throwable problem, boolean givesUp) {
-        if (life == Life.OPEN) {
+        if (!isClosing) {
             failure = Optional.of(problem);
         }
         if (givesUp) {

@@ -1,17 +1,13 @@
 package sunbeam.app.gpu.colors;
 
-import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** For each mip level the numbers of its tiles. Mutable. */
 record TileSet(List<BitSet> ofLevels) {
     static TileSet none(int levels) {
-        List<BitSet> empty = new ArrayList<>();
-        for (int level = 0; level < levels; level++) {
-            empty.add(new BitSet());
-        }
-        return new TileSet(empty);
+        return new TileSet(Stream.generate(BitSet::new).limit(levels).toList());
     }
 
     TileSet copy() {

@@ -144,24 +144,24 @@ public final class VirtualTexture implements AutoCloseable {
     /** Makes the tiles resident that were baked since the last call; returns false if there were none. */
     public boolean drain() {
         boolean hasNew = false;
-        while (scheduler.isPresent()) {
-            Optional<Scheduler.BakedTiles> bakedTiles = scheduler.get().poll();
-            if (bakedTiles.isEmpty()) {
-                break;
-            }
-            residency.add(bakedTiles.get());
+        for (Optional<Scheduler.BakedTiles> baked = poll(); baked.isPresent(); baked = poll()) {
+            residency.add(baked.get());
             hasNew = true;
         }
         return hasNew;
     }
 
+    private Optional<Scheduler.BakedTiles> poll() {
+        return scheduler.flatMap(Scheduler::poll);
+    }
+
     /** Requests the tiles of the feedback, in place of the last request. Throws {@link GraphicsException} if memory does not suffice. */
     public void request() {
         TileSet all = feedback.copy();
+        feedback.add(prefetchSet.coarsest());
+        TileSet missing = residency.missing(feedback);
         feedback.clear();
-        TileSet missing = all.copy();
-        missing.add(prefetchSet.coarsest());
-        residency.expect(residency.missing(missing));
+        residency.expect(missing);
         requested = all;
         schedule(none());
     }

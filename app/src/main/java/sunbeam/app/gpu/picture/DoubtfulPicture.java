@@ -2,7 +2,9 @@ package sunbeam.app.gpu.picture;
 
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import sunbeam.app.terminal.ExitCode;
 import sunbeam.app.terminal.Messages;
 import sunbeam.precompute.patch.Patch;
@@ -34,16 +36,11 @@ public final class DoubtfulPicture {
 
     /** True if all pixels are black; false for small pictures, which may be black by chance. */
     public static boolean isBlack(BufferedImage image) {
-        if (image.getWidth() < FEWEST_PIXELS) {
-            return false;
-        }
-        for (int y = 0; y < image.getHeight(); y++) {
-            for (int x = 0; x < image.getWidth(); x++) {
-                if ((image.getRGB(x, y) & 0xffffff) != 0) {
-                    return false;
-                }
-            }
-        }
-        return true;
+        int width = image.getWidth();
+        return width >= FEWEST_PIXELS
+                && IntStream.range(0, image.getHeight())
+                        .mapToObj(y -> image.getRGB(0, y, width, 1, null, 0, width))
+                        .flatMapToInt(Arrays::stream)
+                        .allMatch(color -> (color & 0xffffff) == 0);
     }
 }

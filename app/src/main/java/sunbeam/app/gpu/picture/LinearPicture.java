@@ -64,7 +64,12 @@ public record LinearPicture(int width, int height, float[] xyz) {
      * changes little.
      */
     public static double exposure(LinearPicture... pictures) {
-        double[] luminances = luminances(pictures);
+        double[] luminances = Arrays.stream(pictures)
+                .flatMapToDouble(picture ->
+                        IntStream.range(0, picture.width * picture.height).mapToDouble(picture::luminance))
+                .filter(luminance -> luminance > 0 && Double.isFinite(luminance))
+                .sorted()
+                .toArray();
         double[] roots = Arrays.stream(luminances).map(Math::cbrt).toArray();
         double all = Arrays.stream(roots).sum();
         if (!(all > 0)) {
@@ -83,24 +88,5 @@ public record LinearPicture(int width, int height, float[] xyz) {
             below = upTo;
         }
         return EXPOSURE_TARGET / Math.exp(logarithms / weights);
-    }
-
-    private static double[] luminances(LinearPicture... pictures) {
-        int pixels = Arrays.stream(pictures)
-                .mapToInt(picture -> picture.width() * picture.height())
-                .reduce(0, Math::addExact);
-        double[] luminances = new double[pixels];
-        int count = 0;
-        for (LinearPicture picture : pictures) {
-            for (int i = 0; i < picture.width() * picture.height(); i++) {
-                float luminance = picture.luminance(i);
-                if (luminance > 0 && Float.isFinite(luminance)) {
-                    luminances[count++] = luminance;
-                }
-            }
-        }
-        double[] sorted = Arrays.copyOf(luminances, count);
-        Arrays.sort(sorted);
-        return sorted;
     }
 }

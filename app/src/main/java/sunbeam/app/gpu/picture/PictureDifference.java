@@ -1,28 +1,24 @@
 package sunbeam.app.gpu.picture;
 
 import java.awt.image.BufferedImage;
-import java.util.Arrays;
+import java.util.stream.IntStream;
 import sunbeam.precompute.color.CieLab;
 import sunbeam.precompute.numerics.Quantiles;
 import sunbeam.precompute.text.Text;
 
 /** Median and 95th percentile of CIEDE2000 between two pictures, over pixels where either is not black. */
 public record PictureDifference(double median, double high) {
+    private static final int RGB = 0xffffff;
 
     /** Compares pixels over the area of the base, which must not exceed the picture. */
     public static PictureDifference of(BufferedImage picture, BufferedImage base) {
-        double[] differences = new double[base.getWidth() * base.getHeight()];
-        int count = 0;
-        for (int y = 0; y < base.getHeight(); y++) {
-            for (int x = 0; x < base.getWidth(); x++) {
-                int color = picture.getRGB(x, y) & 0xffffff;
-                int first = base.getRGB(x, y) & 0xffffff;
-                if (color != 0 || first != 0) {
-                    differences[count++] = CieLab.ofSrgb(color).difference(CieLab.ofSrgb(first));
-                }
-            }
-        }
-        double[] counted = count == 0 ? new double[1] : Arrays.copyOf(differences, count);
+        int width = base.getWidth();
+        double[] differences = IntStream.range(0, width * base.getHeight())
+                .filter(i -> ((picture.getRGB(i % width, i / width) | base.getRGB(i % width, i / width)) & RGB) != 0)
+                .mapToDouble(i -> CieLab.ofSrgb(picture.getRGB(i % width, i / width) & RGB)
+                        .difference(CieLab.ofSrgb(base.getRGB(i % width, i / width) & RGB)))
+                .toArray();
+        double[] counted = differences.length == 0 ? new double[1] : differences;
         return new PictureDifference(Quantiles.of(counted, 0.5), Quantiles.of(counted, 0.95));
     }
 

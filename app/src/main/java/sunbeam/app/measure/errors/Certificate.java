@@ -205,8 +205,6 @@ public record Certificate(
         // Tries per compared pixel: the mesh may fill few.
         private static final int MOST_TRIES = 200;
 
-        private record Exact(Tile pixel, double[] xyz) {}
-
         /**
          * Draws random pixels, fewer than {@code count} if the mesh fills fewer, by two renderers of a scene.
          *
@@ -216,34 +214,21 @@ public record Certificate(
          */
         public Certificate certify(
                 PartSum drawn, Scene scene, PartSum exact, Scene points, double exposure, int count) {
-            List<Exact> means = means(exact, points, count, new SplittableRandom(SEED));
-            List<double[]> pixels = drawn(
-                    drawn, scene, exposure, means.stream().map(Exact::pixel).toList());
-            // The gain is that of white, for Comparison's floor of dark pixels.
-            List<Comparison> compared = IntStream.range(0, means.size())
-                    .mapToObj(i -> new Comparison(pixels.get(i), means.get(i).xyz(), 1))
-                    .toList();
+            SplittableRandom random = new SplittableRandom(SEED);
+            List<Comparison> compared = new ArrayList<>();
+            for (int i = 0; i < MOST_TRIES * count && compared.size() < count; i++) {
+                Tile pixel = new Tile(random.nextInt(width), random.nextInt(height), 1, 1);
+                mean(exact, points, pixel).ifPresent(xyz -> {
+                    ScenePicture picture = drawn.draw(scene, width, height, pixel, samples, exposure)
+                            .light();
+                    // The gain is that of white, for Comparison's floor of dark pixels.
+                    compared.add(new Comparison(Comparison.xyz(picture.rgba(), 0), xyz, 1));
+                });
+            }
             String places = Text.format(
                     "%d random pixels that the mesh fills, beside the mean of %d points in each",
-                    means.size(), POINTS * POINTS);
+                    compared.size(), POINTS * POINTS);
             return ofPixels(places, compared, exposure, Limits.ANTI_ALIASED);
-        }
-
-        private List<double[]> drawn(PartSum parts, Scene scene, double exposure, List<Tile> pixels) {
-            return pixels.stream()
-                    .map(pixel -> parts.draw(scene, width, height, pixel, samples, exposure)
-                            .light())
-                    .map(picture -> Comparison.xyz(picture.rgba(), 0))
-                    .toList();
-        }
-
-        private List<Exact> means(PartSum exact, Scene scene, int count, SplittableRandom random) {
-            List<Exact> means = new ArrayList<>();
-            for (int i = 0; i < MOST_TRIES * count && means.size() < count; i++) {
-                Tile pixel = new Tile(random.nextInt(width), random.nextInt(height), 1, 1);
-                mean(exact, scene, pixel).ifPresent(xyz -> means.add(new Exact(pixel, xyz)));
-            }
-            return means;
         }
 
         /** Returns the mean of a pixel's points; empty if the mesh does not fill the pixel. */

@@ -56,7 +56,7 @@ final class MapStage {
         int[] sizes = isFinal ? new int[] {PREVIEW_SIZE, SIZE} : new int[] {PREVIEW_SIZE};
         for (int size : sizes) {
             try (BrdfMapRenderer renderer = new BrdfMapRenderer(context, method, size)) {
-                List<Tile> blocks = Tile.cover(size, size, TimedTiles.LARGEST);
+                List<Tile> blocks = Tile.whole(size, size).divide(TimedTiles.LARGEST);
                 if (!tiles.draw(blocks, interrupted, tile -> renderer.draw(light, tile))) {
                     return;
                 }

@@ -188,7 +188,7 @@ class SceneTableTest extends InAScene {
         try (SceneSession one = session(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE));
                 SceneSession other = session(plane(EYE, LIGHT, 10, ON_A_BODY, TableMethod.TYPE))) {
             float[] whole = picture(one, width, height).rgba();
-            for (Tile tile : Tile.cover(width, height, 7)) {
+            for (Tile tile : Tile.whole(width, height).divide(7)) {
                 float[] part = other.draw(DrawRequest.ofPixels(other.scene(), width, height, tile, 1))
                         .rgba();
                 int row = tile.y() * width + tile.x();
